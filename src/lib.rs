@@ -1,0 +1,13 @@
+//! vkpt: a headless path tracer on Vulkan compute, with a CPU reference that it equals bit for bit.
+
+pub mod cli;
+pub mod film;
+pub mod gpu;
+pub mod image;
+pub mod kernel;
+pub mod layout;
+pub mod prepared;
+pub mod reference;
+pub mod report;
+pub mod scene;
+pub mod settings;

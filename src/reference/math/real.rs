@@ -1,0 +1,138 @@
+//! The scalar that the reference is generic over.
+//!
+//! In `f32` every operation is the one the kernel performs, in the same order, so that the two agree
+//! bit for bit on a device that rounds correctly; in `f64` the same text tells what `f32` costs.
+
+use std::fmt::Debug;
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use super::elementary;
+
+/// A floating-point scalar with the operations that the kernels use and no others.
+///
+/// `+ − × ÷ √` round correctly. The elementary functions are the project's own polynomials in `f32`
+/// (twins of `shaders/math/elementary/`) and the standard library's in `f64`.
+pub trait Real:
+    Copy
+    + Debug
+    + PartialEq
+    + PartialOrd
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+{
+    /// Half the distance from 1 to the next larger number: 2⁻²⁴ or 2⁻⁵³.
+    const ULP: Self;
+    /// The nearest scalar to `x`.
+    fn new(x: f64) -> Self;
+    /// The exact value.
+    fn f64(self) -> f64;
+    /// `k`, exact for `k` < 2²⁴.
+    fn from_u32(k: u32) -> Self;
+    /// ⌊x⌋ as an integer, for 0 ≤ x < 2³².
+    fn to_u32(self) -> u32;
+    fn sqrt(self) -> Self;
+    fn abs(self) -> Self;
+    fn floor(self) -> Self;
+    fn is_nan(self) -> bool;
+    fn is_infinite(self) -> bool;
+    /// (sin 2πu, cos 2πu) for u in [0, 1].
+    fn sincos_2pi(u: Self) -> (Self, Self);
+    /// eˣ
+    fn exp(x: Self) -> Self;
+    /// eˣ − 1, accurate near 0.
+    fn expm1(x: Self) -> Self;
+    /// ln(1 + x), accurate near 0; x > −1.
+    fn log1p(x: Self) -> Self;
+
+    fn zero() -> Self {
+        Self::new(0.0)
+    }
+    fn one() -> Self {
+        Self::new(1.0)
+    }
+}
+
+/// `b < a ? b : a`, spelt out because SPIR-V leaves FMin's answer open for NaN and for zeros of two signs.
+pub fn min2<F: Real>(a: F, b: F) -> F {
+    if b < a { b } else { a }
+}
+
+/// `a < b ? b : a`, see [`min2`].
+pub fn max2<F: Real>(a: F, b: F) -> F {
+    if a < b { b } else { a }
+}
+
+macro_rules! common {
+    ($t:ty) => {
+        fn new(x: f64) -> Self {
+            x as $t
+        }
+        fn f64(self) -> f64 {
+            self as f64
+        }
+        fn from_u32(k: u32) -> Self {
+            k as $t
+        }
+        fn to_u32(self) -> u32 {
+            self as u32
+        }
+        fn sqrt(self) -> Self {
+            <$t>::sqrt(self)
+        }
+        fn abs(self) -> Self {
+            <$t>::abs(self)
+        }
+        fn floor(self) -> Self {
+            <$t>::floor(self)
+        }
+        fn is_nan(self) -> bool {
+            <$t>::is_nan(self)
+        }
+        fn is_infinite(self) -> bool {
+            <$t>::is_infinite(self)
+        }
+    };
+}
+
+impl Real for f32 {
+    const ULP: Self = f32::EPSILON / 2.0;
+    common!(f32);
+    fn sincos_2pi(u: Self) -> (Self, Self) {
+        elementary::sincos_2pi(u)
+    }
+    fn exp(x: Self) -> Self {
+        elementary::exp(x)
+    }
+    fn expm1(x: Self) -> Self {
+        elementary::expm1(x)
+    }
+    fn log1p(x: Self) -> Self {
+        elementary::log1p(x)
+    }
+}
+
+impl Real for f64 {
+    const ULP: Self = f64::EPSILON / 2.0;
+    common!(f64);
+    fn sincos_2pi(u: Self) -> (Self, Self) {
+        (u * std::f64::consts::TAU).sin_cos()
+    }
+    fn exp(x: Self) -> Self {
+        f64::exp(x)
+    }
+    fn expm1(x: Self) -> Self {
+        f64::exp_m1(x)
+    }
+    fn log1p(x: Self) -> Self {
+        f64::ln_1p(x)
+    }
+}

@@ -1,0 +1,7 @@
+//! The CPU renderer: the truth that the kernels are held against, written once and generic over the scalar.
+//!
+//! Same folders, file, function and argument names as `shaders/`. Reads `prepared`, never the GPU's buffers.
+
+pub mod bsdf;
+pub mod math;
+pub mod sampler;

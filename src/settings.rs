@@ -1,0 +1,119 @@
+//! Settings of two kinds, never mixed up: the model decides what picture the renderer converges to,
+//! the estimator only how fast (model page, section 1).
+
+/// Reflectance of an interface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Fresnel {
+    Schlick,
+    Exact,
+}
+
+/// Distribution of micro-normals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Distribution {
+    Phong,
+    Beckmann,
+    Ggx,
+}
+
+/// Where Beer's law is applied: on every stretch inside a medium, or only in E_t as the hand-out prints it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Absorption {
+    Segment,
+    Term,
+}
+
+/// How a lobe is chosen: by Fresnel's share, or by ‖Kd‖ : ‖Ks‖ : ‖Kt‖.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum LobeChoice {
+    Fresnel,
+    Norms,
+}
+
+/// Density of sampled micro-normals: those visible from `wo`, or D(m)·(m·N).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Normals {
+    Visible,
+    Distribution,
+}
+
+/// Russian roulette.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Roulette {
+    /// Survival by the path's throughput, from the third bounce.
+    Throughput,
+    /// The same survival probability at every bounce, in (0, 1].
+    Constant(f64),
+    Off,
+}
+
+/// How light is found: explicit connections, paths that hit it, or both with multiple importance sampling.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Connect {
+    Mis,
+    Light,
+    Bsdf,
+}
+
+/// What the picture converges to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Model {
+    /// Overrides the scene's own words where given.
+    pub fresnel: Option<Fresnel>,
+    /// Overrides the scene's own words where given.
+    pub distribution: Option<Distribution>,
+    pub absorption: Absorption,
+    /// Factor eta² of radiance at each refraction.
+    pub radiance_scaling: bool,
+    /// Bounces a path may make: 0 shows emitters only, 1 adds direct light; `None`: no cap.
+    pub max_depth: Option<u32>,
+}
+
+/// How fast it converges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimator {
+    pub lobe: LobeChoice,
+    pub normals: Normals,
+    pub roulette: Roulette,
+    pub connect: Connect,
+}
+
+/// All settings of one rendering.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    pub model: Model,
+    pub estimator: Estimator,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            model: Model {
+                fresnel: None,
+                distribution: None,
+                absorption: Absorption::Segment,
+                radiance_scaling: true,
+                max_depth: None,
+            },
+            estimator: Estimator {
+                lobe: LobeChoice::Fresnel,
+                normals: Normals::Visible,
+                roulette: Roulette::Throughput,
+                connect: Connect::Mis,
+            },
+        }
+    }
+}
+
+impl Settings {
+    /// The model and the estimator as the course's hand-out has them.
+    pub fn handout() -> Self {
+        let mut s = Self::default();
+        s.model.absorption = Absorption::Term;
+        s.model.radiance_scaling = false;
+        s.estimator.lobe = LobeChoice::Norms;
+        s.estimator.normals = Normals::Distribution;
+        s.estimator.roulette = Roulette::Constant(0.8);
+        s
+    }
+}
