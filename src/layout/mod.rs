@@ -1,1 +1,89 @@
-//! To come.
+//! One declaration → a `#[repr(C)]` struct, its GLSL text, and the offsets that both must share.
+//!
+//! [`gpu_struct!`](crate::gpu_struct) is the macro, [`records`] holds the declarations, [`types`] the GLSL types they are made of.
+
+mod macros;
+pub mod records;
+pub mod types;
+
+pub use records::{Camera, Cuboid, Cylinder, Light, Material, Shape, Sphere};
+
+/// A struct with the same bytes in Rust, in a uniform buffer (std140) and in a storage buffer (std430), alone and in an array.
+///
+/// Implemented by [`gpu_struct!`](crate::gpu_struct), which refuses at compile time what would differ.
+pub trait GpuStruct: bytemuck::Pod + Default + PartialEq + std::fmt::Debug {
+    /// The name in Rust and in GLSL.
+    const NAME: &'static str;
+    /// What it is, line by line.
+    const DOC: &'static [&'static str];
+    /// In declaration order.
+    const FIELDS: &'static [Field];
+
+    /// The declaration in GLSL, doc comments and units kept as `//` comments.
+    fn glsl() -> String {
+        let mut text = comment(Self::DOC, "");
+        text += &format!("struct {} {{\n", Self::NAME);
+        for field in Self::FIELDS {
+            text += &comment(field.doc, "    ");
+            text += &format!("    {} {};\n", field.ty, field.name);
+        }
+        text + "};\n"
+    }
+}
+
+/// A field of a [`GpuStruct`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Field {
+    pub name: &'static str,
+    /// The GLSL type.
+    pub ty: &'static str,
+    /// Bytes from the start of the struct.
+    pub offset: usize,
+    pub doc: &'static [&'static str],
+}
+
+fn comment(lines: &[&str], indent: &str) -> String {
+    lines.iter().map(|l| format!("{indent}//{l}\n")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn glsl_text_carries_names_types_and_units() {
+        let expected = "\
+// A ball: { p : |p − centre| ≤ radius }.
+struct Sphere {
+    // Scene units.
+    vec3 centre;
+    // Scene units.
+    float radius;
+    // Index of its shape.
+    uint shape;
+    uint pad0;
+    uint pad1;
+    uint pad2;
+};
+";
+        assert_eq!(Sphere::glsl(), expected);
+    }
+
+    #[test]
+    fn fields_lie_where_repr_c_puts_them() {
+        let sphere = Sphere {
+            centre: [1.0, 2.0, 3.0],
+            radius: 4.0,
+            shape: 5,
+            ..Sphere::default()
+        };
+        let words: &[u32] = bytemuck::cast_slice(std::slice::from_ref(&sphere));
+        let word = |name| {
+            let field = Sphere::FIELDS.iter().find(|f| f.name == name);
+            field.map(|f| words[f.offset / 4])
+        };
+        assert_eq!(word("centre"), Some(1.0f32.to_bits()));
+        assert_eq!(word("radius"), Some(4.0f32.to_bits()));
+        assert_eq!(word("shape"), Some(5));
+    }
+}
