@@ -75,11 +75,21 @@ pub struct Shape {
 
 #[derive(Clone, Debug)]
 pub enum Geometry {
-    Sphere { centre: DVec3, radius: f64 },
+    Sphere {
+        centre: DVec3,
+        radius: f64,
+    },
     /// A corner and the diagonal from it; components may be negative.
-    Box { corner: DVec3, diagonal: DVec3 },
+    Box {
+        corner: DVec3,
+        diagonal: DVec3,
+    },
     /// Base centre, axis whose length is the height, radius; with both caps.
-    Cylinder { base: DVec3, axis: DVec3, radius: f64 },
+    Cylinder {
+        base: DVec3,
+        axis: DVec3,
+        radius: f64,
+    },
     Mesh(Mesh),
 }
 
