@@ -4,6 +4,7 @@
 //! Positions are in rendering space: the scene moved so that the middle of its bounds is the origin, which
 //! keeps f32 coordinates small whatever the scene's place in its world.
 
+pub mod cdf;
 pub mod material;
 
 use glam::DVec3;
