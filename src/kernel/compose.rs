@@ -1,0 +1,158 @@
+//! Which files a kernel holds, and in which order.
+//!
+//! A file says in its header what it builds on, `// uses: math/vec, math/frame, <normals>`: paths below
+//! `shaders/` without `.glsl`, and slots, which the composer fills with a file or with generated text. A file
+//! is in the kernel, once, or it is not; there is no `#ifdef`.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::composed::Composed;
+use super::error::KernelError;
+use super::sources;
+
+/// What stands where files say `<name>`.
+#[derive(Clone, Debug)]
+pub enum Slot {
+    /// A file, by its path below `shaders/` without `.glsl`.
+    File(String),
+    /// Generated text, which may have `// uses:` lines of its own.
+    Text(String),
+}
+
+/// Collects what a kernel is made of; [`compose`](Composer::compose) puts it in order.
+#[derive(Clone, Debug, Default)]
+pub struct Composer {
+    prelude: Vec<String>,
+    slots: BTreeMap<String, Slot>,
+    added: BTreeMap<String, String>,
+}
+
+impl Composer {
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Text before all files: structs, buffers, constants. Repeated calls append.
+    pub fn prelude(mut self, text: impl Into<String>) -> Self {
+        self.prelude.push(text.into());
+        self
+    }
+
+    /// Fills the slot `<name>`.
+    pub fn slot(mut self, name: &str, slot: Slot) -> Self {
+        self.slots.insert(name.to_owned(), slot);
+        self
+    }
+
+    /// Adds a file that `shaders/` does not hold, or one in place of its namesake there.
+    pub fn add(mut self, name: &str, text: impl Into<String>) -> Self {
+        self.added.insert(name.to_owned(), text.into());
+        self
+    }
+
+    /// `#version`, the prelude, then `roots` in order, each after all that it uses.
+    pub fn compose(&self, roots: &[&str]) -> Result<Composed, KernelError> {
+        let mut walk = Walk {
+            composer: self,
+            done: BTreeSet::new(),
+            open: Vec::new(),
+            out: Composed::new(),
+        };
+        for text in &self.prelude {
+            walk.file("<prelude>", text)?;
+        }
+        for root in roots {
+            walk.visit(root)?;
+        }
+        Ok(walk.out)
+    }
+
+    fn text(&self, name: &str) -> Option<&str> {
+        self.added
+            .get(name)
+            .map(String::as_str)
+            .or_else(|| sources::file(name))
+    }
+}
+
+/// Depth-first: a file is written once all that it uses has been.
+struct Walk<'a> {
+    composer: &'a Composer,
+    done: BTreeSet<String>,
+    /// The chain of files being resolved, outermost first.
+    open: Vec<String>,
+    out: Composed,
+}
+
+impl Walk<'_> {
+    /// `name`: a file, or a slot in angle brackets.
+    fn visit(&mut self, name: &str) -> Result<(), KernelError> {
+        if self.done.contains(name) {
+            return Ok(());
+        }
+        if let Some(from) = self.open.iter().position(|n| n == name) {
+            let mut chain = self.open[from..].to_vec();
+            chain.push(name.to_owned());
+            return Err(KernelError::Cycle { chain });
+        }
+        self.open.push(name.to_owned());
+        match name.strip_prefix('<').and_then(|n| n.strip_suffix('>')) {
+            Some(slot) => self.slot(slot, name)?,
+            None => {
+                let text = self
+                    .composer
+                    .text(name)
+                    .ok_or_else(|| self.unknown_file(name))?;
+                self.file(name, text)?;
+            }
+        }
+        self.open.pop();
+        self.done.insert(name.to_owned());
+        Ok(())
+    }
+
+    fn slot(&mut self, slot: &str, name: &str) -> Result<(), KernelError> {
+        match self.composer.slots.get(slot) {
+            Some(Slot::File(file)) => self.visit(file),
+            Some(Slot::Text(text)) => self.file(name, text),
+            None => Err(KernelError::UnknownSlot {
+                slot: slot.to_owned(),
+                asked_by: self.asked_by(),
+            }),
+        }
+    }
+
+    fn file(&mut self, name: &str, text: &str) -> Result<(), KernelError> {
+        for used in uses(text) {
+            self.visit(used)?;
+        }
+        self.out.append(name, text);
+        Ok(())
+    }
+
+    fn unknown_file(&self, name: &str) -> KernelError {
+        KernelError::UnknownFile {
+            name: name.to_owned(),
+            asked_by: self.asked_by(),
+        }
+    }
+
+    /// Who uses the innermost open file.
+    fn asked_by(&self) -> String {
+        let n = self.open.len();
+        if n >= 2 {
+            self.open[n - 2].clone()
+        } else {
+            "the kernel".to_owned()
+        }
+    }
+}
+
+/// The names on the `// uses:` lines of a file.
+fn uses(text: &str) -> impl Iterator<Item = &str> {
+    text.lines()
+        .filter_map(|line| line.trim_start().strip_prefix("// uses:"))
+        .flat_map(|names| names.split(','))
+        .map(str::trim)
+        .filter(|name| !name.is_empty())
+}

@@ -1,0 +1,72 @@
+//! The structs that host and kernel share, against the offsets that naga gives them.
+
+use vkpt::kernel::{Composer, Member, StructLayout, struct_layouts};
+use vkpt::layout::{Camera, Cuboid, Cylinder, Field, GpuStruct, Light, Material, Shape, Sphere};
+
+/// Name, size and member offsets, as Rust has them.
+fn ours<T: GpuStruct>() -> StructLayout {
+    let member = |f: &Field| Member {
+        name: f.name.into(),
+        offset: f.offset as u32,
+    };
+    let members = T::FIELDS.iter().map(member).collect();
+    StructLayout {
+        name: T::NAME.into(),
+        size: size_of::<T>() as u32,
+        members,
+    }
+}
+
+/// The same, as naga has them in a uniform buffer (std140) and in a storage buffer (std430).
+fn nagas<T: GpuStruct>(glsl: &str) -> [StructLayout; 2] {
+    let first = T::FIELDS[0];
+    let component = if first.ty.contains("vec") { ".x" } else { "" };
+    ["std140) uniform", "std430) readonly buffer"].map(|kind| {
+        let text = format!(
+            "{glsl}
+layout(set = 0, binding = 0, {kind} Items {{ {name} items[4]; }} source;
+layout(set = 0, binding = 1, std430) buffer Out {{ float x; }} result;
+void main() {{ result.x = float(source.items[1].{field}{component}); }}\n",
+            name = T::NAME,
+            field = first.name,
+        );
+        let kernel = Composer::new()
+            .add("root", text)
+            .compose(&["root"])
+            .expect("composes");
+        let layouts = struct_layouts(&kernel).expect("compiles");
+        layouts
+            .into_iter()
+            .find(|l| l.name == T::NAME)
+            .expect("the struct is used")
+    })
+}
+
+#[test]
+fn naga_lays_out_every_struct_as_rust_does() {
+    fn check<T: GpuStruct>() {
+        for theirs in nagas::<T>(&T::glsl()) {
+            assert_eq!(theirs, ours::<T>());
+        }
+    }
+    check::<Material>();
+    check::<Sphere>();
+    check::<Cuboid>();
+    check::<Cylinder>();
+    check::<Shape>();
+    check::<Light>();
+    check::<Camera>();
+}
+
+/// Two fields swapped in the kernel leave the size as it was: the offsets must tell.
+#[test]
+fn a_swapped_pair_of_fields_is_found() {
+    let swapped = Material::glsl()
+        .replace(" kind;", " swap;")
+        .replace(" fresnel;", " kind;")
+        .replace(" swap;", " fresnel;");
+    for theirs in nagas::<Material>(&swapped) {
+        assert_eq!(theirs.size, ours::<Material>().size);
+        assert_ne!(theirs, ours::<Material>());
+    }
+}
