@@ -2,6 +2,7 @@
 
 pub mod cli;
 pub mod film;
+pub mod flat;
 pub mod gpu;
 pub mod image;
 pub mod kernel;

@@ -1,0 +1,143 @@
+//! The kernels' bounding volume hierarchy: eight children a node, 80 bytes a node.
+//!
+//! Ylitie, Karras, Laine, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, HPG 2017.
+//! Twin: `shaders/shape/bvh/`, which reads these words.
+
+pub mod bounds;
+mod quantise;
+pub mod reference;
+mod topology;
+
+use obvhs::cwbvh::node::CwBvhNode;
+
+use crate::prepared::{Prepared, ShapeKind};
+use bounds::Bounds;
+use quantise::{Grid, Planes};
+
+/// Words of 32 bits in a node.
+pub const NODE_WORDS: usize = 20;
+
+/// A hierarchy as the kernels read it.
+///
+/// Words of a node: 0–2 origin of its grid (`f32`); 3 exponents of x, y, z and the mask of inner children (a
+/// byte each); 4 first inner child; 5 first reference; 6–7 one byte a child: inner 0b001·11·slot, leaf: unary
+/// count and offset of its references, absent 0; 8–11, 12–15, 16–19 planes of x, y, z: a byte a child, eight
+/// lower ones, then eight upper ones. Inner children of a node follow one another in `nodes`, in slot order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bvh {
+    pub nodes: Vec<[u32; NODE_WORDS]>,
+    /// What leaves refer to, see [`reference::encode`].
+    pub references: Vec<u32>,
+    /// Entries that a traversal's stack can come to hold at once.
+    pub stack: u32,
+    /// The largest absolute coordinate of any primitive.
+    pub reach: f32,
+}
+
+/// The hierarchy of all primitives of the given kinds. The same bits every time.
+pub fn build(prepared: &Prepared, kinds: &[ShapeKind]) -> Bvh {
+    let references = reference::references(prepared, kinds);
+    let bounds: Vec<Bounds> = references
+        .iter()
+        .map(|&r| match reference::decode(r) {
+            (ShapeKind::Sphere, i) => Bounds::of_sphere(&prepared.spheres[i]),
+            (ShapeKind::Box, i) => Bounds::of_box(&prepared.boxes[i]),
+            (ShapeKind::Cylinder, i) => Bounds::of_cylinder(&prepared.cylinders[i]),
+            (ShapeKind::Mesh, i) => Bounds::of_triangle(&prepared.triangles[i]),
+        })
+        .collect();
+    over(&references, &bounds)
+}
+
+/// The hierarchy of `references`, each within the box of the same index.
+fn over(references: &[u32], bounds: &[Bounds]) -> Bvh {
+    if references.is_empty() {
+        // One node without children: a traversal ends at once.
+        return Bvh {
+            nodes: vec![[0; NODE_WORDS]],
+            references: Vec::new(),
+            stack: 0,
+            reach: 0.0,
+        };
+    }
+    let tree = topology::topology(bounds);
+    let order = &tree.primitive_indices;
+    let bounds: Vec<Bounds> = order.iter().map(|&i| bounds[i as usize]).collect();
+    let boxes = node_bounds(&tree.nodes, &bounds);
+    let node = |(i, node): (usize, &CwBvhNode)| {
+        words(node, boxes[i], &child_bounds(node, &boxes, &bounds))
+    };
+    let root = boxes[0];
+    Bvh {
+        nodes: tree.nodes.iter().enumerate().map(node).collect(),
+        references: order.iter().map(|&i| references[i as usize]).collect(),
+        stack: stack_bound(&tree.nodes),
+        reach: (root.lo.iter().chain(&root.hi)).fold(0.0, |most, x| x.abs().max(most)),
+    }
+}
+
+/// The exact box of every node. Children stand behind their parents, so one pass from the end will do.
+fn node_bounds(nodes: &[CwBvhNode], primitives: &[Bounds]) -> Vec<Bounds> {
+    let mut boxes = vec![Bounds::EMPTY; nodes.len()];
+    for (i, node) in nodes.iter().enumerate().rev() {
+        boxes[i] = child_bounds(node, &boxes, primitives)
+            .into_iter()
+            .flatten()
+            .fold(Bounds::EMPTY, Bounds::union);
+    }
+    boxes
+}
+
+/// The boxes of a node's children by slot.
+fn child_bounds(node: &CwBvhNode, boxes: &[Bounds], primitives: &[Bounds]) -> [Option<Bounds>; 8] {
+    std::array::from_fn(|slot| {
+        if node.is_child_empty(slot) {
+            None
+        } else if node.is_leaf(slot) {
+            let (first, count) = node.child_primitives(slot);
+            let range = first as usize..(first + count) as usize;
+            Some(
+                primitives[range]
+                    .iter()
+                    .copied()
+                    .fold(Bounds::EMPTY, Bounds::union),
+            )
+        } else {
+            Some(boxes[node.child_node_index(slot) as usize])
+        }
+    })
+}
+
+/// A node's words: shape and order from `node`, planes from its children's exact boxes.
+fn words(node: &CwBvhNode, bounds: Bounds, children: &[Option<Bounds>; 8]) -> [u32; NODE_WORDS] {
+    let grid = Grid::covering(bounds);
+    let planes = children.map(|c| c.map_or(Planes::default(), |b| grid.planes(b)));
+    let [ex, ey, ez] = grid.exponent;
+    let four = |byte: &dyn Fn(usize) -> u8| u32::from_le_bytes(std::array::from_fn(byte));
+    let mut words = [0; NODE_WORDS];
+    words[..3].copy_from_slice(&grid.origin.map(f32::to_bits));
+    words[3] = u32::from_le_bytes([ex, ey, ez, node.imask]);
+    words[4] = node.child_base_idx;
+    words[5] = node.primitive_base_idx;
+    for half in 0..2 {
+        words[6 + half] = four(&|i| node.child_meta[4 * half + i]);
+        for axis in 0..3 {
+            words[8 + 4 * axis + half] = four(&|i| planes[4 * half + i].lo[axis]);
+            words[10 + 4 * axis + half] = four(&|i| planes[4 * half + i].hi[axis]);
+        }
+    }
+    words
+}
+
+/// The most entries that the stack holds: the traversal goes into one child and pushes the rest, if there is
+/// any, as one entry. So a path from the root costs an entry for every node with two inner children or more.
+fn stack_bound(nodes: &[CwBvhNode]) -> u32 {
+    let mut bound = vec![0; nodes.len()];
+    for (i, node) in nodes.iter().enumerate().rev() {
+        let inner = node.imask.count_ones();
+        let first = node.child_base_idx as usize;
+        let deepest = bound[first..first + inner as usize].iter().max();
+        bound[i] = deepest.unwrap_or(&0) + u32::from(inner > 1);
+    }
+    bound[0]
+}
