@@ -1,107 +1,83 @@
-//! A parsed scene: names and units of the file, in f64; knows no buffers and no Vulkan.
+//! Text → [`Scene`]: the course's scene format and the words that vkpt adds to it. Knows no buffers and no Vulkan.
+//!
+//! A file is read to its end whatever is wrong with it, so that all its errors are told in one go.
+//! [`text`] cuts it into lines and tokens, [`commands`] has a row for each command, [`arguments`] takes
+//! numbers off a line and checks them, and what is wrong becomes a [`Diagnostic`].
 
-use std::path::PathBuf;
+mod arguments;
+mod builder;
+mod commands;
+mod diagnostic;
+mod field;
+mod log;
+mod material;
+mod mesh;
+mod mesh_check;
+mod number;
+mod orientation;
+mod shape;
+mod text;
+mod types;
+mod view;
 
-use glam::{DQuat, DVec3};
+use std::fs::File;
+use std::io::Read as _;
+use std::path::Path;
 
-use crate::settings::{Distribution, Fresnel};
+pub use diagnostic::{Diagnostic, Errors, Place};
+pub use mesh::{MESH_FORMATS, MeshError, MeshFile, read_mesh};
+pub use mesh_check::{Edges, edges, flip, open_edges, signed_volume};
+pub use types::*;
+pub use view::LARGEST_SIDE;
 
-/// A scene file, read and checked.
+use log::Log;
+
+/// A scene and what its author should know.
 #[derive(Clone, Debug)]
-pub struct Scene {
-    pub path: PathBuf,
-    pub screen: Screen,
-    pub camera: Camera,
-    /// Radiance of everything outside.
-    pub background: DVec3,
-    pub materials: Vec<Material>,
+pub struct Read {
+    pub scene: Scene,
     /// In file order.
-    pub shapes: Vec<Shape>,
+    pub warnings: Vec<Diagnostic>,
 }
 
-/// Picture size in pixels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Screen {
-    pub width: u32,
-    pub height: u32,
+/// A scene file longer than this, in bytes, is taken for something else.
+const LONGEST_FILE: u64 = 256 << 20;
+
+/// Reads a scene file and the meshes that it names.
+///
+/// # Errors
+/// Everything that is wrong with the file, in file order, its warnings among them; with `strict` a warning is
+/// an error too.
+pub fn read(path: &Path, strict: bool) -> Result<Read, Errors> {
+    let mut bytes = Vec::new();
+    let name = path.display();
+    let unreadable = |reason: String| Log::new(path, String::new()).fail(reason);
+    File::open(path)
+        .and_then(|file| file.take(LONGEST_FILE + 1).read_to_end(&mut bytes))
+        .map_err(|reason| unreadable(format!("cannot read {name}: {reason}")))?;
+    if bytes.len() as u64 > LONGEST_FILE {
+        return Err(unreadable(format!(
+            "{name} is longer than 256 MiB: this is no scene file"
+        )));
+    }
+    if bytes.contains(&0) {
+        return Err(unreadable(format!(
+            "{name} is not text: it holds a zero byte"
+        )));
+    }
+    // Old files have comments in Latin-1: a byte that is not UTF-8 is no reason to refuse them.
+    parse(&String::from_utf8_lossy(&bytes), path, strict)
 }
 
-/// A pinhole: looks down −Z of its rotated frame, X right, Y up.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Camera {
-    pub eye: DVec3,
-    /// tan of half the vertical field of view.
-    pub ry: f64,
-    pub orientation: DQuat,
-}
-
-/// A material and the line that brought it in (from 1; 0: the default material).
-#[derive(Clone, Debug, PartialEq)]
-pub struct Material {
-    pub line: usize,
-    pub kind: MaterialKind,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-pub enum MaterialKind {
-    Brdf(Brdf),
-    /// Emits this radiance from both sides of its surface and reflects nothing.
-    Light(DVec3),
-}
-
-/// The hand-out's material. Kt = 0 is opaque whatever the ior says.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Brdf {
-    pub kd: DVec3,
-    pub ks: DVec3,
-    /// > 1: a Phong exponent; ≤ 1: a Beckmann or GGX width.
-    pub alpha: f64,
-    pub kt: DVec3,
-    pub ior: f64,
-    /// `None`: `auto`, Phong for an exponent and GGX for a width.
-    pub distribution: Option<Distribution>,
-    /// `None`: no word in the scene.
-    pub fresnel: Option<Fresnel>,
-}
-
-/// A closed solid, or a mesh.
-#[derive(Clone, Debug)]
-pub struct Shape {
-    pub line: usize,
-    /// Index into [`Scene::materials`].
-    pub material: usize,
-    pub geometry: Geometry,
-}
-
-#[derive(Clone, Debug)]
-pub enum Geometry {
-    Sphere {
-        centre: DVec3,
-        radius: f64,
-    },
-    /// A corner and the diagonal from it; components may be negative.
-    Box {
-        corner: DVec3,
-        diagonal: DVec3,
-    },
-    /// Base centre, axis whose length is the height, radius; with both caps.
-    Cylinder {
-        base: DVec3,
-        axis: DVec3,
-        radius: f64,
-    },
-    Mesh(Mesh),
-}
-
-/// Triangles as the file has them; p' = translate + scale · rotate · p.
-#[derive(Clone, Debug)]
-pub struct Mesh {
-    pub path: PathBuf,
-    pub positions: Vec<DVec3>,
-    /// One a vertex, only where the file gives them.
-    pub normals: Option<Vec<DVec3>>,
-    pub triangles: Vec<[u32; 3]>,
-    pub translate: DVec3,
-    pub scale: f64,
-    pub rotate: DQuat,
+/// Reads a scene from `text`; `path` gives the name in messages and the folder that meshes are looked for in.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(text: &str, path: &Path, strict: bool) -> Result<Read, Errors> {
+    let text = text::clean(text);
+    let mut builder = builder::Builder::new(path, Log::new(path, text.clone()));
+    for line in text::lines(&text) {
+        commands::read_line(&mut builder, line);
+    }
+    builder.finish(strict)
 }

@@ -1,0 +1,146 @@
+//! Takes the arguments of a command off its line, and checks them.
+
+use super::diagnostic::Place;
+use super::field::{Field, Number};
+use super::log::Log;
+use super::number;
+use super::text::{Token, shorten};
+
+/// What is left of a line.
+pub(super) struct Arguments<'t> {
+    /// The command and all its arguments.
+    tokens: Vec<Token<'t>>,
+    next: usize,
+    /// How the command is written, for messages.
+    pub usage: &'static str,
+}
+
+impl<'t> Arguments<'t> {
+    /// The arguments of the line `tokens`, which begins with its command.
+    pub fn new(tokens: Vec<Token<'t>>, usage: &'static str) -> Self {
+        Self {
+            tokens,
+            next: 1,
+            usage,
+        }
+    }
+
+    /// Where the command itself stands.
+    pub fn command(&self) -> Token<'t> {
+        self.tokens[0]
+    }
+
+    /// Arguments not yet taken.
+    pub fn rest(&self) -> &[Token<'t>] {
+        &self.tokens[self.next..]
+    }
+
+    /// The next argument; an error if there is none. `what` names it.
+    pub fn word(&mut self, log: &mut Log, what: &str) -> Option<Token<'t>> {
+        let token = self.tokens.get(self.next).copied();
+        if token.is_none() {
+            self.too_few(log, what);
+        }
+        self.next += usize::from(token.is_some());
+        token
+    }
+
+    /// The next arguments, a legal number for each field; all that are wrong are told.
+    pub fn numbers<const N: usize>(
+        &mut self,
+        log: &mut Log,
+        fields: [Field; N],
+    ) -> Option<[Number; N]> {
+        let mut numbers = [Number {
+            value: 0.0,
+            place: self.command().place,
+        }; N];
+        let mut good = true;
+        for (index, field) in fields.into_iter().enumerate() {
+            let Some(token) = self.rest().first().copied() else {
+                let missing: Vec<_> = fields[index..].iter().map(|field| field.name).collect();
+                self.too_few(log, &missing.join(" "));
+                return None;
+            };
+            self.next += 1;
+            match self.parse_number(log, token, field) {
+                Some(number) => numbers[index] = number,
+                None => good = false,
+            }
+        }
+        good.then_some(numbers)
+    }
+
+    /// Takes the next argument, which the caller knows.
+    pub fn skip_one(&mut self) {
+        self.next = (self.next + 1).min(self.tokens.len());
+    }
+
+    /// Takes all that is left.
+    pub fn skip(&mut self) {
+        self.next = self.tokens.len();
+    }
+
+    /// Ends the line: warns of arguments that nothing took.
+    pub fn finish(self, log: &mut Log) {
+        if let (Some(first), Some(last)) = (self.rest().first(), self.rest().last()) {
+            let message = format!("`{}` has more arguments than it takes", self.command().text);
+            log.warning(first.place.to(last.place), message, "left unread")
+                .help(format!("usage: {}", self.usage));
+        }
+    }
+
+    /// An error: the line ends before the argument `what`.
+    fn too_few(&self, log: &mut Log, what: &str) {
+        let last = self.tokens[self.next - 1].place;
+        let gap = Place {
+            column: last.column + self.tokens[self.next - 1].text.chars().count(),
+            start: last.start + last.length,
+            length: 0,
+            ..last
+        };
+        let message = format!("`{}` has too few arguments", self.command().text);
+        log.error(gap, message, &format!("{what} missing"))
+            .help(format!("usage: {}", self.usage));
+    }
+
+    fn parse_number(&self, log: &mut Log, token: Token<'_>, field: Field) -> Option<Number> {
+        let (text, place) = (token.text, token.place);
+        let length = number::prefix_length(text);
+        let Ok(value) = text[..length].parse::<f64>() else {
+            let message = match number::is_not_finite(text) {
+                true => format!("`{}` is not a finite number", shorten(text)),
+                false => format!("`{}` is not a number", shorten(text)),
+            };
+            log.error(place, message, &format!("{} must stand here", field.name))
+                .help(format!("usage: {}", self.usage));
+            return None;
+        };
+        // The renderer's own numbers are single: what overflows there is infinite in the picture.
+        if value.abs() > f64::from(f32::MAX) {
+            let message = format!(
+                "`{}` is beyond the range of single precision",
+                shorten(text)
+            );
+            log.error(
+                place,
+                message,
+                &format!("{} as good as infinite", field.name),
+            );
+            return None;
+        }
+        if length < text.len() {
+            let message = format!(
+                "`{}` is read as {}",
+                shorten(text),
+                shorten(&text[..length])
+            );
+            log.warning(
+                place,
+                message,
+                &format!("`{}` is left unread", shorten(&text[length..])),
+            );
+        }
+        field.check(log, Number { value, place })
+    }
+}

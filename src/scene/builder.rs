@@ -1,0 +1,145 @@
+//! The scene under way: what the lines read so far have set.
+
+use std::path::{Path, PathBuf};
+
+use glam::DVec3;
+
+use super::log::Log;
+use super::text::Token;
+use super::{Brdf, Camera, Errors, Geometry, Material, MaterialKind, Read, Scene, Screen, Shape};
+use crate::settings::{Distribution, Fresnel};
+
+/// A command that counts once: unseen, seen on a line but wrong, or set there.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Once<T> {
+    Unseen,
+    Wrong,
+    Set(T),
+}
+
+impl<T> Once<T> {
+    /// Takes what `command` says, which could not be read where it is `None`; warns if it is not the first.
+    pub fn set(&mut self, value: Option<T>, command: Token<'_>, log: &mut Log) {
+        if !self.is_unseen() {
+            let message = format!("`{}` stands here once more", command.text);
+            log.warning(command.place, message, "the last one counts");
+        }
+        *self = value.map_or(Once::Wrong, Once::Set);
+    }
+
+    fn is_unseen(&self) -> bool {
+        matches!(self, Once::Unseen)
+    }
+}
+
+/// What has been read, and what is wrong with it.
+pub(super) struct Builder {
+    pub log: Log,
+    path: PathBuf,
+    pub screen: Once<Screen>,
+    pub camera: Once<Camera>,
+    pub background: Once<DVec3>,
+    /// For the materials that follow.
+    pub distribution: Option<Distribution>,
+    /// For the materials that follow.
+    pub fresnel: Option<Fresnel>,
+    /// For the shapes that follow.
+    material: Material,
+    /// The index of `material`, once a shape has taken it.
+    taken: Option<usize>,
+    materials: Vec<Material>,
+    shapes: Vec<Shape>,
+}
+
+impl Builder {
+    /// Nothing read yet.
+    pub fn new(path: &Path, log: Log) -> Self {
+        Self {
+            log,
+            path: path.to_owned(),
+            screen: Once::Unseen,
+            camera: Once::Unseen,
+            background: Once::Unseen,
+            distribution: None,
+            fresnel: None,
+            material: default_material(),
+            taken: None,
+            materials: Vec::new(),
+            shapes: Vec::new(),
+        }
+    }
+
+    /// The folder of the scene file; empty for the working directory.
+    pub fn folder(&self) -> &Path {
+        self.path.parent().unwrap_or(Path::new(""))
+    }
+
+    /// The material of the shapes that follow.
+    pub fn set_material(&mut self, line: usize, kind: MaterialKind) {
+        self.material = Material { line, kind };
+        self.taken = None;
+    }
+
+    /// Adds a shape of the current material. Materials that no shape takes are not kept.
+    pub fn add_shape(&mut self, line: usize, geometry: Geometry) {
+        let material = *self.taken.get_or_insert_with(|| {
+            self.materials.push(self.material.clone());
+            self.materials.len() - 1
+        });
+        self.shapes.push(Shape {
+            line,
+            material,
+            geometry,
+        });
+    }
+
+    /// The scene, if nothing is wrong; with `strict` a warning is.
+    pub fn finish(mut self, strict: bool) -> Result<Read, Errors> {
+        self.required(self.screen.is_unseen(), "screen W H");
+        self.required(self.camera.is_unseen(), "camera ex ey ez  ry  ORIENTATION");
+        let scene = match (self.screen, self.camera) {
+            (Once::Set(screen), Once::Set(camera)) => Some(Scene {
+                path: self.path,
+                screen,
+                camera,
+                background: match self.background {
+                    Once::Set(radiance) => radiance,
+                    Once::Unseen | Once::Wrong => DVec3::ZERO,
+                },
+                materials: self.materials,
+                shapes: self.shapes,
+            }),
+            _ => None,
+        };
+        let (scene, warnings) = self.log.finish(scene, strict)?;
+        Ok(Read { scene, warnings })
+    }
+
+    /// An error if the command that `usage` begins with is not there.
+    fn required(&mut self, missing: bool, usage: &str) {
+        if missing {
+            let word = usage.split(' ').next().unwrap_or(usage);
+            let message = format!("{} has no `{word}`", self.log.name());
+            self.log
+                .file_error(message)
+                .help(format!("add a line: {usage}"));
+        }
+    }
+}
+
+/// What the course's framework gives a shape that no material precedes.
+fn default_material() -> Material {
+    let brdf = Brdf {
+        kd: DVec3::new(1.0, 0.5, 0.0),
+        ks: DVec3::ONE,
+        alpha: 1.0,
+        kt: DVec3::ZERO,
+        ior: 1.0,
+        distribution: None,
+        fresnel: None,
+    };
+    Material {
+        line: 0,
+        kind: MaterialKind::Brdf(brdf),
+    }
+}

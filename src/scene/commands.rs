@@ -1,0 +1,115 @@
+//! The commands: a row each, with the function that reads it.
+
+use super::arguments::Arguments;
+use super::builder::Builder;
+use super::text::{Line, shorten};
+use super::{material, shape, view};
+
+struct Command {
+    word: &'static str,
+    usage: &'static str,
+    read: fn(&mut Builder, &mut Arguments),
+}
+
+const COMMANDS: [Command; 12] = [
+    Command {
+        word: "screen",
+        usage: "screen W H",
+        read: view::screen,
+    },
+    Command {
+        word: "camera",
+        usage: "camera ex ey ez  ry  ORIENTATION",
+        read: view::camera,
+    },
+    Command {
+        word: "ambient",
+        usage: "ambient r g b",
+        read: ambient,
+    },
+    Command {
+        word: "background",
+        usage: "background r g b",
+        read: view::background,
+    },
+    Command {
+        word: "brdf",
+        usage: "brdf  Kd(3) Ks(3) alpha  [Kt(3) ior]",
+        read: material::brdf,
+    },
+    Command {
+        word: "light",
+        usage: "light r g b",
+        read: material::light,
+    },
+    Command {
+        word: "distribution",
+        usage: "distribution auto|phong|beckmann|ggx",
+        read: material::distribution,
+    },
+    Command {
+        word: "fresnel",
+        usage: "fresnel schlick|exact",
+        read: material::fresnel,
+    },
+    Command {
+        word: "sphere",
+        usage: "sphere cx cy cz  r",
+        read: shape::sphere,
+    },
+    Command {
+        word: "box",
+        usage: "box bx by bz  dx dy dz",
+        read: shape::cuboid,
+    },
+    Command {
+        word: "cylinder",
+        usage: "cylinder bx by bz  ax ay az  r",
+        read: shape::cylinder,
+    },
+    Command {
+        word: "mesh",
+        usage: "mesh FILE  tx ty tz  s  ORIENTATION",
+        read: shape::mesh,
+    },
+];
+
+/// Reads one line into the scene that `builder` builds.
+pub(super) fn read_line(builder: &mut Builder, line: Line<'_>) {
+    let first = line[0];
+    let Some(command) = COMMANDS.iter().find(|command| command.word == first.text) else {
+        let message = format!("unknown command `{}`", shorten(first.text));
+        let words = COMMANDS.map(|command| command.word);
+        let warning = builder
+            .log
+            .warning(first.place, message, "this line is skipped");
+        if let Some(word) = closest(first.text, &words) {
+            warning.help(format!("did you mean `{word}`?"));
+        }
+        return;
+    };
+    let mut arguments = Arguments::new(line, command.usage);
+    let errors = builder.log.errors();
+    (command.read)(builder, &mut arguments);
+    // What is left of a line that could not be read says nothing.
+    if builder.log.errors() == errors {
+        arguments.finish(&mut builder.log);
+    }
+}
+
+/// The word of `words` that `word` looks like: at most a third of its letters wrong, case aside.
+pub(super) fn closest<'w>(word: &str, words: &[&'w str]) -> Option<&'w str> {
+    // A long token is no misspelling, and the distance takes time quadratic in its length.
+    if word.len() > 40 {
+        return None;
+    }
+    let word = word.to_lowercase();
+    let distance = |other: &str| strsim::osa_distance(&word, other);
+    let best = words.iter().copied().min_by_key(|other| distance(other))?;
+    (distance(best) <= best.len().div_ceil(3).min(3) && distance(best) < best.len()).then_some(best)
+}
+
+/// The course's first projects used it; a path tracer has no use for it.
+fn ambient(_: &mut Builder, arguments: &mut Arguments) {
+    arguments.skip();
+}

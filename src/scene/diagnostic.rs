@@ -1,0 +1,124 @@
+//! What is wrong with a file, and where: drawn by miette with the line shown and the culprit underlined.
+
+use std::fmt;
+use std::sync::Arc;
+
+use miette::{LabeledSpan, NamedSource, Severity, SourceCode};
+
+/// A stretch of one line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// From 1.
+    pub line: usize,
+    /// From 1, in characters; a tab is one.
+    pub column: usize,
+    /// First byte in the text as it is shown.
+    pub start: usize,
+    /// In bytes; 0: the gap before `start`.
+    pub length: usize,
+}
+
+impl Place {
+    /// From the start of `self` to the end of `last`, which stands on the same line.
+    pub(super) fn to(self, last: Place) -> Place {
+        Place {
+            length: last.start + last.length - self.start,
+            ..self
+        }
+    }
+}
+
+/// An error or a warning.
+#[derive(Clone, Debug)]
+pub struct Diagnostic {
+    pub severity: Severity,
+    /// What is wrong.
+    pub message: String,
+    /// Said under the culprit.
+    pub label: String,
+    /// What to do about it.
+    pub help: Option<String>,
+    /// The culprit; `None` where it is the whole file.
+    pub place: Option<Place>,
+    pub(super) source: Arc<NamedSource<String>>,
+}
+
+impl Diagnostic {
+    /// Adds what to do about it.
+    pub(super) fn help(&mut self, help: impl Into<String>) {
+        self.help = Some(help.into());
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Diagnostic {}
+
+impl miette::Diagnostic for Diagnostic {
+    fn severity(&self) -> Option<Severity> {
+        Some(self.severity)
+    }
+
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.help.as_ref().map(|help| Box::new(help) as _)
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.place.map(|_| &self.source as _)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let place = self.place?;
+        let label = Some(self.label.clone()).filter(|label| !label.is_empty());
+        Some(Box::new(std::iter::once(LabeledSpan::new(
+            label,
+            place.start,
+            place.length,
+        ))))
+    }
+}
+
+/// All that is wrong with one file, in file order; at least one of them is an error.
+#[derive(Clone, Debug)]
+pub struct Errors {
+    pub diagnostics: Vec<Diagnostic>,
+    pub(super) name: String,
+    /// Warnings that became errors because the caller asked for it.
+    pub(super) promoted: usize,
+}
+
+impl fmt::Display for Errors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let plural = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+        let errors = self
+            .diagnostics
+            .iter()
+            .filter(|d| d.severity == Severity::Error)
+            .count();
+        let warnings = self.diagnostics.len() - errors;
+        write!(f, "{}: {}", self.name, plural(errors, "error"))?;
+        if self.promoted > 0 {
+            write!(
+                f,
+                ", of them {} by --strict",
+                plural(self.promoted, "warning")
+            )?;
+        }
+        if warnings > 0 {
+            write!(f, ", {}", plural(warnings, "warning"))?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Errors {}
+
+impl miette::Diagnostic for Errors {
+    fn related<'a>(&'a self) -> Option<Box<dyn Iterator<Item = &'a dyn miette::Diagnostic> + 'a>> {
+        Some(Box::new(self.diagnostics.iter().map(|d| d as _)))
+    }
+}

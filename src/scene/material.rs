@@ -1,0 +1,125 @@
+//! Materials: `brdf`, `light`, and the words `distribution` and `fresnel`.
+
+use glam::DVec3;
+
+use super::arguments::Arguments;
+use super::builder::Builder;
+use super::commands::closest;
+use super::field::{Number, RADIANCE, not_negative, positive, share, vector};
+use super::log::Log;
+use super::number::prefix_length;
+use super::text::shorten;
+use super::{Brdf, MaterialKind};
+use crate::settings::{Distribution, Fresnel};
+
+/// `brdf  Kd(3) Ks(3) alpha` or `brdf  Kd(3) Ks(3) alpha  Kt(3) ior`
+pub(super) fn brdf(builder: &mut Builder, arguments: &mut Arguments) {
+    let log = &mut builder.log;
+    let [k0, k1, k2] = share(["Kd.r", "Kd.g", "Kd.b"], "Kd");
+    let [s0, s1, s2] = share(["Ks.r", "Ks.g", "Ks.b"], "Ks");
+    let alpha = not_negative("alpha", "alpha");
+    let reflection = arguments.numbers(log, [k0, k1, k2, s0, s1, s2, alpha]);
+    let Ok(transmission) = transmission(arguments, log) else {
+        return;
+    };
+    let Some([k0, k1, k2, s0, s1, s2, alpha]) = reflection else {
+        return;
+    };
+    let (kd, ks) = (vector(&[k0, k1, k2]), vector(&[s0, s1, s2]));
+    let (kt, ior) = match transmission {
+        Some([t0, t1, t2, ior]) => (vector(&[t0, t1, t2]), ior.value),
+        None => (DVec3::ZERO, 1.0),
+    };
+    let command = arguments.command().place;
+    if kd != DVec3::ZERO && kt != DVec3::ZERO {
+        let message = "Kd and Kt are both above 0".into();
+        log.warning(command, message, "a material either scatters or transmits")
+            .help("the terms are added as they stand: the surface may send back more than it receives");
+    }
+    let brdf = Brdf {
+        kd,
+        ks,
+        alpha: alpha.value,
+        kt,
+        ior,
+        distribution: builder.distribution,
+        fresnel: builder.fresnel,
+    };
+    builder.set_material(command.line, MaterialKind::Brdf(brdf));
+}
+
+/// An error was noted.
+struct Wrong;
+
+/// Kt and ior, if a number follows the opaque material's seven.
+fn transmission(arguments: &mut Arguments, log: &mut Log) -> Result<Option<[Number; 4]>, Wrong> {
+    let rest = arguments.rest();
+    let is_number = |text| prefix_length(text) > 0;
+    let given = rest
+        .iter()
+        .take_while(|token| is_number(token.text))
+        .count();
+    if given == 0 {
+        return Ok(None);
+    }
+    // With four arguments there the count is right, and one of them is no number.
+    if rest.len() < 4 {
+        let place = rest[0].place.to(rest[given - 1].place);
+        let message = format!("`brdf` takes 7 numbers or 11, not {}", 7 + given);
+        log.error(place, message, "Kt(3) ior must stand here, or nothing")
+            .help(format!("usage: {}", arguments.usage));
+        return Err(Wrong);
+    }
+    let [t0, t1, t2] = share(["Kt.r", "Kt.g", "Kt.b"], "Kt");
+    let ior = positive("ior", "the index of refraction");
+    arguments
+        .numbers(log, [t0, t1, t2, ior])
+        .map(Some)
+        .ok_or(Wrong)
+}
+
+/// `light r g b`
+pub(super) fn light(builder: &mut Builder, arguments: &mut Arguments) {
+    if let Some(radiance) = arguments.numbers(&mut builder.log, RADIANCE) {
+        let line = arguments.command().place.line;
+        builder.set_material(line, MaterialKind::Light(vector(&radiance)));
+    }
+}
+
+/// `distribution auto|phong|beckmann|ggx`
+pub(super) fn distribution(builder: &mut Builder, arguments: &mut Arguments) {
+    let choices = [
+        ("auto", None),
+        ("phong", Some(Distribution::Phong)),
+        ("beckmann", Some(Distribution::Beckmann)),
+        ("ggx", Some(Distribution::Ggx)),
+    ];
+    if let Some(chosen) = choice(arguments, &mut builder.log, &choices) {
+        builder.distribution = chosen;
+    }
+}
+
+/// `fresnel schlick|exact`
+pub(super) fn fresnel(builder: &mut Builder, arguments: &mut Arguments) {
+    let choices = [("schlick", Fresnel::Schlick), ("exact", Fresnel::Exact)];
+    if let Some(chosen) = choice(arguments, &mut builder.log, &choices) {
+        builder.fresnel = Some(chosen);
+    }
+}
+
+/// What the next argument stands for; an error if it is none of `choices`.
+fn choice<T: Copy>(arguments: &mut Arguments, log: &mut Log, choices: &[(&str, T)]) -> Option<T> {
+    let words: Vec<_> = choices.iter().map(|(word, _)| *word).collect();
+    let token = arguments.word(log, &words.join(" or "))?;
+    let chosen = choices.iter().find(|(word, _)| *word == token.text);
+    if chosen.is_none() {
+        let command = arguments.command().text;
+        let message = format!("`{command}` is never `{}`", shorten(token.text));
+        let help = match closest(token.text, &words) {
+            Some(word) => format!("did you mean `{word}`?"),
+            None => format!("usage: {}", arguments.usage),
+        };
+        log.error(token.place, message, "").help(help);
+    }
+    chosen.map(|(_, value)| *value)
+}

@@ -1,0 +1,103 @@
+//! Mesh files: which formats are read, and what may be wrong with one.
+
+mod ply;
+
+use std::io;
+use std::path::Path;
+
+use glam::DVec3;
+
+/// The formats that [`read_mesh`] reads, as messages name them.
+pub const MESH_FORMATS: &str = "PLY (.ply)";
+
+/// What a mesh file holds; in its own coordinates, at least one triangle, all numbers finite.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshFile {
+    pub positions: Vec<DVec3>,
+    /// One a vertex, only where the file gives them: unit length, or zero where the file's has no direction.
+    pub normals: Option<Vec<DVec3>>,
+    /// Indices into `positions`.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// What is wrong with a mesh file.
+#[derive(Debug, thiserror::Error)]
+pub enum MeshError {
+    #[error("there is no such file")]
+    Missing,
+    #[error("cannot be read: {0}")]
+    Unreadable(io::Error),
+    #[error("its format is not read; these are: {MESH_FORMATS}")]
+    Format,
+    /// The bytes are not what the format asks for.
+    #[error("{0}")]
+    Malformed(String),
+    #[error("element `{element}` is truncated: it claims {count}, and only {bytes} bytes follow")]
+    Truncated {
+        element: String,
+        count: usize,
+        bytes: usize,
+    },
+    #[error("vertex {0} (from 0) is not finite in single precision")]
+    NotFinite(usize),
+    #[error("face {face} (from 0) refers to vertex {index}, and there are {vertices}")]
+    BadIndex {
+        face: usize,
+        index: i64,
+        vertices: usize,
+    },
+    #[error("face {face} (from 0) has {corners} corners")]
+    NoPolygon { face: usize, corners: usize },
+    #[error("it has no {0}")]
+    Empty(&'static str),
+}
+
+/// Reads a mesh; its ending tells the format.
+///
+/// # Errors
+/// A [`MeshError`] for any file that is not a whole mesh; no file makes it panic, and none makes it take much
+/// more memory than a few times the file's size.
+pub fn read_mesh(path: &Path) -> Result<MeshFile, MeshError> {
+    let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+    if ending.is_none_or(|ending| ending != "ply") {
+        return Err(MeshError::Format);
+    }
+    if path.is_dir() {
+        return Err(MeshError::Unreadable(io::ErrorKind::IsADirectory.into()));
+    }
+    let bytes = std::fs::read(path).map_err(|reason| match reason.kind() {
+        io::ErrorKind::NotFound => MeshError::Missing,
+        _ => MeshError::Unreadable(reason),
+    })?;
+    ply::read(&bytes)
+}
+
+/// Appends the polygon's triangles: a fan about its first corner.
+fn fan(
+    triangles: &mut Vec<[u32; 3]>,
+    face: usize,
+    corners: &[i64],
+    vertices: usize,
+) -> Result<(), MeshError> {
+    let index = |&index: &i64| match u32::try_from(index) {
+        Ok(i) if (i as usize) < vertices => Ok(i),
+        _ => Err(MeshError::BadIndex {
+            face,
+            index,
+            vertices,
+        }),
+    };
+    let corners = corners.iter().map(index).collect::<Result<Vec<_>, _>>()?;
+    if corners.len() < 3 {
+        return Err(MeshError::NoPolygon {
+            face,
+            corners: corners.len(),
+        });
+    }
+    triangles.extend(
+        corners[1..]
+            .windows(2)
+            .map(|pair| [corners[0], pair[0], pair[1]]),
+    );
+    Ok(())
+}

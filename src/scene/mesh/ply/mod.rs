@@ -1,0 +1,105 @@
+//! PLY (Turk, *The PLY Polygon File Format*, 1994), ASCII and both binary byte orders, over `ply-rs-bw`.
+//!
+//! That crate trusts a header's counts; here each is held against the bytes that are there before it is used.
+
+mod element;
+mod header;
+
+use ply_rs_bw::parser::{ParseError, Parser, Reader};
+use ply_rs_bw::ply::{ElementDef, Header, PropertyAccess};
+
+use element::{Face, Other, Vertex};
+use header::{check_names, has, least_size};
+
+use super::{MeshError, MeshFile, fan};
+use crate::scene::text::shorten_to;
+
+/// Reads the whole file `bytes`.
+pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
+    let mut reader = Reader::new(bytes);
+    let header = Parser::<Other>::new()
+        .read_header(&mut reader)
+        .map_err(malformed)?;
+    check_names(&header, &bytes[..bytes.len() - reader.get_ref().len()])?;
+    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    for element in header.elements.values() {
+        match element.name.as_str() {
+            "vertex" => vertices = payload::<Vertex>(&mut reader, element, &header)?,
+            "face" => faces = payload::<Face>(&mut reader, element, &header)?,
+            _ => drop(payload::<Other>(&mut reader, element, &header)?),
+        }
+    }
+    let with_normals = header
+        .elements
+        .get("vertex")
+        .is_some_and(|vertex| has(vertex, ["nx", "ny", "nz"]));
+    assemble(&vertices, &faces, with_normals)
+}
+
+/// Vertices and faces, checked and put into the scene's form.
+fn assemble(
+    vertices: &[Vertex],
+    faces: &[Face],
+    with_normals: bool,
+) -> Result<MeshFile, MeshError> {
+    let finite = |v: &Vertex| v.position.as_vec3().is_finite() && v.normal.as_vec3().is_finite();
+    if let Some(bad) = vertices.iter().position(|v| !finite(v)) {
+        return Err(MeshError::NotFinite(bad));
+    }
+    let mut triangles = Vec::with_capacity(faces.len());
+    for (index, face) in faces.iter().enumerate() {
+        fan(&mut triangles, index, &face.corners, vertices.len())?;
+    }
+    if triangles.is_empty() {
+        return Err(MeshError::Empty("faces"));
+    }
+    Ok(MeshFile {
+        positions: vertices.iter().map(|v| v.position).collect(),
+        normals: with_normals.then(|| {
+            vertices
+                .iter()
+                .map(|v| v.normal.normalize_or_zero())
+                .collect()
+        }),
+        triangles,
+    })
+}
+
+/// The payload of one element, which comes next.
+fn payload<E: PropertyAccess>(
+    reader: &mut Reader<&[u8]>,
+    element: &ElementDef,
+    header: &Header,
+) -> Result<Vec<E>, MeshError> {
+    let bytes = reader.get_ref().len();
+    let least = least_size(element, header.encoding);
+    if least == 0 {
+        return Ok(Vec::new());
+    }
+    if element
+        .count
+        .checked_mul(least)
+        .is_none_or(|all| all > bytes.saturating_add(1))
+    {
+        return Err(MeshError::Truncated {
+            element: element.name.clone(),
+            count: element.count,
+            bytes,
+        });
+    }
+    Parser::<E>::new()
+        .read_payload_for_element(reader, element, header)
+        .map_err(malformed)
+}
+
+/// The crate's message on one line, without the lines that it quotes.
+fn malformed(error: ParseError) -> MeshError {
+    const LONGEST: usize = 200;
+    let text = error.to_string();
+    let lines = text
+        .lines()
+        .map(str::trim)
+        .filter(|line| !line.is_empty() && !line.starts_with("String:"));
+    let message = lines.collect::<Vec<_>>().join(" ").replace("Error: ", "");
+    MeshError::Malformed(shorten_to(&message, LONGEST))
+}

@@ -1,0 +1,110 @@
+//! Shapes: `sphere`, `box`, `cylinder`, `mesh`.
+
+use std::path::{Path, PathBuf};
+
+use super::arguments::Arguments;
+use super::builder::Builder;
+use super::field::{any, not_zero, positive, vector};
+use super::mesh::{MeshError, read_mesh};
+use super::orientation::orientation;
+use super::{Geometry, Mesh};
+
+/// `sphere cx cy cz  r`
+pub(super) fn sphere(builder: &mut Builder, arguments: &mut Arguments) {
+    let fields = [any("cx"), any("cy"), any("cz"), positive("r", "the radius")];
+    let Some([centre @ .., r]) = arguments.numbers(&mut builder.log, fields) else {
+        return;
+    };
+    let geometry = Geometry::Sphere {
+        centre: vector(&centre),
+        radius: r.value,
+    };
+    builder.add_shape(arguments.command().place.line, geometry);
+}
+
+/// `box bx by bz  dx dy dz`
+pub(super) fn cuboid(builder: &mut Builder, arguments: &mut Arguments) {
+    let side = |name| not_zero(name, "a side of the box");
+    let fields = [
+        any("bx"),
+        any("by"),
+        any("bz"),
+        side("dx"),
+        side("dy"),
+        side("dz"),
+    ];
+    let Some([corner @ .., dx, dy, dz]) = arguments.numbers(&mut builder.log, fields) else {
+        return;
+    };
+    let geometry = Geometry::Box {
+        corner: vector(&corner),
+        diagonal: vector(&[dx, dy, dz]),
+    };
+    builder.add_shape(arguments.command().place.line, geometry);
+}
+
+/// `cylinder bx by bz  ax ay az  r`
+pub(super) fn cylinder(builder: &mut Builder, arguments: &mut Arguments) {
+    let log = &mut builder.log;
+    let [bx, by, bz, ax, ay, az] = ["bx", "by", "bz", "ax", "ay", "az"].map(any);
+    let fields = [bx, by, bz, ax, ay, az, positive("r", "the radius")];
+    let Some([bx, by, bz, ax, ay, az, r]) = arguments.numbers(log, fields) else {
+        return;
+    };
+    let axis = vector(&[ax, ay, az]);
+    if axis.length() as f32 == 0.0 {
+        let place = ax.place.to(az.place);
+        log.error(
+            place,
+            "the axis of the cylinder is zero".into(),
+            "its length is the height",
+        );
+        return;
+    }
+    let geometry = Geometry::Cylinder {
+        base: vector(&[bx, by, bz]),
+        axis,
+        radius: r.value,
+    };
+    builder.add_shape(arguments.command().place.line, geometry);
+}
+
+/// `mesh FILE  tx ty tz  s  ORIENTATION`
+pub(super) fn mesh(builder: &mut Builder, arguments: &mut Arguments) {
+    let Some(file) = arguments.word(&mut builder.log, "FILE") else {
+        return;
+    };
+    let path = resolve(builder.folder(), Path::new(file.text));
+    let read = read_mesh(&path);
+    let log = &mut builder.log;
+    if let Err(reason) = &read {
+        let error = log.error(file.place, format!("{}: {reason}", path.display()), "");
+        if matches!(reason, MeshError::Missing) {
+            error.help("a mesh is looked for beside the scene file, then in the working directory");
+        }
+    }
+    let fields = [any("tx"), any("ty"), any("tz"), positive("s", "the scale")];
+    let numbers = arguments.numbers(log, fields);
+    let rotate = orientation(arguments, log);
+    if let (Ok(file), Some([tx, ty, tz, s]), Some(rotate)) = (read, numbers, rotate) {
+        let mesh = Mesh {
+            path,
+            positions: file.positions,
+            normals: file.normals,
+            triangles: file.triangles,
+            translate: vector(&[tx, ty, tz]),
+            scale: s.value,
+            rotate,
+        };
+        builder.add_shape(arguments.command().place.line, Geometry::Mesh(mesh));
+    }
+}
+
+/// `file` beside the scene file, or else in the working directory.
+fn resolve(folder: &Path, file: &Path) -> PathBuf {
+    let beside = folder.join(file);
+    match !beside.exists() && file.exists() {
+        true => file.to_owned(),
+        false => beside,
+    }
+}

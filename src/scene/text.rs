@@ -1,0 +1,72 @@
+//! Lines and tokens of a text, and where they stand in it.
+
+use super::diagnostic::Place;
+
+/// A run of characters between white space.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Token<'t> {
+    pub text: &'t str,
+    pub place: Place,
+}
+
+/// The tokens of one line; never none.
+pub(super) type Line<'t> = Vec<Token<'t>>;
+
+/// `text` as it is read, and shown in messages: every line ends in `\n`, no byte order mark, and no control
+/// character that could do something to a terminal.
+pub(super) fn clean(text: &str) -> String {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    text.replace("\r\n", "\n")
+        .chars()
+        .map(|c| match c {
+            '\r' => '\n',
+            '\n' | '\t' => c,
+            '\u{b}' | '\u{c}' => ' ',
+            c if c.is_control() => char::REPLACEMENT_CHARACTER,
+            c => c,
+        })
+        .collect()
+}
+
+/// The lines of a [`clean`] text that hold a command: blank ones and comments are left out.
+pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
+    let mut start = 0;
+    text.split('\n')
+        .enumerate()
+        .filter_map(move |(index, line)| {
+            let tokens = tokens(line, index + 1, start);
+            start += line.len() + 1;
+            let first = tokens.first()?;
+            (!first.text.starts_with('#')).then_some(tokens)
+        })
+}
+
+/// The tokens of the line `number` whose first byte is byte `start` of the text.
+fn tokens(line: &str, number: usize, start: usize) -> Line<'_> {
+    line.split_whitespace()
+        .map(|text| {
+            let offset = text.as_ptr() as usize - line.as_ptr() as usize;
+            let column = line[..offset].chars().count() + 1;
+            let place = Place {
+                line: number,
+                column,
+                start: start + offset,
+                length: text.len(),
+            };
+            Token { text, place }
+        })
+        .collect()
+}
+
+/// `text` as a message quotes it: all of it, or its beginning if it is long.
+pub(super) fn shorten(text: &str) -> String {
+    shorten_to(text, 40)
+}
+
+/// `text`, or its first `longest` characters if it is longer.
+pub(super) fn shorten_to(text: &str, longest: usize) -> String {
+    match text.char_indices().nth(longest) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}

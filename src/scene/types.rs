@@ -1,0 +1,107 @@
+//! A scene as its file has it: names and units of the file, in f64.
+
+use std::path::PathBuf;
+
+use glam::{DQuat, DVec3};
+
+use crate::settings::{Distribution, Fresnel};
+
+/// A scene file, read and checked.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    pub path: PathBuf,
+    pub screen: Screen,
+    pub camera: Camera,
+    /// Radiance of everything outside.
+    pub background: DVec3,
+    pub materials: Vec<Material>,
+    /// In file order.
+    pub shapes: Vec<Shape>,
+}
+
+/// Picture size in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Screen {
+    pub width: u32,
+    pub height: u32,
+}
+
+/// A pinhole: looks down −Z of its rotated frame, X right, Y up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    pub eye: DVec3,
+    /// tan of half the vertical field of view.
+    pub ry: f64,
+    pub orientation: DQuat,
+}
+
+/// A material and the line that brought it in (from 1; 0: the default material).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    pub line: usize,
+    pub kind: MaterialKind,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum MaterialKind {
+    Brdf(Brdf),
+    /// Emits this radiance from both sides of its surface and reflects nothing.
+    Light(DVec3),
+}
+
+/// The hand-out's material. Kt = 0 is opaque whatever the ior says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Brdf {
+    pub kd: DVec3,
+    pub ks: DVec3,
+    /// > 1: a Phong exponent; ≤ 1: a Beckmann or GGX width.
+    pub alpha: f64,
+    pub kt: DVec3,
+    pub ior: f64,
+    /// `None`: `auto`, Phong for an exponent and GGX for a width.
+    pub distribution: Option<Distribution>,
+    /// `None`: no word in the scene.
+    pub fresnel: Option<Fresnel>,
+}
+
+/// A closed solid, or a mesh.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    pub line: usize,
+    /// Index into [`Scene::materials`].
+    pub material: usize,
+    pub geometry: Geometry,
+}
+
+#[derive(Clone, Debug)]
+pub enum Geometry {
+    Sphere {
+        centre: DVec3,
+        radius: f64,
+    },
+    /// A corner and the diagonal from it; components may be negative.
+    Box {
+        corner: DVec3,
+        diagonal: DVec3,
+    },
+    /// Base centre, axis whose length is the height, radius; with both caps.
+    Cylinder {
+        base: DVec3,
+        axis: DVec3,
+        radius: f64,
+    },
+    Mesh(Mesh),
+}
+
+/// Triangles as the file has them; p' = translate + scale · rotate · p.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    pub path: PathBuf,
+    pub positions: Vec<DVec3>,
+    /// One a vertex, only where the file gives them: unit length, or zero where the file's has no direction.
+    pub normals: Option<Vec<DVec3>>,
+    pub triangles: Vec<[u32; 3]>,
+    pub translate: DVec3,
+    pub scale: f64,
+    pub rotate: DQuat,
+}
