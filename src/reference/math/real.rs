@@ -44,13 +44,13 @@ pub trait Real:
     fn floor(self) -> Self;
     fn is_nan(self) -> bool;
     fn is_infinite(self) -> bool;
-    /// (sin 2πu, cos 2πu) for u in [0, 1].
+    /// (sin 2πu, cos 2πu) for u in [0, 1], exact at multiples of 1/4.
     fn sincos_2pi(u: Self) -> (Self, Self);
     /// eˣ
     fn exp(x: Self) -> Self;
     /// eˣ − 1, accurate near 0.
     fn expm1(x: Self) -> Self;
-    /// ln(1 + x), accurate near 0; x > −1.
+    /// ln(1 + x), accurate near 0; −∞ at −1, NaN below.
     fn log1p(x: Self) -> Self;
 
     fn zero() -> Self {
@@ -124,7 +124,9 @@ impl Real for f64 {
     const ULP: Self = f64::EPSILON / 2.0;
     common!(f64);
     fn sincos_2pi(u: Self) -> (Self, Self) {
-        (u * std::f64::consts::TAU).sin_cos()
+        let (k, r) = elementary::quadrant(u);
+        let (sin_r, cos_r) = (r * std::f64::consts::FRAC_PI_2).sin_cos();
+        elementary::rotate_by_quadrant(k, sin_r, cos_r)
     }
     fn exp(x: Self) -> Self {
         f64::exp(x)

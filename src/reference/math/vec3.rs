@@ -64,7 +64,7 @@ pub fn length3<F: Real>(v: Vec3<F>) -> F {
     dot3(v, v).sqrt()
 }
 
-/// v · (1/|v|); v must not be 0.
+/// v · (1/|v|); in `f32` for |v| between 1e-18 and 1e19, outside of which the squares leave the scalar's range.
 pub fn normalize3<F: Real>(v: Vec3<F>) -> Vec3<F> {
     v * (F::one() / length3(v))
 }

@@ -1,0 +1,7 @@
+// How many times loop bodies of this invocation have run. Mesa 22 ends all loops in silence after 65,535 iterations
+// of a subgroup and dispatch, so the kernel counts and hands an unfinished path over before that.
+// Every loop body begins with `loop_steps += 1u;`.
+
+// uses:
+
+uint loop_steps = 0u;

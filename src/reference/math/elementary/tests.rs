@@ -1,0 +1,139 @@
+//! Sweeps over the bits of `f32` against the same functions in f64 (the C library's, below 1 ulp of f64).
+
+use super::{exp, expm1, log1p, sincos_2pi};
+use crate::reference::math::Real;
+
+/// Sum of the rounding errors: sine ½ (last sum) + 0.36 (r (π/2 − 1)) + 0.36 (second sum) + 0.07 (polynomial),
+/// cosine ½ + ½ (product) + ⅛ (z).
+const SIN_COS_BOUND: f64 = 1.4;
+/// ½ for the last sum; with compensated sums the rest is that of the small term q, below ½.
+const BOUND: f64 = 1.0;
+
+/// |computed − truth| in units of the last place that an `f32` of the size of `truth` has.
+///
+/// Infinite where one of the two is a NaN or overflows and the other does not.
+fn ulps(computed: f32, truth: f64) -> f64 {
+    // What rounds to ∞ in f32: MAX + half a unit.
+    let overflow = f64::from(f32::MAX) + 2f64.powi(103);
+    if truth.is_nan() || computed.is_nan() {
+        return if truth.is_nan() && computed.is_nan() {
+            0.0
+        } else {
+            f64::INFINITY
+        };
+    }
+    if truth.abs() >= overflow || computed.is_infinite() {
+        let same = truth.abs() >= overflow && f64::from(computed) == truth.signum() * f64::INFINITY;
+        return if same { 0.0 } else { f64::INFINITY };
+    }
+    let exponent = ((truth.abs().to_bits() >> 52) as i32 - 1023).max(-126);
+    (f64::from(computed) - truth).abs() * 2f64.powi(23 - exponent)
+}
+
+/// The argument with the largest error over every `stride`-th pattern of bits in `bits`.
+fn worst(
+    bits: std::ops::RangeInclusive<u32>,
+    stride: usize,
+    error: impl Fn(f32) -> f64,
+) -> (f32, f64) {
+    let mut worst = (0.0, 0.0);
+    for x in bits.step_by(stride).map(f32::from_bits) {
+        let e = error(x);
+        if e > worst.1 {
+            worst = (x, e);
+        }
+    }
+    worst
+}
+
+/// sin 2πu and cos 2πu in f64, reduced exactly: u − k/2 has no rounding error.
+fn sin_cos_f64(u: f32) -> (f64, f64) {
+    let u = f64::from(u);
+    let near_sin = (2.0 * u).round();
+    let near_cos = (2.0 * u - 0.5).round();
+    let sign = |n: f64| if n.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
+    let s = sign(near_sin) * ((u - near_sin / 2.0) * std::f64::consts::TAU).sin();
+    let c = -sign(near_cos) * ((u - 0.25 - near_cos / 2.0) * std::f64::consts::TAU).sin();
+    (s, c)
+}
+
+fn sincos_error(u: f32) -> f64 {
+    let (s, c) = sincos_2pi(u);
+    let (s64, c64) = sin_cos_f64(u);
+    ulps(s, s64).max(ulps(c, c64))
+}
+
+fn sweep(stride: usize) {
+    let (u, e) = worst(0..=1f32.to_bits(), stride, sincos_error);
+    assert!(e <= SIN_COS_BOUND, "sincos_2pi({u:e}) is {e} ulp off");
+    let all = [
+        ("exp", exp as fn(f32) -> f32, f64::exp as fn(f64) -> f64),
+        ("expm1", expm1, f64::exp_m1),
+        ("log1p", log1p, f64::ln_1p),
+    ];
+    for (name, f, truth) in all {
+        let (x, e) = worst(0..=u32::MAX, stride, |x| ulps(f(x), truth(f64::from(x))));
+        assert!(e <= BOUND, "{name}({x:e}) is {e} ulp off");
+    }
+}
+
+#[test]
+fn errors_stay_in_their_bounds() {
+    sweep(997);
+}
+
+#[test]
+#[ignore = "every f32: minutes"]
+fn errors_stay_in_their_bounds_for_every_f32() {
+    sweep(1);
+}
+
+#[test]
+fn the_comparison_sees_two_units_and_a_wrong_end() {
+    let planted = |x: f32| f32::from_bits(exp(x).to_bits() + 2);
+    let (_, e) = worst(0x3f00_0000..=0x4080_0000, 997, |x| {
+        ulps(planted(x), f64::from(x).exp())
+    });
+    assert!(e > BOUND);
+    assert!(ulps(f32::MAX, 89f64.exp()) > BOUND);
+    assert!(ulps(f32::NAN, 1.0) > BOUND);
+    assert!(ulps(0.0, f64::NAN) > BOUND);
+    assert!(ulps(f32::NEG_INFINITY, f64::INFINITY) > BOUND);
+    // a result that was flushed to 0: 3·2⁻¹⁴⁹ is three units from it
+    assert_eq!(ulps(0.0, 3.0 * 2f64.powi(-149)), 3.0);
+}
+
+#[test]
+fn quarter_turns_are_exact() {
+    let at = [
+        (0.0, 0.0, 1.0),
+        (0.25, 1.0, 0.0),
+        (0.5, 0.0, -1.0),
+        (0.75, -1.0, 0.0),
+        (1.0, 0.0, 1.0),
+    ];
+    for (u, s, c) in at {
+        assert_eq!(sincos_2pi(u), (s, c));
+        assert_eq!(
+            <f64 as Real>::sincos_2pi(f64::from(u)),
+            (f64::from(s), f64::from(c))
+        );
+    }
+}
+
+#[test]
+fn ends_are_what_the_table_says() {
+    let (inf, nan) = (f32::INFINITY, f32::NAN);
+    assert_eq!([exp(-inf), exp(0.0), exp(inf)], [0.0, 1.0, inf]);
+    assert_eq!([expm1(-inf), expm1(0.0), expm1(inf)], [-1.0, 0.0, inf]);
+    assert_eq!([log1p(-1.0), log1p(0.0), log1p(inf)], [-inf, 0.0, inf]);
+    for y in [exp(nan), expm1(nan), log1p(nan), log1p(-1.5), log1p(-inf)] {
+        assert!(y.is_nan());
+    }
+    // the smallest denormal passes through the two that are x + … near 0
+    let tiny = f32::from_bits(1);
+    assert_eq!(
+        [expm1(tiny), log1p(tiny), expm1(-tiny)],
+        [tiny, tiny, -tiny]
+    );
+}
