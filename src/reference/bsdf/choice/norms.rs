@@ -1,0 +1,19 @@
+//! Choice of lobe by ‖Kd‖ : ‖Ks‖ : ‖Kt‖, as the hand-out has it; twin of `shaders/bsdf/choice/norms.glsl`.
+
+use crate::reference::bsdf::interaction::Interaction;
+use crate::reference::bsdf::snell::total_reflection;
+use crate::reference::math::Real;
+
+/// p_d = ‖Kd‖/(‖Kd‖ + ‖Ks‖ + ‖Kt‖)
+pub fn norms_diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
+    at.material.p_d
+}
+
+/// R = ‖Ks‖/(‖Ks‖ + ‖Kt‖), which is 1 for opaque materials; 1 where refraction is not possible.
+pub fn norms_reflect_probability<F: Real>(at: &Interaction<F>, c: F) -> F {
+    if total_reflection(at, c) {
+        F::one()
+    } else {
+        at.material.p_r
+    }
+}

@@ -1,0 +1,86 @@
+//! A rough interface between two media, and Kd on wo's side; twin of `shaders/bsdf/kind/dielectric.glsl`.
+
+use crate::reference::bsdf::choice::reflect_probability;
+use crate::reference::bsdf::diffuse::lambert::cosine_lobe;
+use crate::reference::bsdf::diffuse::mixed::{diffuse_chosen, with_diffuse};
+use crate::reference::bsdf::facet::facet;
+use crate::reference::bsdf::fresnel::fresnel;
+use crate::reference::bsdf::interaction::Interaction;
+use crate::reference::bsdf::normals::normals_sample;
+use crate::reference::bsdf::reflection::{reflect_about, reflection_half_vector, reflection_lobe};
+use crate::reference::bsdf::sample::{
+    BsdfSample, BsdfValue, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION, sample_or_none,
+};
+use crate::reference::bsdf::transmission::{
+    refract_about, transmission_half_vector, transmission_lobe,
+};
+use crate::reference::math::{Real, Vec3, dot3, mean3};
+use crate::settings::Settings;
+
+/// Value and density of `wi` whose micro-normal is `m`.
+pub fn dielectric_at<F: Real>(
+    settings: &Settings,
+    at: &Interaction<F>,
+    wi: Vec3<F>,
+    m: Vec3<F>,
+) -> BsdfValue<F> {
+    let x = facet(settings, at, wi, m);
+    let lobe = if wi.z > F::zero() {
+        reflection_lobe(at, wi, x)
+    } else {
+        transmission_lobe(settings, at, wi, x)
+    };
+    with_diffuse(settings, at, wi, lobe)
+}
+
+pub fn dielectric_sample<F: Real>(
+    settings: &Settings,
+    at: &Interaction<F>,
+    u_lobe: F,
+    u_reflect: F,
+    u_m: [F; 2],
+    u_d: [F; 2],
+) -> BsdfSample<F> {
+    let diffuse = diffuse_chosen(settings, at, u_lobe);
+    let drawn = normals_sample(settings, at, u_m);
+    let c = dot3(at.wo, drawn);
+    let f_mean = mean3(fresnel(at, c));
+    let reflects = u_reflect < reflect_probability(settings, at, c, f_mean);
+    let leaving = if reflects {
+        reflect_about(at.wo, drawn, c)
+    } else {
+        refract_about(at, drawn, c)
+    };
+    let wi = if diffuse { cosine_lobe(u_d) } else { leaving };
+    let m = if diffuse {
+        reflection_half_vector(at.wo, wi)
+    } else {
+        drawn
+    };
+    let right_side = if reflects {
+        wi.z > F::zero()
+    } else {
+        wi.z < F::zero()
+    };
+    let valid = diffuse || (c > F::zero() && right_side);
+    let lobe = if reflects {
+        LOBE_REFLECTION
+    } else {
+        LOBE_TRANSMISSION
+    };
+    let value = dielectric_at(settings, at, wi, m);
+    sample_or_none(valid, wi, value, if diffuse { LOBE_DIFFUSE } else { lobe })
+}
+
+pub fn dielectric_eval<F: Real>(
+    settings: &Settings,
+    at: &Interaction<F>,
+    wi: Vec3<F>,
+) -> BsdfValue<F> {
+    let m = if wi.z > F::zero() {
+        reflection_half_vector(at.wo, wi)
+    } else {
+        transmission_half_vector(at, wi)
+    };
+    dielectric_at(settings, at, wi, m)
+}

@@ -1,0 +1,15 @@
+//! Kd alone; twin of `shaders/bsdf/kind/diffuse.glsl`.
+
+use crate::reference::bsdf::diffuse::lambert::{cosine_lobe, lambert_lobe};
+use crate::reference::bsdf::interaction::Interaction;
+use crate::reference::bsdf::sample::{BsdfSample, BsdfValue, LOBE_DIFFUSE, sample_or_none};
+use crate::reference::math::{Real, Vec3};
+
+pub fn diffuse_sample<F: Real>(at: &Interaction<F>, u_d: [F; 2]) -> BsdfSample<F> {
+    let wi = cosine_lobe(u_d);
+    sample_or_none(true, wi, lambert_lobe(at, wi), LOBE_DIFFUSE)
+}
+
+pub fn diffuse_eval<F: Real>(at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
+    lambert_lobe(at, wi)
+}

@@ -1,0 +1,66 @@
+//! A smooth interface between two media, and Kd on wo's side; twin of `shaders/bsdf/kind/glass.glsl`.
+
+use crate::reference::bsdf::choice::reflect_probability;
+use crate::reference::bsdf::diffuse::lambert::cosine_lobe;
+use crate::reference::bsdf::diffuse::mixed::{diffuse_chosen, facet_probability, with_diffuse};
+use crate::reference::bsdf::fresnel::fresnel;
+use crate::reference::bsdf::interaction::Interaction;
+use crate::reference::bsdf::reflection::reflected_share;
+use crate::reference::bsdf::sample::{
+    BsdfSample, BsdfValue, LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION, no_value,
+    sample_or_none,
+};
+use crate::reference::bsdf::scaling::transmission_scale;
+use crate::reference::bsdf::transmission::refract_about;
+use crate::reference::math::{Real, Vec3, mean3, vec3};
+use crate::settings::Settings;
+
+/// The delta lobes: the micro-normal is N', F reflects, (1 − F) is refracted, × eta² for radiance, × A(t).
+pub fn glass_delta<F: Real>(
+    settings: &Settings,
+    at: &Interaction<F>,
+    u_reflect: F,
+) -> BsdfSample<F> {
+    let (zero, one) = (F::zero(), F::one());
+    let c = at.wo.z;
+    let f = fresnel(at, c);
+    let p_m = facet_probability(settings, at);
+    let p_r = reflect_probability(settings, at, c, mean3(f));
+    let scale = transmission_scale(settings, at.eta);
+    if u_reflect < p_r {
+        let value = BsdfValue {
+            value: reflected_share(at, c, f),
+            pdf: p_m * p_r,
+        };
+        let wi = vec3(-at.wo.x, -at.wo.y, c);
+        sample_or_none(c > zero, wi, value, LOBE_REFLECTION | LOBE_DELTA)
+    } else {
+        let value = BsdfValue {
+            value: (Vec3::one() - f) * at.attenuation * scale,
+            pdf: p_m * (one - p_r),
+        };
+        let wi = refract_about(at, vec3(zero, zero, one), c);
+        let valid = c > zero && wi.z < zero;
+        sample_or_none(valid, wi, value, LOBE_TRANSMISSION | LOBE_DELTA)
+    }
+}
+
+pub fn glass_sample<F: Real>(
+    settings: &Settings,
+    at: &Interaction<F>,
+    u_lobe: F,
+    u_reflect: F,
+    u_d: [F; 2],
+) -> BsdfSample<F> {
+    if diffuse_chosen(settings, at, u_lobe) {
+        let wi = cosine_lobe(u_d);
+        sample_or_none(true, wi, glass_eval(settings, at, wi), LOBE_DIFFUSE)
+    } else {
+        glass_delta(settings, at, u_reflect)
+    }
+}
+
+/// The smooth interface has no density: Kd alone.
+pub fn glass_eval<F: Real>(settings: &Settings, at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
+    with_diffuse(settings, at, wi, no_value())
+}

@@ -1,0 +1,44 @@
+//! Opaque: a perfect mirror, and Kd; twin of `shaders/bsdf/kind/mirror.glsl`.
+
+use crate::reference::bsdf::diffuse::lambert::cosine_lobe;
+use crate::reference::bsdf::diffuse::mixed::{diffuse_chosen, facet_probability, with_diffuse};
+use crate::reference::bsdf::fresnel::fresnel;
+use crate::reference::bsdf::interaction::Interaction;
+use crate::reference::bsdf::sample::{
+    BsdfSample, BsdfValue, LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION, no_value, sample_or_none,
+};
+use crate::reference::math::{Real, Vec3, vec3};
+use crate::settings::Settings;
+
+pub fn mirror_sample<F: Real>(
+    settings: &Settings,
+    at: &Interaction<F>,
+    u_lobe: F,
+    u_d: [F; 2],
+) -> BsdfSample<F> {
+    let diffuse = diffuse_chosen(settings, at, u_lobe);
+    let wi = if diffuse {
+        cosine_lobe(u_d)
+    } else {
+        vec3(-at.wo.x, -at.wo.y, at.wo.z)
+    };
+    let value = if diffuse {
+        mirror_eval(settings, at, wi)
+    } else {
+        BsdfValue {
+            value: fresnel(at, at.wo.z),
+            pdf: facet_probability(settings, at),
+        }
+    };
+    let lobe = if diffuse {
+        LOBE_DIFFUSE
+    } else {
+        LOBE_REFLECTION | LOBE_DELTA
+    };
+    sample_or_none(wi.z > F::zero(), wi, value, lobe)
+}
+
+/// The mirror has no density: Kd alone.
+pub fn mirror_eval<F: Real>(settings: &Settings, at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
+    with_diffuse(settings, at, wi, no_value())
+}

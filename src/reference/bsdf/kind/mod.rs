@@ -1,0 +1,53 @@
+//! Kinds of material, each from its lobes; the kernels' slot `<bsdf>`.
+//!
+//! A kind's `_at` function takes the micro-normal: sampling hands it the one that was drawn, evaluation the
+//! half vector, which has lost digits where the surface is smooth.
+
+pub mod dielectric;
+pub mod diffuse;
+pub mod glass;
+pub mod mirror;
+pub mod opaque;
+pub mod weak;
+
+use super::interaction::Interaction;
+use super::sample::{BsdfSample, BsdfValue, no_sample, no_value};
+use crate::prepared::MaterialKind;
+use crate::reference::math::{Real, Vec3};
+use crate::settings::Settings;
+
+/// Draws `wi`. `u_lobe` decides between diffuse and the rest, `u_reflect` between reflection and refraction,
+/// `u_m` draws the micro-normal, `u_d` the diffuse direction; all uniform in [0, 1).
+pub fn bsdf_sample<F: Real>(
+    settings: &Settings,
+    at: &Interaction<F>,
+    u_lobe: F,
+    u_reflect: F,
+    u_m: [F; 2],
+    u_d: [F; 2],
+) -> BsdfSample<F> {
+    match at.material.kind {
+        MaterialKind::Black | MaterialKind::Nothing => no_sample(),
+        MaterialKind::Diffuse => diffuse::diffuse_sample(at, u_d),
+        MaterialKind::Opaque => opaque::opaque_sample(settings, at, u_lobe, u_m, u_d),
+        MaterialKind::Mirror => mirror::mirror_sample(settings, at, u_lobe, u_d),
+        MaterialKind::Dielectric => {
+            dielectric::dielectric_sample(settings, at, u_lobe, u_reflect, u_m, u_d)
+        }
+        MaterialKind::Glass => glass::glass_sample(settings, at, u_lobe, u_reflect, u_d),
+        MaterialKind::Weak => weak::weak_sample(settings, at, u_lobe, u_reflect, u_m, u_d),
+    }
+}
+
+/// Value·|N·wi| and density of `wi`, for the lobes that have a density.
+pub fn bsdf_eval<F: Real>(settings: &Settings, at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
+    match at.material.kind {
+        MaterialKind::Black | MaterialKind::Nothing => no_value(),
+        MaterialKind::Diffuse => diffuse::diffuse_eval(at, wi),
+        MaterialKind::Opaque => opaque::opaque_eval(settings, at, wi),
+        MaterialKind::Mirror => mirror::mirror_eval(settings, at, wi),
+        MaterialKind::Dielectric => dielectric::dielectric_eval(settings, at, wi),
+        MaterialKind::Glass => glass::glass_eval(settings, at, wi),
+        MaterialKind::Weak => weak::weak_eval(settings, at, wi),
+    }
+}

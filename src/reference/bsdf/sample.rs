@@ -1,0 +1,72 @@
+//! What sampling and evaluation hand back; twin of `shaders/bsdf/sample.glsl`.
+
+use crate::reference::math::{Real, Vec3, vec3};
+
+/// No direction was found: the path ends.
+pub const LOBE_NONE: u32 = 0;
+pub const LOBE_DIFFUSE: u32 = 1;
+pub const LOBE_REFLECTION: u32 = 2;
+pub const LOBE_TRANSMISSION: u32 = 3;
+/// Flag beside the lobe: the direction has no density, so no light connection could have found it.
+pub const LOBE_DELTA: u32 = 4;
+
+/// A sampled direction.
+#[derive(Clone, Copy, Debug)]
+pub struct BsdfSample<F> {
+    /// In the frame of N', of unit length.
+    pub wi: Vec3<F>,
+    /// value·|N·wi| / density, per channel.
+    pub weight: Vec3<F>,
+    /// Density of `wi` per solid angle, over all lobes; of a delta lobe the probability that it was chosen.
+    pub pdf: F,
+    /// `LOBE_…`, with [`LOBE_DELTA`] or without.
+    pub lobe: u32,
+}
+
+/// The parts of a BSDF that have a density, for one pair of directions.
+#[derive(Clone, Copy, Debug)]
+pub struct BsdfValue<F> {
+    /// value·|N·wi|, per channel.
+    pub value: Vec3<F>,
+    /// Density of sampling `wi` per solid angle.
+    pub pdf: F,
+}
+
+/// No direction.
+pub fn no_sample<F: Real>() -> BsdfSample<F> {
+    BsdfSample {
+        wi: vec3(F::zero(), F::zero(), F::one()),
+        weight: Vec3::zero(),
+        pdf: F::zero(),
+        lobe: LOBE_NONE,
+    }
+}
+
+/// No light goes this way.
+pub fn no_value<F: Real>() -> BsdfValue<F> {
+    BsdfValue {
+        value: Vec3::zero(),
+        pdf: F::zero(),
+    }
+}
+
+/// The sample `wi`, unless it is invalid or its density is not positive.
+pub fn sample_or_none<F: Real>(
+    valid: bool,
+    wi: Vec3<F>,
+    value: BsdfValue<F>,
+    lobe: u32,
+) -> BsdfSample<F> {
+    let found = BsdfSample {
+        wi,
+        weight: value.value / value.pdf,
+        pdf: value.pdf,
+        lobe,
+    };
+    // !(pdf > 0) holds for NaN too
+    if valid && value.pdf > F::zero() {
+        found
+    } else {
+        no_sample()
+    }
+}

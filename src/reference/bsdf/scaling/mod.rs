@@ -1,0 +1,16 @@
+//! What a refracted path carries, radiance or flux; the kernels' slot `<scaling>`. Model page, section 7.
+
+pub mod flux;
+pub mod radiance;
+
+use crate::reference::math::Real;
+use crate::settings::Settings;
+
+/// Factor of E_t; eta = n_o/n_i.
+pub fn transmission_scale<F: Real>(settings: &Settings, eta: F) -> F {
+    if settings.model.radiance_scaling {
+        radiance::radiance_scale(eta)
+    } else {
+        flux::flux_scale(eta)
+    }
+}

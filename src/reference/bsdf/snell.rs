@@ -1,0 +1,18 @@
+//! Snell's law about a micro-normal; twin of `shaders/bsdf/snell.glsl`.
+
+use super::interaction::Interaction;
+use crate::reference::math::Real;
+
+/// r = 1 − eta² (1 − c²) = (wi·m)² of the refracted direction, c = wo·m; not positive: total reflection.
+///
+/// The one radicand from which Fresnel, Schlick's cosine and refraction are taken, so that they agree next to
+/// the critical angle. Written (1 − eta²) + (eta c)², the first term given from f64.
+pub fn snell_radicand<F: Real>(at: &Interaction<F>, c: F) -> F {
+    let p = at.eta * c;
+    at.one_minus_eta2 + p * p
+}
+
+/// Whether light that meets a micro-normal at cosine `c` is totally reflected.
+pub fn total_reflection<F: Real>(at: &Interaction<F>, c: F) -> bool {
+    snell_radicand(at, c) <= F::zero()
+}
