@@ -1,1 +1,17 @@
-//! To come.
+//! What a rendering did, as a record, and the record as JSON, as a picture's header and as lines to read.
+//! Pure functions of records: nothing here measures or prints.
+
+mod header;
+pub mod human;
+pub mod names;
+mod record;
+mod settings;
+mod summary;
+
+pub use header::notes;
+pub use record::{Dropped, Job, Machine, Record, Seconds, Work};
+pub use settings::SettingsRecord;
+pub use summary::{concerns, summary};
+
+/// The program's name and version.
+pub const SOFTWARE: &str = concat!("vkpt ", env!("CARGO_PKG_VERSION"));

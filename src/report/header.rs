@@ -1,0 +1,23 @@
+//! What a picture's header tells: all that the picture depends on, and nothing else.
+
+use super::{Job, SOFTWARE};
+
+/// Names and values, in a fixed order. Two runs that make the same picture have the same notes.
+pub fn notes(job: &Job, device: &str) -> Vec<(&'static str, String)> {
+    let [width, height] = job.size;
+    let mut notes = vec![
+        ("scene", job.scene.clone()),
+        ("size", format!("{width}x{height}")),
+    ];
+    if let Some([x0, y0, x1, y1]) = job.crop {
+        notes.push(("crop", format!("{x0},{y0},{x1},{y1}")));
+    }
+    notes.extend([
+        ("settings", job.settings.to_string()),
+        ("spp", job.spp.to_string()),
+        ("seed", job.seed.to_string()),
+        ("device", device.to_owned()),
+        ("version", SOFTWARE.to_owned()),
+    ]);
+    notes
+}

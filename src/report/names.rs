@@ -1,0 +1,86 @@
+//! The settings' names, as the command line and every record spell them.
+
+use crate::settings::{Absorption, Connect, Distribution, Fresnel, LobeChoice, Normals};
+
+/// A choice among few, each with a name.
+pub trait Named: Copy + PartialEq + Send + Sync + 'static {
+    /// All of them with their names, in the order in which they are told.
+    const ALL: &'static [(Self, &'static str)];
+
+    /// The name.
+    fn name(self) -> &'static str {
+        Self::ALL
+            .iter()
+            .find(|(value, _)| *value == self)
+            .map_or("unnamed", |(_, name)| name)
+    }
+}
+
+impl Named for Fresnel {
+    const ALL: &'static [(Self, &'static str)] =
+        &[(Self::Schlick, "schlick"), (Self::Exact, "exact")];
+}
+
+impl Named for Distribution {
+    const ALL: &'static [(Self, &'static str)] = &[
+        (Self::Phong, "phong"),
+        (Self::Beckmann, "beckmann"),
+        (Self::Ggx, "ggx"),
+    ];
+}
+
+impl Named for Absorption {
+    const ALL: &'static [(Self, &'static str)] =
+        &[(Self::Segment, "segment"), (Self::Term, "term")];
+}
+
+impl Named for LobeChoice {
+    const ALL: &'static [(Self, &'static str)] =
+        &[(Self::Fresnel, "fresnel"), (Self::Norms, "norms")];
+}
+
+impl Named for Normals {
+    const ALL: &'static [(Self, &'static str)] = &[
+        (Self::Visible, "visible"),
+        (Self::Distribution, "distribution"),
+    ];
+}
+
+impl Named for Connect {
+    const ALL: &'static [(Self, &'static str)] = &[
+        (Self::Mis, "mis"),
+        (Self::Light, "light"),
+        (Self::Bsdf, "bsdf"),
+    ];
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn distinct<T: Named + std::fmt::Debug>(values: &[T]) {
+        assert_eq!(
+            T::ALL.iter().map(|(value, _)| *value).collect::<Vec<_>>(),
+            values
+        );
+        let mut names: Vec<_> = values.iter().map(|value| value.name()).collect();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), values.len());
+        assert!(!names.contains(&"unnamed"));
+    }
+
+    #[test]
+    fn every_value_has_a_name_of_its_own() {
+        distinct(&[Fresnel::Schlick, Fresnel::Exact]);
+        distinct(&[
+            Distribution::Phong,
+            Distribution::Beckmann,
+            Distribution::Ggx,
+        ]);
+        distinct(&[Absorption::Segment, Absorption::Term]);
+        distinct(&[LobeChoice::Fresnel, LobeChoice::Norms]);
+        distinct(&[Normals::Visible, Normals::Distribution]);
+        distinct(&[Connect::Mis, Connect::Light, Connect::Bsdf]);
+    }
+}

@@ -1,0 +1,110 @@
+//! The record of a rendering; its JSON is `--json`'s file, field by field.
+
+use serde::Serialize;
+
+use super::SettingsRecord;
+
+/// A rendering: what was asked, where it ran, what it took.
+#[derive(Clone, Debug, Serialize)]
+pub struct Record {
+    pub version: &'static str,
+    #[serde(flatten)]
+    pub job: Job,
+    #[serde(flatten)]
+    pub machine: Machine,
+    pub seconds: Seconds,
+    #[serde(flatten)]
+    pub work: Work,
+    pub files: Vec<String>,
+    pub warnings: Vec<String>,
+}
+
+/// All that the picture depends on, beside the device.
+#[derive(Clone, Debug, Serialize)]
+pub struct Job {
+    /// The scene file's path as it was given.
+    pub scene: String,
+    /// Width and height of the full picture.
+    pub size: [u32; 2],
+    /// Left, top, right, bottom in pixels of the full picture, right and bottom excluded.
+    pub crop: Option<[u32; 4]>,
+    /// Samples in every pixel: fewer than `spp_asked` after an interruption.
+    pub spp: u64,
+    pub spp_asked: u64,
+    pub seed: u32,
+    pub settings: SettingsRecord,
+}
+
+/// Where it ran.
+#[derive(Clone, Debug, Serialize)]
+pub struct Machine {
+    pub device: String,
+    pub driver: String,
+    /// What the kernel holds.
+    pub features: Vec<String>,
+}
+
+/// Seconds by stage, on the wall clock.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Seconds {
+    pub read: f64,
+    pub prepare: f64,
+    pub compose: f64,
+    /// The first dispatch, which is when drivers compile.
+    pub compile: f64,
+    /// All other dispatches.
+    pub render: f64,
+    pub write: f64,
+}
+
+/// What was done.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Work {
+    pub samples: u64,
+    pub rays: u64,
+    /// Per second of all dispatches, the first included; `None` where no time was measured.
+    pub samples_per_s: Option<f64>,
+    pub rays_per_s: Option<f64>,
+    pub dropped: Dropped,
+    /// Paths of a thousand bounces or more, where roulette sets in for good.
+    pub long_paths: u64,
+}
+
+/// Samples that count as 0 because their value is none, by cause.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Dropped {
+    pub nan: u64,
+    pub infinite: u64,
+    /// Ended by the driver inside a loop.
+    #[serde(rename = "loop")]
+    pub loops: u64,
+}
+
+impl Dropped {
+    /// All causes together.
+    pub fn total(&self) -> u64 {
+        self.nan + self.infinite + self.loops
+    }
+}
+
+impl Work {
+    /// Counts, with their rates over the time that `seconds` gives to dispatches.
+    pub fn new(
+        seconds: &Seconds,
+        samples: u64,
+        rays: u64,
+        dropped: Dropped,
+        long_paths: u64,
+    ) -> Self {
+        let time = seconds.compile + seconds.render;
+        let rate = |count: u64| (time > 0.0).then(|| count as f64 / time);
+        Self {
+            samples,
+            rays,
+            samples_per_s: rate(samples),
+            rays_per_s: rate(rays),
+            dropped,
+            long_paths,
+        }
+    }
+}

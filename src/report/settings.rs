@@ -1,0 +1,75 @@
+//! Settings as words.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use super::names::Named;
+use crate::settings::{Roulette, Settings};
+
+/// Every setting of the model page, by the name and in the words of its flag.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct SettingsRecord {
+    /// `scene`: each material as the scene says, `schlick` where it is silent.
+    pub fresnel: &'static str,
+    /// `scene`: each material as the scene says, `auto` where it is silent.
+    pub distribution: &'static str,
+    pub absorption: &'static str,
+    pub radiance_scaling: bool,
+    /// `None`: no cap.
+    pub max_depth: Option<u32>,
+    pub lobe: &'static str,
+    pub normals: &'static str,
+    pub roulette: String,
+    pub connect: &'static str,
+}
+
+impl From<&Settings> for SettingsRecord {
+    fn from(settings: &Settings) -> Self {
+        let Settings { model, estimator } = settings;
+        Self {
+            fresnel: model.fresnel.map_or("scene", Named::name),
+            distribution: model.distribution.map_or("scene", Named::name),
+            absorption: model.absorption.name(),
+            radiance_scaling: model.radiance_scaling,
+            max_depth: model.max_depth,
+            lobe: estimator.lobe.name(),
+            normals: estimator.normals.name(),
+            roulette: match estimator.roulette {
+                Roulette::Throughput => "throughput".to_owned(),
+                Roulette::Constant(p) => p.to_string(),
+                Roulette::Off => "off".to_owned(),
+            },
+            connect: estimator.connect.name(),
+        }
+    }
+}
+
+/// `fresnel=scene distribution=scene absorption=segment …`
+impl fmt::Display for SettingsRecord {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let scaling = if self.radiance_scaling { "on" } else { "off" };
+        let depth = self
+            .max_depth
+            .map_or("none".to_owned(), |depth| depth.to_string());
+        let Self {
+            fresnel,
+            distribution,
+            absorption,
+            lobe,
+            normals,
+            roulette,
+            connect,
+            ..
+        } = self;
+        write!(
+            f,
+            "fresnel={fresnel} distribution={distribution} absorption={absorption} "
+        )?;
+        write!(f, "radiance-scaling={scaling} max-depth={depth} ")?;
+        write!(
+            f,
+            "lobe={lobe} normals={normals} roulette={roulette} connect={connect}"
+        )
+    }
+}

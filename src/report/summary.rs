@@ -1,0 +1,104 @@
+//! The lines that end a rendering.
+
+use super::human::{count, duration, plural};
+use super::{Dropped, Record};
+
+/// What was rendered, where, how long it took and what was written: a few short lines.
+pub fn summary(record: &Record) -> String {
+    let [width, height] = record.job.size;
+    let crop = record.job.crop.map_or(String::new(), |[x0, y0, x1, y1]| {
+        format!(", crop {x0},{y0},{x1},{y1}")
+    });
+    let mut lines = vec![
+        format!(
+            "{}: {width}×{height}{crop}, {} per pixel, seed {}",
+            record.job.scene,
+            plural(record.job.spp, "sample"),
+            record.job.seed
+        ),
+        format!("  on      {}", machine(record)),
+        format!("  time    {}", stages(record)),
+        format!("  work    {}", work(record)),
+    ];
+    if !record.files.is_empty() {
+        lines.push(format!("  wrote   {}", record.files.join(", ")));
+    }
+    lines.join("\n")
+}
+
+fn machine(record: &Record) -> String {
+    match record.machine.driver.as_str() {
+        "" => record.machine.device.clone(),
+        driver => format!("{}, {driver}", record.machine.device),
+    }
+}
+
+/// The stages that took a millisecond or more.
+fn stages(record: &Record) -> String {
+    let s = &record.seconds;
+    let all = [
+        ("read", s.read),
+        ("prepare", s.prepare),
+        ("compose", s.compose),
+        ("compile", s.compile),
+        ("render", s.render),
+        ("write", s.write),
+    ];
+    let told = all.iter().filter(|(_, seconds)| *seconds >= 0.001);
+    told.map(|(stage, seconds)| format!("{stage} {}", duration(*seconds)))
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+fn work(record: &Record) -> String {
+    let work = &record.work;
+    let rate =
+        |what: Option<f64>| what.map_or(String::new(), |per_s| format!(" ({}/s)", count(per_s)));
+    format!(
+        "{} samples{}, {} rays{}",
+        count(work.samples as f64),
+        rate(work.samples_per_s),
+        count(work.rays as f64),
+        rate(work.rays_per_s)
+    )
+}
+
+/// What the user should worry about, a sentence each: an early end, samples that count as 0, endless paths.
+pub fn concerns(record: &Record) -> Vec<String> {
+    let (job, work) = (&record.job, &record.work);
+    let mut sentences = Vec::new();
+    if job.spp < job.spp_asked {
+        sentences.push(format!(
+            "interrupted: the picture is that of --spp {}, not {}",
+            job.spp, job.spp_asked
+        ));
+    }
+    if work.dropped.total() > 0 {
+        sentences.push(format!(
+            "{} of {} counted as black: {}",
+            work.dropped.total(),
+            plural(work.samples, "sample"),
+            causes(&work.dropped)
+        ));
+    }
+    if work.long_paths > 0 {
+        sentences.push(format!(
+            "{} went past a thousand bounces",
+            plural(work.long_paths, "path")
+        ));
+    }
+    sentences
+}
+
+/// `3 NaN, 1 infinite, 2 cut off in a loop`
+fn causes(dropped: &Dropped) -> String {
+    let all = [
+        (dropped.nan, "NaN"),
+        (dropped.infinite, "infinite"),
+        (dropped.loops, "cut off in a loop"),
+    ];
+    let told = all.iter().filter(|(n, _)| *n > 0);
+    told.map(|(n, cause)| format!("{n} {cause}"))
+        .collect::<Vec<_>>()
+        .join(", ")
+}

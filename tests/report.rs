@@ -1,0 +1,188 @@
+//! A record as JSON, as lines to read and as a picture's header.
+
+use serde_json::{Value, json};
+use vkpt::report::{
+    Dropped, Job, Machine, Record, SOFTWARE, Seconds, Work, concerns, notes, summary,
+};
+use vkpt::settings::{Connect, Distribution, Fresnel, Roulette, Settings};
+
+fn record() -> Record {
+    let seconds = Seconds {
+        read: 0.012,
+        prepare: 0.0,
+        compose: 0.004,
+        compile: 0.5,
+        render: 7.5,
+        write: 0.02,
+    };
+    Record {
+        version: "0.0.1",
+        job: Job {
+            scene: "scenes/a.scn".to_owned(),
+            size: [400, 300],
+            crop: None,
+            spp: 64,
+            spp_asked: 64,
+            seed: 7,
+            settings: (&Settings::default()).into(),
+        },
+        machine: Machine {
+            device: "llvmpipe".to_owned(),
+            driver: "Mesa 22.3.6".to_owned(),
+            features: vec!["sphere".to_owned(), "ggx".to_owned()],
+        },
+        work: Work::new(&seconds, 7_680_000, 40_000_000, Dropped::default(), 0),
+        seconds,
+        files: vec!["a.png".to_owned()],
+        warnings: Vec::new(),
+    }
+}
+
+#[test]
+fn json_holds_every_field_by_name() {
+    let mut record = record();
+    record.work.dropped = Dropped {
+        nan: 1,
+        infinite: 2,
+        loops: 3,
+    };
+    record.job.crop = Some([0, 1, 2, 3]);
+    let expected = json!({
+        "version": "0.0.1",
+        "scene": "scenes/a.scn",
+        "size": [400, 300],
+        "crop": [0, 1, 2, 3],
+        "spp": 64,
+        "spp_asked": 64,
+        "seed": 7,
+        "settings": {
+            "fresnel": "scene", "distribution": "scene", "absorption": "segment", "radiance_scaling": true,
+            "max_depth": null, "lobe": "fresnel", "normals": "visible", "roulette": "throughput",
+            "connect": "mis",
+        },
+        "device": "llvmpipe",
+        "driver": "Mesa 22.3.6",
+        "features": ["sphere", "ggx"],
+        "seconds": {
+            "read": 0.012, "prepare": 0.0, "compose": 0.004, "compile": 0.5, "render": 7.5, "write": 0.02,
+        },
+        "samples": 7_680_000,
+        "rays": 40_000_000,
+        "samples_per_s": 960_000.0,
+        "rays_per_s": 5_000_000.0,
+        "dropped": { "nan": 1, "infinite": 2, "loop": 3 },
+        "long_paths": 0,
+        "files": ["a.png"],
+        "warnings": [],
+    });
+    assert_eq!(serde_json::to_value(&record).expect("JSON"), expected);
+}
+
+#[test]
+fn no_time_gives_no_rate() {
+    let mut record = record();
+    record.work = Work::new(&Seconds::default(), 5, 5, Dropped::default(), 0);
+    let value = serde_json::to_value(&record).expect("JSON");
+    assert_eq!(
+        (&value["samples_per_s"], &value["rays_per_s"]),
+        (&Value::Null, &Value::Null)
+    );
+    assert!(summary(&record).contains("5 samples, 5 rays"));
+}
+
+#[test]
+fn the_summary_reads_well() {
+    let expected = "\
+scenes/a.scn: 400×300, 64 samples per pixel, seed 7
+  on      llvmpipe, Mesa 22.3.6
+  time    read 12 ms, compose 4 ms, compile 500 ms, render 7.50 s, write 20 ms
+  work    7.68 M samples (960 k/s), 40.0 M rays (5.00 M/s)
+  wrote   a.png";
+    assert_eq!(summary(&record()), expected);
+    assert!(concerns(&record()).is_empty());
+}
+
+#[test]
+fn concerns_name_causes() {
+    let mut record = record();
+    record.job.spp = 12;
+    record.work.dropped = Dropped {
+        nan: 3,
+        infinite: 1,
+        loops: 0,
+    };
+    record.work.long_paths = 1;
+    let expected = [
+        "interrupted: the picture is that of --spp 12, not 64",
+        "4 of 7680000 samples counted as black: 3 NaN, 1 infinite",
+        "1 path went past a thousand bounces",
+    ];
+    assert_eq!(concerns(&record), expected);
+}
+
+#[test]
+fn settings_are_told_in_the_words_of_their_flags() {
+    let words = |settings: &Settings| {
+        notes(
+            &Job {
+                settings: settings.into(),
+                ..record().job
+            },
+            "d",
+        )[2]
+        .1
+        .clone()
+    };
+    assert_eq!(
+        words(&Settings::handout()),
+        "fresnel=scene distribution=scene absorption=term radiance-scaling=off max-depth=none \
+         lobe=norms normals=distribution roulette=0.8 connect=mis"
+    );
+    let mut settings = Settings::default();
+    settings.model.fresnel = Some(Fresnel::Exact);
+    settings.model.distribution = Some(Distribution::Ggx);
+    settings.model.max_depth = Some(3);
+    settings.estimator.roulette = Roulette::Off;
+    settings.estimator.connect = Connect::Light;
+    assert_eq!(
+        words(&settings),
+        "fresnel=exact distribution=ggx absorption=segment radiance-scaling=on max-depth=3 \
+         lobe=fresnel normals=visible roulette=off connect=light"
+    );
+}
+
+#[test]
+fn a_header_holds_what_the_picture_depends_on() {
+    let names = |job: &Job| {
+        notes(job, "llvmpipe")
+            .iter()
+            .map(|(name, _)| *name)
+            .collect::<Vec<_>>()
+    };
+    let mut job = record().job;
+    assert_eq!(
+        names(&job),
+        [
+            "scene", "size", "settings", "spp", "seed", "device", "version"
+        ]
+    );
+    job.crop = Some([1, 2, 3, 4]);
+    let notes = notes(&job, "llvmpipe");
+    assert_eq!(notes[2], ("crop", "1,2,3,4".to_owned()));
+    assert_eq!(notes[7], ("version", SOFTWARE.to_owned()));
+    // An interrupted rendering equals a shorter one, and says the same.
+    let asked = Job {
+        spp_asked: 12,
+        spp: 12,
+        ..job.clone()
+    };
+    let interrupted = Job {
+        spp_asked: 64,
+        spp: 12,
+        ..job
+    };
+    assert_eq!(
+        vkpt::report::notes(&asked, "d"),
+        vkpt::report::notes(&interrupted, "d")
+    );
+}
