@@ -16,6 +16,18 @@ pub enum Distribution {
     Ggx,
 }
 
+/// Which distribution a material gets.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum DistributionRule {
+    /// What the scene says of it, [`DistributionRule::Auto`] where it says nothing.
+    #[default]
+    Scene,
+    /// Phong for an exponent and GGX for a width, whatever the scene says.
+    Auto,
+    /// This one, whatever the scene says.
+    Always(Distribution),
+}
+
 /// Where Beer's law is applied: on every stretch inside a medium, or only in E_t as the hand-out prints it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Absorption {
@@ -60,8 +72,7 @@ pub enum Connect {
 pub struct Model {
     /// Overrides the scene's own words where given.
     pub fresnel: Option<Fresnel>,
-    /// Overrides the scene's own words where given.
-    pub distribution: Option<Distribution>,
+    pub distribution: DistributionRule,
     pub absorption: Absorption,
     /// Factor eta² of radiance at each refraction.
     pub radiance_scaling: bool,
@@ -90,7 +101,7 @@ impl Default for Settings {
         Self {
             model: Model {
                 fresnel: None,
-                distribution: None,
+                distribution: DistributionRule::Scene,
                 absorption: Absorption::Segment,
                 radiance_scaling: true,
                 max_depth: None,

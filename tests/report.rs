@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 use vkpt::report::{
     Dropped, Job, Machine, Record, SOFTWARE, Seconds, Work, concerns, notes, summary,
 };
-use vkpt::settings::{Connect, Distribution, Fresnel, Roulette, Settings};
+use vkpt::settings::{Connect, Distribution, DistributionRule, Fresnel, Roulette, Settings};
 
 fn record() -> Record {
     let seconds = Seconds {
@@ -140,7 +140,7 @@ fn settings_are_told_in_the_words_of_their_flags() {
     );
     let mut settings = Settings::default();
     settings.model.fresnel = Some(Fresnel::Exact);
-    settings.model.distribution = Some(Distribution::Ggx);
+    settings.model.distribution = DistributionRule::Always(Distribution::Ggx);
     settings.model.max_depth = Some(3);
     settings.estimator.roulette = Roulette::Off;
     settings.estimator.connect = Connect::Light;

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::{Material, MaterialKind, OPAQUE_SIGMA};
 use crate::scene::Brdf;
-use crate::settings::{Distribution, Fresnel, Model};
+use crate::settings::{Distribution, DistributionRule, Fresnel, Model};
 
 /// Below this |ior − 1| the surface is not there.
 const NOTHING_IOR: f64 = 1e-7;
@@ -82,7 +82,11 @@ fn distribution(brdf: &Brdf, model: &Model) -> Distribution {
     } else {
         Distribution::Ggx
     };
-    model.distribution.or(brdf.distribution).unwrap_or(auto)
+    match model.distribution {
+        DistributionRule::Scene => brdf.distribution.unwrap_or(auto),
+        DistributionRule::Auto => auto,
+        DistributionRule::Always(distribution) => distribution,
+    }
 }
 
 /// The command line's word, else the scene's, else Schlick. An opaque material has no ior for the exact form.
@@ -246,11 +250,13 @@ mod tests {
     fn a_flag_beats_a_word_of_the_scene() {
         let mut model = Settings::default().model;
         let b = Brdf {
-            distribution: Some(Distribution::Ggx),
+            distribution: Some(Distribution::Phong),
             fresnel: Some(Fresnel::Schlick),
             ..brdf()
         };
-        model.distribution = Some(Distribution::Beckmann);
+        model.distribution = DistributionRule::Auto;
+        assert_eq!(material(&b, &model, 1).distribution, Distribution::Ggx);
+        model.distribution = DistributionRule::Always(Distribution::Beckmann);
         model.fresnel = Some(Fresnel::Exact);
         let m = material(&b, &model, 1);
         assert_eq!(m.distribution, Distribution::Beckmann);

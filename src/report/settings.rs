@@ -5,7 +5,7 @@ use std::fmt;
 use serde::Serialize;
 
 use super::names::Named;
-use crate::settings::{Roulette, Settings};
+use crate::settings::{DistributionRule, Roulette, Settings};
 
 /// Every setting of the model page, by the name and in the words of its flag.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -29,7 +29,11 @@ impl From<&Settings> for SettingsRecord {
         let Settings { model, estimator } = settings;
         Self {
             fresnel: model.fresnel.map_or("scene", Named::name),
-            distribution: model.distribution.map_or("scene", Named::name),
+            distribution: match model.distribution {
+                DistributionRule::Scene => "scene",
+                DistributionRule::Auto => "auto",
+                DistributionRule::Always(distribution) => distribution.name(),
+            },
             absorption: model.absorption.name(),
             radiance_scaling: model.radiance_scaling,
             max_depth: model.max_depth,
