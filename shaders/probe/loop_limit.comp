@@ -1,17 +1,23 @@
-// Counts to `goal` in a loop whose length the compiler cannot know. A driver that ends loops early, in silence
-// (Mesa 22's lavapipe after 65,535 iterations a subgroup and dispatch), leaves a smaller count.
+// Counts to `goal` in a loop that no compiler can shorten: its body is a random number generator, whose state is an
+// output too. A driver that ends loops early, in silence (Mesa 22's lavapipe, after 65,535 iterations a subgroup and
+// dispatch), leaves a smaller count.
 // uses:
 
 layout(local_size_x = 1) in;
-layout(std430, set = 0, binding = 0) buffer Words { uint goal; uint count; } words;
+layout(std430, set = 0, binding = 0) buffer Words {
+    uint goal;
+    uint count;
+    uint state;
+} words;
 
 void main() {
     uint goal = words.goal;
-    uint x = 1u;
-    uint i = 0u;
-    while (i < goal && x != 0u) {
-        x = x * 1664525u + 1013904223u | 1u;
-        i += 1u;
+    uint state = goal;
+    uint count = 0u;
+    while (count < goal) {
+        state = (state ^ (state >> 15)) * 1664525u + 1013904223u;
+        count += 1u;
     }
-    words.count = i;
+    words.count = count;
+    words.state = state;
 }

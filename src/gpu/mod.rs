@@ -1,1 +1,22 @@
-//! To come.
+//! Vulkan compute: devices, buffers, pipelines, dispatches. The only module with ash and `unsafe`.
+//!
+//! Everything is synchronous: a call returns when the device has done it. Objects keep their device alive and free
+//! themselves. A [`Device`] may be shared between threads; its work is done one piece at a time.
+
+mod buffer;
+mod device;
+mod error;
+mod info;
+mod instance;
+mod limits;
+mod pipeline;
+mod probe;
+mod queue;
+mod transfer;
+
+pub use buffer::{Buffer, BufferUse};
+pub use device::{Device, Options};
+pub use error::GpuError;
+pub use info::{DeviceInfo, DeviceKind, Selector, devices};
+pub use limits::Limits;
+pub use pipeline::Pipeline;

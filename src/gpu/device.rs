@@ -1,0 +1,175 @@
+//! An opened device.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::time::Duration;
+
+use ash::vk;
+
+use super::error::GpuError;
+use super::info::{DeviceInfo, Selector, compute_family, enumerate};
+use super::instance::Instance;
+use super::limits::Limits;
+use super::queue::Queue;
+
+/// How a device is opened.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Run under the Khronos validation layer, synchronisation included; an error where it is not installed.
+    pub validation: bool,
+    /// Keep all buffers in memory that the host does not see, as on a discrete GPU.
+    pub always_stage: bool,
+    /// How long to wait for one piece of work.
+    pub patience: Duration,
+}
+
+impl Options {
+    /// Validation where the environment says `VKPT_VALIDATION=1`.
+    pub fn from_env() -> Self {
+        let validation = std::env::var_os("VKPT_VALIDATION").is_some_and(|v| v == "1");
+        Self {
+            validation,
+            ..Self::default()
+        }
+    }
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            validation: false,
+            always_stage: false,
+            patience: Duration::from_secs(120),
+        }
+    }
+}
+
+/// A Vulkan device with one compute queue. Clones share it.
+#[derive(Clone)]
+pub struct Device(pub(super) Arc<Inner>);
+
+/// What buffers and pipelines keep alive.
+pub(super) struct Inner {
+    pub raw: ash::Device,
+    pub info: DeviceInfo,
+    pub limits: Limits,
+    pub memory: vk::PhysicalDeviceMemoryProperties,
+    /// Bytes that this device has from each heap.
+    pub allocated: Mutex<[u64; vk::MAX_MEMORY_HEAPS]>,
+    pub options: Options,
+    pub loop_limit: OnceLock<Option<u32>>,
+    queue: Mutex<Queue>,
+    /// Set after a time-out: the device may still be writing, so nothing it uses may be freed.
+    abandoned: AtomicBool,
+    /// Last: the instance must outlive all else.
+    pub instance: Instance,
+}
+
+impl Device {
+    /// Opens a device with [`Options::from_env`].
+    ///
+    /// # Errors
+    /// [`GpuError::NoVulkan`], [`GpuError::NoSuchDevice`], [`GpuError::Unusable`], [`GpuError::NoValidationLayer`], or
+    /// Vulkan's own.
+    pub fn open(selector: &Selector) -> Result<Self, GpuError> {
+        Self::open_with(selector, Options::from_env())
+    }
+
+    /// Opens a device. Errors: see [`open`](Self::open).
+    pub fn open_with(selector: &Selector, options: Options) -> Result<Self, GpuError> {
+        let instance = Instance::new(options.validation)?;
+        let all = enumerate(&instance)?;
+        let infos: Vec<DeviceInfo> = all.iter().map(|(_, info)| info.clone()).collect();
+        let info = selector.pick(&infos)?.clone();
+        let physical = all[info.index].0;
+        let no_queue = || GpuError::Unusable {
+            name: info.name.clone(),
+            reason: "it has no compute queue".into(),
+        };
+        let (family, properties) = compute_family(&instance, physical).ok_or_else(no_queue)?;
+        let raw = create(&instance, physical, family)?;
+        let queue = match Queue::new(&raw, family, properties.timestamp_valid_bits) {
+            Ok(queue) => queue,
+            Err(error) => {
+                // SAFETY: the device has no work and no children: `Queue::new` has cleaned up after itself.
+                unsafe { raw.destroy_device(None) };
+                return Err(error);
+            }
+        };
+        Ok(Self(Arc::new(Inner {
+            limits: Limits::of(&instance, physical),
+            // SAFETY: the handle comes from this instance.
+            memory: unsafe { instance.raw.get_physical_device_memory_properties(physical) },
+            allocated: Mutex::new([0; vk::MAX_MEMORY_HEAPS]),
+            loop_limit: OnceLock::new(),
+            abandoned: AtomicBool::new(false),
+            queue: Mutex::new(queue),
+            raw,
+            info,
+            options,
+            instance,
+        })))
+    }
+
+    pub fn info(&self) -> &DeviceInfo {
+        &self.0.info
+    }
+
+    pub fn limits(&self) -> &Limits {
+        &self.0.limits
+    }
+
+    /// Warnings and errors of the validation layer so far; empty where validation is off.
+    pub fn validation_messages(&self) -> Vec<String> {
+        self.0.instance.messages()
+    }
+}
+
+fn create(
+    instance: &Instance,
+    physical: vk::PhysicalDevice,
+    family: u32,
+) -> Result<ash::Device, GpuError> {
+    let queues = [vk::DeviceQueueCreateInfo::default()
+        .queue_family_index(family)
+        .queue_priorities(&[1.0])];
+    let info = vk::DeviceCreateInfo::default().queue_create_infos(&queues);
+    // SAFETY: the handle comes from this instance, the family from the device.
+    unsafe { instance.raw.create_device(physical, &info, None) }
+        .map_err(GpuError::of("vkCreateDevice"))
+}
+
+impl Inner {
+    /// The queue, for as long as the guard lives. Host access to mapped memory also holds it, so that host and
+    /// device never touch a buffer at once.
+    pub fn queue(&self) -> Result<MutexGuard<'_, Queue>, GpuError> {
+        let guard = self.queue.lock().unwrap_or_else(PoisonError::into_inner);
+        if self.is_abandoned() {
+            Err(GpuError::Lost)
+        } else {
+            Ok(guard)
+        }
+    }
+
+    pub fn is_abandoned(&self) -> bool {
+        self.abandoned.load(Ordering::Acquire)
+    }
+
+    pub fn abandon(&self) {
+        self.abandoned.store(true, Ordering::Release);
+    }
+}
+
+impl Drop for Inner {
+    fn drop(&mut self) {
+        if self.is_abandoned() {
+            return;
+        }
+        let queue = self.queue.get_mut().unwrap_or_else(PoisonError::into_inner);
+        // SAFETY: buffers and pipelines hold an `Arc` of this, so none is left; every piece of work was waited for.
+        unsafe {
+            queue.destroy(&self.raw);
+            self.raw.destroy_device(None);
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! What can go wrong with a device, told so that the user can do something about it.
+
+use std::time::Duration;
+
+use ash::vk;
+
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum GpuError {
+    #[error(
+        "no Vulkan device: {0}\n\
+         Install a loader and a driver (Debian: apt install libvulkan1 mesa-vulkan-drivers; the latter brings lavapipe, \
+         which needs no GPU), or render without Vulkan by --device cpu-f64."
+    )]
+    NoVulkan(String),
+    #[error(
+        "validation was asked for, but VK_LAYER_KHRONOS_validation is not installed (Debian: vulkan-validationlayers)"
+    )]
+    NoValidationLayer,
+    #[error("no device {wanted}; there are: {there}")]
+    NoSuchDevice { wanted: String, there: String },
+    #[error("{name} cannot be used: {reason}")]
+    Unusable { name: String, reason: String },
+    #[error("{name} would take {bytes} bytes, more than {limit} bytes, {what}")]
+    TooLarge {
+        name: String,
+        bytes: u64,
+        limit: u64,
+        what: &'static str,
+    },
+    #[error("{name} holds {bytes} bytes, {given} were given")]
+    WrongLength {
+        name: String,
+        bytes: u64,
+        given: u64,
+    },
+    #[error("dispatch: {0}")]
+    Mismatch(String),
+    #[error("the device did not finish within {0:?}; it is given up")]
+    TimeOut(Duration),
+    #[error(
+        "the device was lost: its driver stopped the kernel (a watchdog does, after seconds) or crashed; \
+         try fewer samples a dispatch, or --device cpu-f64"
+    )]
+    Lost,
+    #[error("out of memory on the device, at {0}")]
+    OutOfMemory(String),
+    #[error("Vulkan: {call}: {result}")]
+    Vulkan {
+        call: &'static str,
+        result: vk::Result,
+    },
+    #[error(transparent)]
+    Kernel(#[from] crate::kernel::KernelError),
+}
+
+impl GpuError {
+    /// For `map_err`: the error of one Vulkan call.
+    pub(super) fn of(call: &'static str) -> impl Fn(vk::Result) -> Self {
+        move |result| match result {
+            vk::Result::ERROR_DEVICE_LOST => Self::Lost,
+            vk::Result::ERROR_OUT_OF_DEVICE_MEMORY | vk::Result::ERROR_OUT_OF_HOST_MEMORY => {
+                Self::OutOfMemory(call.to_owned())
+            }
+            result => Self::Vulkan { call, result },
+        }
+    }
+}

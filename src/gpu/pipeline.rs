@@ -1,0 +1,307 @@
+//! A kernel made ready for a device, and its dispatch.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use ash::vk;
+
+use super::buffer::{Buffer, BufferUse};
+use super::device::{Device, Inner};
+use super::error::GpuError;
+use crate::kernel::Spirv;
+
+/// A compute pipeline: binding i of set 0 is the i-th buffer.
+pub struct Pipeline {
+    device: Arc<Inner>,
+    uses: Vec<BufferUse>,
+    push_bytes: u32,
+    set_layout: vk::DescriptorSetLayout,
+    layout: vk::PipelineLayout,
+    pool: vk::DescriptorPool,
+    set: vk::DescriptorSet,
+    raw: vk::Pipeline,
+}
+
+impl Device {
+    /// Makes a kernel ready. Drivers may put off the compilation until the first dispatch.
+    ///
+    /// `push_bytes`: the size of its push constants, a multiple of 4.
+    ///
+    /// # Errors
+    /// [`GpuError::Mismatch`] for more than the device allows.
+    pub fn pipeline(
+        &self,
+        kernel: &Spirv,
+        uses: &[BufferUse],
+        push_bytes: u32,
+    ) -> Result<Pipeline, GpuError> {
+        self.check_kernel(kernel, uses, push_bytes)?;
+        let mut pipeline = Pipeline {
+            device: self.0.clone(),
+            uses: uses.to_vec(),
+            push_bytes,
+            set_layout: vk::DescriptorSetLayout::null(),
+            layout: vk::PipelineLayout::null(),
+            pool: vk::DescriptorPool::null(),
+            set: vk::DescriptorSet::null(),
+            raw: vk::Pipeline::null(),
+        };
+        // On an error, dropping destroys what was made.
+        pipeline.make_layout()?;
+        pipeline.make_set()?;
+        pipeline.make_pipeline(kernel)?;
+        Ok(pipeline)
+    }
+
+    fn check_kernel(
+        &self,
+        kernel: &Spirv,
+        uses: &[BufferUse],
+        push_bytes: u32,
+    ) -> Result<(), GpuError> {
+        let l = &self.0.limits;
+        let uniforms = uses.iter().filter(|u| **u == BufferUse::Uniform).count();
+        let size = kernel.workgroup_size;
+        let invocations: u32 = size.iter().product();
+        for (what, asked, limit) in [
+            ("uniform buffers", uniforms as u32, l.uniform_buffers),
+            (
+                "storage buffers",
+                (uses.len() - uniforms) as u32,
+                l.storage_buffers,
+            ),
+            ("bytes of push constants", push_bytes, l.push_constants),
+            (
+                "invocations in a workgroup",
+                invocations,
+                l.group_invocations,
+            ),
+            ("invocations along x", size[0], l.group_size[0]),
+            ("invocations along y", size[1], l.group_size[1]),
+            ("invocations along z", size[2], l.group_size[2]),
+        ] {
+            if asked > limit {
+                return Err(GpuError::Mismatch(format!(
+                    "{asked} {what}, the device allows {limit}"
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    /// Runs `groups` workgroups and waits for them; the device's own time.
+    ///
+    /// # Errors
+    /// [`GpuError::Mismatch`] where buffers, push constants or groups are not what pipeline and device take;
+    /// [`GpuError::TimeOut`] and [`GpuError::Lost`], after which the device cannot be used any more.
+    pub fn dispatch(
+        &self,
+        pipeline: &Pipeline,
+        buffers: &[&Buffer],
+        push: &[u8],
+        groups: [u32; 3],
+    ) -> Result<Duration, GpuError> {
+        self.check_dispatch(pipeline, buffers, push, groups)?;
+        let mut queue = self.0.queue()?;
+        // SAFETY: the set is not in use, because no work is under way while the queue is locked; the buffers
+        // have the types of the layout, and all objects are of this device and outlive the work.
+        unsafe {
+            pipeline.bind(buffers);
+            queue.run(&self.0, |raw, commands| {
+                raw.cmd_bind_pipeline(commands, vk::PipelineBindPoint::COMPUTE, pipeline.raw);
+                raw.cmd_bind_descriptor_sets(
+                    commands,
+                    vk::PipelineBindPoint::COMPUTE,
+                    pipeline.layout,
+                    0,
+                    &[pipeline.set],
+                    &[],
+                );
+                if !push.is_empty() {
+                    raw.cmd_push_constants(
+                        commands,
+                        pipeline.layout,
+                        vk::ShaderStageFlags::COMPUTE,
+                        0,
+                        push,
+                    );
+                }
+                raw.cmd_dispatch(commands, groups[0], groups[1], groups[2]);
+            })
+        }
+    }
+
+    fn check_dispatch(
+        &self,
+        pipeline: &Pipeline,
+        buffers: &[&Buffer],
+        push: &[u8],
+        groups: [u32; 3],
+    ) -> Result<(), GpuError> {
+        let uses: Vec<BufferUse> = buffers.iter().map(|b| b.usage).collect();
+        if uses != pipeline.uses {
+            return Err(GpuError::Mismatch(format!(
+                "buffers {uses:?}, the kernel takes {:?}",
+                pipeline.uses
+            )));
+        }
+        if push.len() != pipeline.push_bytes as usize {
+            let (given, taken) = (push.len(), pipeline.push_bytes);
+            return Err(GpuError::Mismatch(format!(
+                "{given} bytes of push constants, the kernel takes {taken}"
+            )));
+        }
+        let limit = self.0.limits.group_count;
+        if groups.iter().zip(limit).any(|(g, l)| *g > l) {
+            return Err(GpuError::Mismatch(format!(
+                "{groups:?} workgroups, the device allows {limit:?}"
+            )));
+        }
+        let foreign = |d: &Arc<Inner>| !Arc::ptr_eq(d, &self.0);
+        if foreign(&pipeline.device) || buffers.iter().any(|b| foreign(&b.device)) {
+            return Err(GpuError::Mismatch("an object of another device".into()));
+        }
+        Ok(())
+    }
+}
+
+fn descriptor(usage: BufferUse) -> vk::DescriptorType {
+    match usage {
+        BufferUse::Uniform => vk::DescriptorType::UNIFORM_BUFFER,
+        BufferUse::Storage => vk::DescriptorType::STORAGE_BUFFER,
+    }
+}
+
+impl Pipeline {
+    fn make_layout(&mut self) -> Result<(), GpuError> {
+        let raw = &self.device.raw;
+        let binding = |(i, usage): (u32, &BufferUse)| {
+            vk::DescriptorSetLayoutBinding::default()
+                .binding(i)
+                .descriptor_type(descriptor(*usage))
+                .descriptor_count(1)
+                .stage_flags(vk::ShaderStageFlags::COMPUTE)
+        };
+        let bindings: Vec<_> = (0..).zip(&self.uses).map(binding).collect();
+        let set = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
+        let push = [vk::PushConstantRange {
+            stage_flags: vk::ShaderStageFlags::COMPUTE,
+            offset: 0,
+            size: self.push_bytes,
+        }];
+        // SAFETY: both infos are complete, their parts live until the calls return.
+        unsafe {
+            let layout = raw.create_descriptor_set_layout(&set, None);
+            self.set_layout = layout.map_err(GpuError::of("vkCreateDescriptorSetLayout"))?;
+            let sets = [self.set_layout];
+            let mut info = vk::PipelineLayoutCreateInfo::default().set_layouts(&sets);
+            if self.push_bytes > 0 {
+                info = info.push_constant_ranges(&push);
+            }
+            self.layout = raw
+                .create_pipeline_layout(&info, None)
+                .map_err(GpuError::of("vkCreatePipelineLayout"))?;
+        }
+        Ok(())
+    }
+
+    fn make_set(&mut self) -> Result<(), GpuError> {
+        let raw = &self.device.raw;
+        // One of each more than is needed: a pool of none is not allowed.
+        let size = |usage| {
+            let n = self.uses.iter().filter(|u| **u == usage).count() as u32;
+            vk::DescriptorPoolSize {
+                ty: descriptor(usage),
+                descriptor_count: n + 1,
+            }
+        };
+        let sizes = [size(BufferUse::Uniform), size(BufferUse::Storage)];
+        let pool = vk::DescriptorPoolCreateInfo::default()
+            .max_sets(1)
+            .pool_sizes(&sizes);
+        // SAFETY: the infos are complete, their parts live until the calls return.
+        unsafe {
+            self.pool = raw
+                .create_descriptor_pool(&pool, None)
+                .map_err(GpuError::of("vkCreateDescriptorPool"))?;
+            let layouts = [self.set_layout];
+            let info = vk::DescriptorSetAllocateInfo::default()
+                .descriptor_pool(self.pool)
+                .set_layouts(&layouts);
+            self.set = raw
+                .allocate_descriptor_sets(&info)
+                .map_err(GpuError::of("vkAllocateDescriptorSets"))?[0];
+        }
+        Ok(())
+    }
+
+    fn make_pipeline(&mut self, kernel: &Spirv) -> Result<(), GpuError> {
+        let raw = &self.device.raw;
+        let code = vk::ShaderModuleCreateInfo::default().code(&kernel.words);
+        // SAFETY: the words come from `kernel::compile`, whose output is valid SPIR-V with the entry point `main`;
+        // the module may go once the pipeline is made.
+        unsafe {
+            let module = raw
+                .create_shader_module(&code, None)
+                .map_err(GpuError::of("vkCreateShaderModule"))?;
+            let stage = vk::PipelineShaderStageCreateInfo::default()
+                .stage(vk::ShaderStageFlags::COMPUTE)
+                .module(module)
+                .name(c"main");
+            let info = vk::ComputePipelineCreateInfo::default()
+                .stage(stage)
+                .layout(self.layout);
+            let made = raw.create_compute_pipelines(vk::PipelineCache::null(), &[info], None);
+            raw.destroy_shader_module(module, None);
+            self.raw =
+                made.map_err(|(_, result)| GpuError::of("vkCreateComputePipelines")(result))?[0];
+        }
+        Ok(())
+    }
+
+    /// Points the set at `buffers`.
+    ///
+    /// # Safety
+    /// The set is not in use, and the buffers are of the types of its layout.
+    unsafe fn bind(&self, buffers: &[&Buffer]) {
+        let whole = |b: &&Buffer| {
+            [vk::DescriptorBufferInfo {
+                buffer: b.raw,
+                offset: 0,
+                range: vk::WHOLE_SIZE,
+            }]
+        };
+        let infos: Vec<_> = buffers.iter().map(whole).collect();
+        let write = |(i, info)| {
+            vk::WriteDescriptorSet::default()
+                .dst_set(self.set)
+                .dst_binding(i as u32)
+                .descriptor_type(descriptor(self.uses[i]))
+                .buffer_info(info)
+        };
+        let writes: Vec<_> = infos
+            .iter()
+            .map(|info| &info[..])
+            .enumerate()
+            .map(write)
+            .collect();
+        // SAFETY: of the caller.
+        unsafe { self.device.raw.update_descriptor_sets(&writes, &[]) };
+    }
+}
+
+impl Drop for Pipeline {
+    fn drop(&mut self) {
+        if self.device.is_abandoned() {
+            return;
+        }
+        let raw = &self.device.raw;
+        // SAFETY: no work is under way (each piece is waited for); null handles are ignored.
+        unsafe {
+            raw.destroy_pipeline(self.raw, None);
+            raw.destroy_descriptor_pool(self.pool, None);
+            raw.destroy_pipeline_layout(self.layout, None);
+            raw.destroy_descriptor_set_layout(self.set_layout, None);
+        }
+    }
+}

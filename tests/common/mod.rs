@@ -1,0 +1,42 @@
+//! The Vulkan device that tests run on.
+//!
+//! `VKPT_TEST_DEVICE` picks it (part of a name, or an index; default: the best). A test that finds no device fails,
+//! unless `VKPT_TEST_NO_GPU=1` says outright that the run goes without.
+
+use std::sync::OnceLock;
+
+use vkpt::gpu::{Device, GpuError, Options, Selector};
+
+/// One device for all tests of a file, under the validation layer where that is installed. `None`: the run goes without.
+pub fn device() -> Option<&'static Device> {
+    static DEVICE: OnceLock<Option<Device>> = OnceLock::new();
+    DEVICE.get_or_init(|| open(Options::default())).as_ref()
+}
+
+/// A device of one's own, opened with `options` and with validation where that is installed.
+pub fn open(options: Options) -> Option<Device> {
+    if std::env::var_os("VKPT_TEST_NO_GPU").is_some_and(|v| v == "1") {
+        println!("skipped: VKPT_TEST_NO_GPU=1");
+        return None;
+    }
+    let selector = std::env::var("VKPT_TEST_DEVICE")
+        .map_or(Selector::Best, |name| Selector::from(name.as_str()));
+    let opened = match Device::open_with(
+        &selector,
+        Options {
+            validation: true,
+            ..options.clone()
+        },
+    ) {
+        Err(e @ GpuError::NoValidationLayer) => {
+            println!("not validated: {e}");
+            Device::open_with(&selector, options)
+        }
+        other => other,
+    };
+    Some(
+        opened.unwrap_or_else(|e| {
+            panic!("{e}\n(VKPT_TEST_NO_GPU=1 runs the tests that need no device)")
+        }),
+    )
+}

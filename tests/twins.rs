@@ -1,0 +1,171 @@
+//! Every GLSL function against its Rust twin: equal bits in `f32` on a CPU driver. See `twins/harness.rs`.
+
+#[allow(dead_code, reason = "a toolbox: each test file uses what it needs")]
+mod common;
+#[path = "twins/harness.rs"]
+#[allow(dead_code, reason = "a toolbox: rows use what they need")]
+mod harness;
+
+#[path = "twins/bsdf.rs"]
+mod bsdf;
+#[path = "twins/camera.rs"]
+mod camera;
+#[path = "twins/light.rs"]
+mod light;
+#[path = "twins/math.rs"]
+mod math;
+#[path = "twins/sampler.rs"]
+mod sampler;
+#[path = "twins/shape.rs"]
+mod shape;
+
+use harness::{Row, Twin, check, compare};
+
+#[test]
+fn bsdf_functions() {
+    check(&bsdf::twins());
+}
+
+#[test]
+fn camera_functions() {
+    check(&camera::twins());
+}
+
+#[test]
+fn light_functions() {
+    check(&light::twins());
+}
+
+#[test]
+fn math_functions() {
+    check(&math::twins());
+}
+
+#[test]
+fn sampler_functions() {
+    check(&sampler::twins());
+}
+
+#[test]
+fn shape_functions() {
+    check(&shape::twins());
+}
+
+// ---- the harness itself: it agrees where it should, and fails on what is planted
+
+const SQUARE: &str = "float square(float x, float y) { return x * x + y; }\n";
+const CALL: &str = "float x = in_f(); float y = in_f(); out_f(square(x, y));";
+
+fn square(glsl: &str, rust: impl Fn(f32, f32) -> f32 + 'static) -> Twin {
+    Twin::new("square", "test/square")
+        .source("test/square", SQUARE)
+        .glsl(glsl)
+        .rust(move |i, o| {
+            let (x, y) = (i.f(), i.f());
+            o.f(rust(x, y));
+        })
+        .edge([-0.0, -0.0])
+        .edge([f32::MAX, f32::NEG_INFINITY])
+        .edge([f32::NAN, 0.0])
+        .seeded(200, |r| Row::new().f(r.range(-9.0, 9.0)).f(r.finite()))
+}
+
+/// The failure's text, or `None` where the run goes without a device.
+fn failure(twin: &Twin) -> Option<String> {
+    Some(compare(twin, common::device()?).expect_err("a planted error was not found"))
+}
+
+#[test]
+fn equal_twins_pass() {
+    check(&[square(CALL, |x, y| x * x + y)]);
+}
+
+#[test]
+fn one_ulp_fails_and_prints_a_row_to_paste() {
+    let off = square(CALL, |x, y| {
+        let z = x * x + y;
+        if x == 3.0 {
+            f32::from_bits(z.to_bits() + 1)
+        } else {
+            z
+        }
+    });
+    let Some(text) = failure(&off.edge([3.0, 0.5])) else {
+        return;
+    };
+    assert!(text.starts_with("square: 1 of 204 rows differ\n"), "{text}");
+    assert!(
+        text.contains(".edge([0x40400000 /* 3e0 */, 0x3f000000 /* 5e-1 */])"),
+        "{text}"
+    );
+    assert!(
+        text.contains("device 0x41180000 (9.5e0), Rust 0x41180001 (9.500001e0), 1 ulps apart"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_zero_of_the_other_sign_fails() {
+    let Some(text) = failure(&square(
+        CALL,
+        |x, y| if x == 0.0 { -0.0 } else { x * x + y },
+    )) else {
+        return;
+    };
+    assert!(text.contains("square: 1 of 203 rows differ"), "{text}");
+}
+
+#[test]
+fn a_number_for_a_nan_fails() {
+    let Some(text) = failure(&square(
+        CALL,
+        |x, y| if x.is_nan() { 1.0 } else { x * x + y },
+    )) else {
+        return;
+    };
+    assert!(text.contains("1 of 203 rows differ"), "{text}");
+}
+
+#[test]
+fn an_unwritten_output_fails_even_where_a_nan_is_due() {
+    let skips = "float x = in_f(); float y = in_f(); if (x == x) { out_f(square(x, y)); }";
+    let skips = skips.replace("x == x", "floatBitsToUint(x) != 0x7fc00000u");
+    let Some(text) = failure(&square(&skips, |x, y| x * x + y)) else {
+        return;
+    };
+    assert!(
+        text.contains("not written") && text.contains("1 of 203 rows differ"),
+        "{text}"
+    );
+}
+
+#[test]
+fn inputs_left_unread_and_outputs_too_many_fail() {
+    let Some(text) = failure(&square("float x = in_f(); out_f(square(x, x));", |x, _| {
+        x * x + x
+    })) else {
+        return;
+    };
+    assert!(
+        text.contains("the kernel read 1 words and wrote 1, Rust 2 and 1"),
+        "{text}"
+    );
+    let Some(text) = failure(&square(&format!("{CALL} out_f(y);"), |x, y| x * x + y)) else {
+        return;
+    };
+    assert!(
+        text.contains("the kernel read 2 words and wrote 2, Rust 2 and 1"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_write_before_the_outputs_fails() {
+    let Some(text) = failure(&square(
+        &format!("{CALL} twin_out.words[3] = 0u;"),
+        |x, y| x * x + y,
+    )) else {
+        return;
+    };
+    assert!(text.contains("wrote before its outputs"), "{text}");
+}

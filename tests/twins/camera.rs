@@ -1,0 +1,7 @@
+//! Twins of `shaders/camera/`.
+
+use super::harness::Twin;
+
+pub fn twins() -> Vec<Twin> {
+    vec![]
+}

@@ -1,0 +1,7 @@
+//! Twins of `shaders/math/`.
+
+use super::harness::Twin;
+
+pub fn twins() -> Vec<Twin> {
+    vec![]
+}
