@@ -1,0 +1,23 @@
+//! The scene reader, from outside.
+
+mod bad;
+mod checks;
+mod course;
+mod fuzz;
+mod good;
+mod ply;
+mod ply_writer;
+mod rendering;
+
+use std::path::Path;
+
+use vkpt::scene::{Errors, Read, parse};
+
+/// A scene of the two lines that each must have, and `lines` after them; read as `dir/test.scn`.
+fn read_lines(lines: &str) -> Result<Read, Errors> {
+    parse(
+        &format!("screen 4 3\ncamera 0 0 5 0.5\n{lines}"),
+        Path::new("dir/test.scn"),
+        false,
+    )
+}
