@@ -27,7 +27,7 @@ float length3(vec3 v) {
     return sqrt(dot3(v, v));
 }
 
-// v (1/|v|); v must not be 0.
+// v (1/|v|); for |v| between 1e-18 and 1e19, outside of which the squares leave the range of a float.
 vec3 normalize3(vec3 v) {
     return v * (1.0 / length3(v));
 }

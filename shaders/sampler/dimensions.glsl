@@ -1,0 +1,33 @@
+// Which of a path's random numbers is used for what; the same for every scene, kernel and setting.
+// Twin of src/reference/sampler/dimensions.rs.
+//
+//   block           x                     y                        z                w
+//   camera_block    pixel column          pixel row                -                -
+//   light_block     choice of the light   choice of the primitive  u                v
+//   bsdf_block      choice of the lobe    reflect or refract       micro-normal u1  micro-normal u2
+//   roulette_block  roulette              diffuse u1               diffuse u2       -
+//
+// Bounce 0 is at the first surface that the camera sees. A number that a path has no use for is skipped,
+// never given to something else.
+
+// uses:
+
+// Where in its pixel the camera ray goes through.
+uint camera_block() {
+    return 0u;
+}
+
+// The connection to a light.
+uint light_block(uint bounce) {
+    return 1u + 3u * bounce;
+}
+
+// The scattered direction, rough and smooth lobes.
+uint bsdf_block(uint bounce) {
+    return 2u + 3u * bounce;
+}
+
+// Survival, and the diffuse lobe's direction.
+uint roulette_block(uint bounce) {
+    return 3u + 3u * bounce;
+}

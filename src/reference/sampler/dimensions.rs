@@ -1,0 +1,31 @@
+//! Which of a path's random numbers is used for what; the same for every scene, kernel and setting.
+//!
+//! | block | x | y | z | w |
+//! |---|---|---|---|---|
+//! | [`camera_block`] | pixel column | pixel row | – | – |
+//! | [`light_block`] | choice of the light | choice of the primitive | u | v |
+//! | [`bsdf_block`] | choice of the lobe | reflect or refract | micro-normal u₁ | micro-normal u₂ |
+//! | [`roulette_block`] | roulette | diffuse u₁ | diffuse u₂ | – |
+//!
+//! Bounce 0 is at the first surface that the camera sees. A number that a path has no use for is skipped,
+//! never given to something else.
+
+/// Where in its pixel the camera ray goes through.
+pub fn camera_block() -> u32 {
+    0
+}
+
+/// The connection to a light.
+pub fn light_block(bounce: u32) -> u32 {
+    1 + 3 * bounce
+}
+
+/// The scattered direction, rough and smooth lobes.
+pub fn bsdf_block(bounce: u32) -> u32 {
+    2 + 3 * bounce
+}
+
+/// Survival, and the diffuse lobe's direction.
+pub fn roulette_block(bounce: u32) -> u32 {
+    3 + 3 * bounce
+}
