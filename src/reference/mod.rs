@@ -3,5 +3,7 @@
 //! Same folders, file, function and argument names as `shaders/`. Reads `prepared`, never the GPU's buffers.
 
 pub mod bsdf;
+pub mod camera;
+pub mod film;
 pub mod math;
 pub mod sampler;

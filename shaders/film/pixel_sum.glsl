@@ -1,0 +1,29 @@
+// The sum of one pixel's samples, which keeps counting where a plain sum stands still.
+// Twin of src/reference/film/pixel_sum.rs.
+
+// uses:
+
+// A sum in two parts: sum is the whole rounded to the scalar, comp what rounding left out.
+// The samples are added one at a time, in the order of their index.
+struct PixelSum {
+    vec3 sum;
+    vec3 comp;
+};
+
+// The sum with one more sample, finite and >= 0 in each channel. Relative error of an addition: below 3 2^-48.
+PixelSum film_add(PixelSum pixel, vec3 x) {
+    // s + err = sum + x exactly: Knuth, The Art of Computer Programming 2, 4.2.2, theorem B (2Sum)
+    vec3 s = pixel.sum + x;
+    vec3 y = s - pixel.sum;
+    vec3 err = (pixel.sum - (s - y)) + (x - y);
+    // Both parts normalised again, or comp would stand still at 2^24 in its turn: sum + comp = s + low
+    // exactly, |s| >= |low|: Dekker, A Floating-Point Technique, 1971 (Fast2Sum)
+    vec3 low = pixel.comp + err;
+    vec3 sum = s + low;
+    return PixelSum(sum, low - (sum - s));
+}
+
+// The mean of n samples, n >= 1. comp is less than half a unit of sum and does not change it.
+vec3 film_mean(PixelSum pixel, uint n) {
+    return pixel.sum / float(n);
+}
