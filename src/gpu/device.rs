@@ -1,5 +1,6 @@
 //! An opened device.
 
+use std::mem::ManuallyDrop;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
@@ -61,8 +62,8 @@ pub(super) struct Inner {
     queue: Mutex<Queue>,
     /// Set after a time-out: the device may still be writing, so nothing it uses may be freed.
     abandoned: AtomicBool,
-    /// Last: the instance must outlive all else.
-    pub instance: Instance,
+    /// Dropped last, and not at all after a time-out: an instance may not go before its device.
+    instance: ManuallyDrop<Instance>,
 }
 
 impl Device {
@@ -107,7 +108,7 @@ impl Device {
             raw,
             info,
             options,
-            instance,
+            instance: ManuallyDrop::new(instance),
         })))
     }
 
@@ -117,6 +118,11 @@ impl Device {
 
     pub fn limits(&self) -> &Limits {
         &self.0.limits
+    }
+
+    /// Whether the validation layer watches.
+    pub fn is_validated(&self) -> bool {
+        self.0.options.validation
     }
 
     /// Warnings and errors of the validation layer so far; empty where validation is off.
@@ -167,9 +173,11 @@ impl Drop for Inner {
         }
         let queue = self.queue.get_mut().unwrap_or_else(PoisonError::into_inner);
         // SAFETY: buffers and pipelines hold an `Arc` of this, so none is left; every piece of work was waited for.
+        // The instance is not touched again.
         unsafe {
             queue.destroy(&self.raw);
             self.raw.destroy_device(None);
+            ManuallyDrop::drop(&mut self.instance);
         }
     }
 }

@@ -237,3 +237,72 @@ fn kind(t: vk::PhysicalDeviceType) -> DeviceKind {
 fn text<E>(name: Result<&CStr, E>) -> String {
     name.map_or_else(|_| String::new(), |n| n.to_string_lossy().into_owned())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn device(index: usize, name: &str, kind: DeviceKind, unusable: Option<&str>) -> DeviceInfo {
+        DeviceInfo {
+            index,
+            name: name.into(),
+            kind,
+            driver: String::new(),
+            vulkan: [1, 1, 0],
+            memory: 0,
+            unusable: unusable.map(String::from),
+        }
+    }
+
+    fn pick(selector: &str) -> Result<usize, String> {
+        let all = [
+            device(0, "llvmpipe", DeviceKind::Cpu, None),
+            device(
+                1,
+                "Old Card",
+                DeviceKind::Discrete,
+                Some("its driver offers Vulkan 1.0"),
+            ),
+            device(2, "Small Chip", DeviceKind::Integrated, None),
+            device(3, "Large Card", DeviceKind::Discrete, None),
+            device(4, "Other Card", DeviceKind::Discrete, None),
+        ];
+        let selector = if selector.is_empty() {
+            Selector::Best
+        } else {
+            selector.into()
+        };
+        selector
+            .pick(&all)
+            .map(|d| d.index)
+            .map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn the_best_usable_device_is_picked() {
+        assert_eq!(pick(""), Ok(3));
+        assert_eq!(
+            Selector::Best
+                .pick(&[])
+                .map(|d| d.index)
+                .map_err(|e| matches!(e, GpuError::NoVulkan(_))),
+            Err(true)
+        );
+    }
+
+    #[test]
+    fn devices_go_by_index_or_part_of_the_name() {
+        assert_eq!(pick("2"), Ok(2));
+        assert_eq!(pick("CARD"), Ok(3));
+        assert_eq!(pick("llvm"), Ok(0));
+    }
+
+    #[test]
+    fn an_unusable_or_absent_device_is_an_error_with_its_reason() {
+        assert_eq!(
+            pick("1"),
+            Err("Old Card cannot be used: its driver offers Vulkan 1.0".into())
+        );
+        assert!(pick("9").is_err_and(|e| e.contains("3 (Large Card)")));
+    }
+}
