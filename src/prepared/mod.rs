@@ -5,11 +5,16 @@
 //! keeps f32 coordinates small whatever the scene's place in its world.
 
 pub mod cdf;
+mod geometry;
+mod lights;
 pub mod material;
+mod medium;
+mod prepare;
 
 use glam::DVec3;
 
 use crate::settings::{Distribution, Fresnel};
+pub use prepare::{PrepareError, prepare};
 
 /// "none" for indices of materials, lights and media.
 pub const NONE: u32 = u32::MAX;

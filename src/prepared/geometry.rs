@@ -1,0 +1,227 @@
+//! Shapes in rendering space, opaque ones first.
+
+use std::borrow::Cow;
+
+use glam::DVec3;
+
+use super::{Cuboid, Cylinder, Material, NONE, Prepared, Shape, ShapeKind, Sphere, Triangle};
+
+use crate::scene::{Edges, Geometry, Mesh, Scene, edges, flip, signed_volume};
+
+/// An axis-aligned box; empty where `lo` > `hi`.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounds {
+    pub lo: DVec3,
+    pub hi: DVec3,
+}
+
+impl Bounds {
+    pub const EMPTY: Self = Self {
+        lo: DVec3::INFINITY,
+        hi: DVec3::NEG_INFINITY,
+    };
+
+    pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
+        points.into_iter().fold(Self::EMPTY, |b, p| Self {
+            lo: b.lo.min(p),
+            hi: b.hi.max(p),
+        })
+    }
+
+    pub fn union(self, o: Self) -> Self {
+        Self {
+            lo: self.lo.min(o.lo),
+            hi: self.hi.max(o.hi),
+        }
+    }
+
+    pub fn centre(&self) -> DVec3 {
+        (self.lo + self.hi) * 0.5
+    }
+
+    /// Radius of the sphere through the corners.
+    pub fn radius(&self) -> f64 {
+        ((self.hi - self.lo) * 0.5).length().max(0.0)
+    }
+}
+
+/// p' = T·S·R·p
+fn place(mesh: &Mesh, p: DVec3) -> DVec3 {
+    mesh.translate + mesh.scale * (mesh.rotate * p)
+}
+
+/// The scene's shapes, each kind in its own array.
+#[derive(Debug, Default)]
+pub struct Placed {
+    pub shapes: Vec<Shape>,
+    pub spheres: Vec<Sphere>,
+    pub boxes: Vec<Cuboid>,
+    pub cylinders: Vec<Cylinder>,
+    pub triangles: Vec<Triangle>,
+    pub normals: Vec<[DVec3; 3]>,
+}
+
+impl Placed {
+    /// Shapes in the order in which they win at equal distance: opaque ones, then transmissive ones,
+    /// each in file order (model page, section 13, 1).
+    pub fn new(scene: &Scene, materials: &[Material], warnings: &mut Vec<String>) -> Self {
+        let mut order: Vec<_> = scene.shapes.iter().collect();
+        order.sort_by_key(|s| Prepared::is_transmissive(&materials[s.material]));
+        let mut placed = Self::default();
+        for shape in order {
+            let transmissive = Prepared::is_transmissive(&materials[shape.material]);
+            let mut entry = Shape {
+                kind: ShapeKind::Mesh,
+                first: 0,
+                count: 1,
+                material: shape.material as u32,
+                light: NONE,
+                line: shape.line,
+            };
+            placed.add(&mut entry, &shape.geometry, transmissive, warnings);
+            placed.shapes.push(entry);
+        }
+        placed
+    }
+
+    fn add(
+        &mut self,
+        entry: &mut Shape,
+        geometry: &Geometry,
+        transmissive: bool,
+        warnings: &mut Vec<String>,
+    ) {
+        let shape = self.shapes.len() as u32;
+        match geometry {
+            Geometry::Sphere { centre, radius } => {
+                (entry.kind, entry.first) = (ShapeKind::Sphere, self.spheres.len() as u32);
+                let (centre, radius) = (*centre, *radius);
+                self.spheres.push(Sphere {
+                    centre,
+                    radius,
+                    shape,
+                });
+            }
+            Geometry::Box { corner, diagonal } => {
+                (entry.kind, entry.first) = (ShapeKind::Box, self.boxes.len() as u32);
+                let (a, b) = (*corner, *corner + *diagonal);
+                self.boxes.push(Cuboid {
+                    lo: a.min(b),
+                    hi: a.max(b),
+                    shape,
+                });
+            }
+            Geometry::Cylinder { base, axis, radius } => {
+                (entry.kind, entry.first) = (ShapeKind::Cylinder, self.cylinders.len() as u32);
+                self.cylinders.push(cylinder(*base, *axis, *radius, shape));
+            }
+            Geometry::Mesh(mesh) => {
+                (entry.first, entry.count) =
+                    (self.triangles.len() as u32, mesh.triangles.len() as u32);
+                let mesh = match transmissive {
+                    true => checked(mesh, entry.line, warnings),
+                    false => Cow::Borrowed(mesh),
+                };
+                self.add_mesh(&mesh, shape);
+            }
+        }
+    }
+
+    fn add_mesh(&mut self, mesh: &Mesh, shape: u32) {
+        for t in &mesh.triangles {
+            let v = t.map(|k| place(mesh, mesh.positions[k as usize]));
+            self.triangles.push(Triangle { v, shape });
+            if let Some(normals) = &mesh.normals {
+                let n = t.map(|k| (mesh.rotate * normals[k as usize]).normalize_or_zero());
+                self.normals
+                    .resize(self.triangles.len() - 1, [DVec3::ZERO; 3]);
+                self.normals.push(n);
+            }
+        }
+        if !self.normals.is_empty() {
+            self.normals.resize(self.triangles.len(), [DVec3::ZERO; 3]);
+        }
+    }
+}
+
+impl Placed {
+    /// The bounds of one shape.
+    pub fn bounds(&self, shape: &Shape) -> Bounds {
+        let first = shape.first as usize;
+        match shape.kind {
+            ShapeKind::Sphere => {
+                let s = &self.spheres[first];
+                Bounds::around([s.centre - s.radius, s.centre + s.radius])
+            }
+            ShapeKind::Box => Bounds::around([self.boxes[first].lo, self.boxes[first].hi]),
+            ShapeKind::Cylinder => {
+                let c = &self.cylinders[first];
+                // A disc of normal w reaches r·√(1 − w_k²) along axis k.
+                let reach = (DVec3::ONE - c.w * c.w).max(DVec3::ZERO).map(f64::sqrt) * c.radius;
+                let top = c.base + c.w * c.height;
+                Bounds::around([c.base - reach, c.base + reach, top - reach, top + reach])
+            }
+            ShapeKind::Mesh => {
+                let triangles = &self.triangles[first..first + shape.count as usize];
+                Bounds::around(triangles.iter().flat_map(|t| t.v))
+            }
+        }
+    }
+
+    /// The bounds of all shapes, of `p` where there are none.
+    pub fn all_bounds(&self, p: DVec3) -> Bounds {
+        let all = self
+            .shapes
+            .iter()
+            .map(|s| self.bounds(s))
+            .reduce(Bounds::union);
+        all.unwrap_or(Bounds { lo: p, hi: p })
+    }
+
+    /// Moves every shape so that `origin` comes to lie at 0.
+    pub fn move_to_origin(&mut self, origin: DVec3) {
+        self.spheres.iter_mut().for_each(|s| s.centre -= origin);
+        self.cylinders.iter_mut().for_each(|c| c.base -= origin);
+        for b in &mut self.boxes {
+            (b.lo, b.hi) = (b.lo - origin, b.hi - origin);
+        }
+        for t in &mut self.triangles {
+            t.v = t.v.map(|v| v - origin);
+        }
+    }
+}
+
+fn cylinder(base: DVec3, axis: DVec3, radius: f64, shape: u32) -> Cylinder {
+    let w = axis.normalize();
+    let (u, v) = w.any_orthonormal_pair();
+    Cylinder {
+        base,
+        u,
+        v,
+        w,
+        height: axis.length(),
+        radius,
+        shape,
+    }
+}
+
+/// A transmissive mesh must bound a solid: warns where it does not, and turns it where it is wound inside out.
+fn checked<'m>(mesh: &'m Mesh, line: usize, warnings: &mut Vec<String>) -> Cow<'m, Mesh> {
+    let name = mesh.path.display();
+    let Edges { open, torn } = edges(mesh);
+    if open + torn > 0 {
+        warnings.push(format!(
+            "line {line}: the transmissive mesh {name} is not closed: {open} open edges, {torn} between \
+             triangles of opposite winding; light may enter it and never leave"
+        ));
+    }
+    if signed_volume(mesh) >= 0.0 {
+        return Cow::Borrowed(mesh);
+    }
+    warnings.push(format!(
+        "line {line}: the transmissive mesh {name} is wound inside out (its volume is negative): turned"
+    ));
+    let mut turned = mesh.clone();
+    flip(&mut turned);
+    Cow::Owned(turned)
+}

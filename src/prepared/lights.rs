@@ -1,0 +1,109 @@
+//! The table of emitters, and the integer tables by which they are chosen.
+
+use std::f64::consts::PI;
+
+use glam::DVec3;
+
+use super::cdf::{CdfError, quantised_cdf};
+use super::geometry::Placed;
+use super::{Light, LightKind, Material, NONE, Shape, ShapeKind};
+
+/// Emitters with the probabilities of choosing them.
+#[derive(Debug, Default)]
+pub struct Lights {
+    pub lights: Vec<Light>,
+    pub light_cdf: Vec<u32>,
+    pub triangle_cdf: Vec<u32>,
+}
+
+impl Lights {
+    /// One light a shape of positive radiance, in the order of shapes, then the background if it shines.
+    ///
+    /// A light is chosen in proportion to its power π·A·L̄; the background counts as the sphere around
+    /// the scene, whose area lets the same power through.
+    pub fn new(
+        placed: &Placed,
+        materials: &[Material],
+        background: DVec3,
+    ) -> Result<Self, CdfError> {
+        let mut all = Self::default();
+        let mut power = Vec::new();
+        for (i, shape) in placed.shapes.iter().enumerate() {
+            let radiance = materials[shape.material as usize].radiance;
+            let areas = areas(placed, shape);
+            let area: f64 = areas.iter().sum();
+            if radiance.max_element() > 0.0 && area > 0.0 {
+                all.add(shape, i as u32, radiance, &areas)?;
+                power.push(area * radiance.element_sum());
+            }
+        }
+        if background.max_element() > 0.0 {
+            all.lights.push(Light {
+                kind: LightKind::Background,
+                shape: NONE,
+                first: 0,
+                count: 0,
+                cdf: 0,
+                radiance: background,
+            });
+            let radius = placed.all_bounds(DVec3::ZERO).radius();
+            power.push(4.0 * PI * radius * radius * background.element_sum());
+        }
+        // A scene without extent is lit by its background alone.
+        if power == [0.0] {
+            power = vec![1.0];
+        }
+        if !power.is_empty() {
+            all.light_cdf = quantised_cdf(&power)?;
+        }
+        Ok(all)
+    }
+
+    /// Adds one emitting shape whose primitives have these areas.
+    fn add(
+        &mut self,
+        shape: &Shape,
+        index: u32,
+        radiance: DVec3,
+        areas: &[f64],
+    ) -> Result<(), CdfError> {
+        let cdf = self.triangle_cdf.len() as u32;
+        if shape.kind == ShapeKind::Mesh {
+            self.triangle_cdf.extend(quantised_cdf(areas)?);
+        }
+        self.lights.push(Light {
+            kind: match shape.kind {
+                ShapeKind::Sphere => LightKind::Sphere,
+                ShapeKind::Box => LightKind::Box,
+                ShapeKind::Cylinder => LightKind::Cylinder,
+                ShapeKind::Mesh => LightKind::Mesh,
+            },
+            shape: index,
+            first: shape.first,
+            count: shape.count,
+            cdf,
+            radiance,
+        });
+        Ok(())
+    }
+}
+
+/// The area of each primitive of a shape.
+fn areas(placed: &Placed, shape: &Shape) -> Vec<f64> {
+    let first = shape.first as usize;
+    match shape.kind {
+        ShapeKind::Sphere => vec![4.0 * PI * placed.spheres[first].radius.powi(2)],
+        ShapeKind::Box => {
+            let d = placed.boxes[first].hi - placed.boxes[first].lo;
+            vec![2.0 * (d.x * d.y + d.y * d.z + d.z * d.x)]
+        }
+        ShapeKind::Cylinder => {
+            let c = &placed.cylinders[first];
+            vec![2.0 * PI * c.radius * (c.radius + c.height)]
+        }
+        ShapeKind::Mesh => placed.triangles[first..first + shape.count as usize]
+            .iter()
+            .map(|t| 0.5 * (t.v[1] - t.v[0]).cross(t.v[2] - t.v[0]).length())
+            .collect(),
+    }
+}

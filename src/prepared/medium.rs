@@ -1,0 +1,102 @@
+//! Which transmissive shape a point stands in, and which of them overlap.
+
+use std::f64::consts::PI;
+
+use glam::DVec3;
+
+use super::geometry::Placed;
+use super::{Material, NONE, Prepared, Shape, ShapeKind};
+
+/// The material whose inside `p` stands in, or [`NONE`].
+pub fn medium_at(p: DVec3, placed: &Placed, materials: &[Material]) -> u32 {
+    placed
+        .shapes
+        .iter()
+        .filter(|s| Prepared::is_transmissive(&materials[s.material as usize]))
+        .find(|s| contains(placed, s, p))
+        .map_or(NONE, |s| s.material)
+}
+
+fn contains(placed: &Placed, shape: &Shape, p: DVec3) -> bool {
+    let first = shape.first as usize;
+    match shape.kind {
+        ShapeKind::Sphere => {
+            let s = &placed.spheres[first];
+            p.distance(s.centre) < s.radius
+        }
+        ShapeKind::Box => {
+            let b = &placed.boxes[first];
+            p.cmpgt(b.lo).all() && p.cmplt(b.hi).all()
+        }
+        ShapeKind::Cylinder => {
+            let c = &placed.cylinders[first];
+            let d = p - c.base;
+            let z = d.dot(c.w);
+            z > 0.0 && z < c.height && (d - c.w * z).length() < c.radius
+        }
+        ShapeKind::Mesh => {
+            let triangles = &placed.triangles[first..first + shape.count as usize];
+            let sum: f64 = triangles
+                .iter()
+                .map(|t| solid_angle(t.v.map(|v| v - p)))
+                .sum();
+            sum.abs() > 2.0 * PI
+        }
+    }
+}
+
+/// Signed solid angle of a triangle seen from the origin; over a closed mesh they add up to 4π inside, 0 outside.
+///
+/// tan(Ω/2) = a·(b×c) / (abc + (a·b)c + (a·c)b + (b·c)a): Van Oosterom & Strackee, The Solid Angle of a
+/// Plane Triangle, 1983, eq. 8.
+fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
+    let (la, lb, lc) = (a.length(), b.length(), c.length());
+    let denominator = la * lb * lc + a.dot(b) * lc + a.dot(c) * lb + b.dot(c) * la;
+    2.0 * a.dot(b.cross(c)).atan2(denominator)
+}
+
+/// Says once that transmissive shapes which overlap are outside the model (model page, section 9).
+pub fn warn_of_overlaps(placed: &Placed, materials: &[Material], warnings: &mut Vec<String>) {
+    let glass: Vec<_> = placed
+        .shapes
+        .iter()
+        .filter(|s| Prepared::is_transmissive(&materials[s.material as usize]))
+        .map(|s| (s, placed.bounds(s)))
+        .collect();
+    for (i, (a, bounds_a)) in glass.iter().enumerate() {
+        for (b, bounds_b) in &glass[i + 1..] {
+            let common = bounds_a.hi.min(bounds_b.hi) - bounds_a.lo.max(bounds_b.lo);
+            if common.min_element() > 0.0 && overlap(placed, a, b) {
+                warnings.push(format!(
+                    "the transmissive shapes of lines {} and {} overlap: every object stands in air in \
+                     this model, so the picture is wrong where they do",
+                    a.line.min(b.line),
+                    a.line.max(b.line)
+                ));
+                return;
+            }
+        }
+    }
+}
+
+/// Whether two shapes whose bounds overlap do so themselves: exact for spheres and boxes, assumed otherwise.
+fn overlap(placed: &Placed, a: &Shape, b: &Shape) -> bool {
+    match (a.kind, b.kind) {
+        (ShapeKind::Sphere, ShapeKind::Sphere) => {
+            let (a, b) = (
+                &placed.spheres[a.first as usize],
+                &placed.spheres[b.first as usize],
+            );
+            a.centre.distance(b.centre) < a.radius + b.radius
+        }
+        (ShapeKind::Sphere, ShapeKind::Box) => {
+            let (s, b) = (
+                &placed.spheres[a.first as usize],
+                &placed.boxes[b.first as usize],
+            );
+            s.centre.distance(s.centre.clamp(b.lo, b.hi)) < s.radius
+        }
+        (ShapeKind::Box, ShapeKind::Sphere) => overlap(placed, b, a),
+        _ => true,
+    }
+}

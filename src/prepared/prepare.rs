@@ -1,0 +1,104 @@
+//! Scene → [`Prepared`].
+
+use glam::{DQuat, DVec3};
+
+use super::cdf::CdfError;
+use super::geometry::Placed;
+use super::lights::Lights;
+use super::{Camera, Material, MaterialKind, NONE, Prepared, ShapeKind, material, medium};
+use crate::scene::{self, MaterialKind as SceneMaterial, Scene};
+use crate::settings::Settings;
+
+/// A scene that the kernels' integer tables cannot hold.
+#[derive(Debug, thiserror::Error)]
+pub enum PrepareError {
+    #[error("the lights of this scene cannot be chosen among: {0}")]
+    Lights(#[from] CdfError),
+}
+
+/// All that both renderers share, for a picture of `size` (by default the scene's own).
+///
+/// # Errors
+/// What the integer tables of the kernels cannot hold: more than 2²⁴ lights, or triangles in one light.
+pub fn prepare(
+    scene: &Scene,
+    settings: &Settings,
+    size: Option<[u32; 2]>,
+) -> Result<Prepared, PrepareError> {
+    let [width, height] = size.unwrap_or([scene.screen.width, scene.screen.height]);
+    let materials: Vec<Material> = scene
+        .materials
+        .iter()
+        .map(|m| match &m.kind {
+            SceneMaterial::Brdf(brdf) => material::material(brdf, &settings.model, m.line),
+            SceneMaterial::Light(radiance) => material::light(*radiance, m.line),
+        })
+        .collect();
+    let mut warnings = Vec::new();
+    let mut placed = Placed::new(scene, &materials, &mut warnings);
+    let origin = placed.all_bounds(scene.camera.eye).centre();
+    placed.move_to_origin(origin);
+    let lights = Lights::new(&placed, &materials, scene.background)?;
+    let camera = camera(&scene.camera, origin, width, height);
+    medium::warn_of_overlaps(&placed, &materials, &mut warnings);
+    let eye_medium = medium::medium_at(camera.eye, &placed, &materials);
+    let mut shapes = placed.shapes;
+    for (i, light) in lights.lights.iter().enumerate() {
+        if light.shape != NONE {
+            shapes[light.shape as usize].light = i as u32;
+        }
+    }
+    Ok(Prepared {
+        width,
+        height,
+        camera,
+        shapes,
+        spheres: placed.spheres,
+        boxes: placed.boxes,
+        cylinders: placed.cylinders,
+        triangles: placed.triangles,
+        normals: placed.normals,
+        materials,
+        lights: lights.lights,
+        light_cdf: lights.light_cdf,
+        triangle_cdf: lights.triangle_cdf,
+        background: scene.background,
+        eye_medium,
+        warnings,
+    })
+}
+
+/// The scene's camera looks down −Z of its frame; rx = ry·W/H (scene page, "Reading").
+fn camera(camera: &scene::Camera, origin: DVec3, width: u32, height: u32) -> Camera {
+    let rotate = |q: DQuat, v: DVec3| (q * v).normalize();
+    let rx = camera.ry * f64::from(width) / f64::from(height);
+    Camera {
+        eye: camera.eye - origin,
+        right: rotate(camera.orientation, DVec3::X) * rx,
+        up: rotate(camera.orientation, DVec3::Y) * camera.ry,
+        forward: rotate(camera.orientation, DVec3::NEG_Z),
+    }
+}
+
+impl Prepared {
+    /// Whether light travels through the inside of shapes of this material.
+    pub fn is_transmissive(material: &Material) -> bool {
+        matches!(
+            material.kind,
+            MaterialKind::Dielectric
+                | MaterialKind::Glass
+                | MaterialKind::Weak
+                | MaterialKind::Nothing
+        )
+    }
+
+    /// Number of primitives of a kind.
+    pub fn primitives(&self, kind: ShapeKind) -> usize {
+        match kind {
+            ShapeKind::Sphere => self.spheres.len(),
+            ShapeKind::Box => self.boxes.len(),
+            ShapeKind::Cylinder => self.cylinders.len(),
+            ShapeKind::Mesh => self.triangles.len(),
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! Scene → prepared: camera, order of shapes, the eye's medium, warnings.
+
+use std::path::Path;
+
+use glam::DVec3;
+use vkpt::prepared::{MaterialKind, NONE, Prepared, prepare};
+use vkpt::settings::Settings;
+
+fn prepared(text: &str) -> Prepared {
+    let read = vkpt::scene::parse(text, Path::new("test.txt"), false).expect("a good scene");
+    prepare(&read.scene, &Settings::default(), None).expect("few lights")
+}
+
+const GLASS: &str = "brdf 0 0 0 .04 .04 .04 .1 .5 .5 .5 1.5\n";
+const MATTE: &str = "brdf .5 .5 .5 0 0 0 10\n";
+const VIEW: &str = "screen 40 30\ncamera 0 0 0 .2\n";
+
+/// The scene page gives the official P4 camera to three digits.
+#[test]
+fn the_course_camera_looks_where_the_page_says() {
+    let path = Path::new("../shared/scenes/p4-transmission.scn");
+    if !path.exists() {
+        println!("skipped: {} is not there", path.display());
+        return;
+    }
+    let scene = vkpt::scene::read(path, false)
+        .expect("a course scene")
+        .scene;
+    let camera = prepare(&scene, &Settings::default(), None)
+        .expect("few lights")
+        .camera;
+    let close = |v: DVec3, x, y, z| (v - DVec3::new(x, y, z)).abs().max_element() < 6e-4;
+    assert!(
+        close(camera.forward, -0.803, -0.458, -0.381),
+        "{}",
+        camera.forward
+    );
+    assert!(
+        close(camera.up.normalize(), -0.330, -0.189, 0.925),
+        "{}",
+        camera.up
+    );
+    let degrees = |tangent: f64| 2.0 * tangent.atan().to_degrees();
+    assert!((degrees(camera.up.length()) - 22.6).abs() < 0.05);
+    assert!((degrees(camera.right.length()) - 29.9).abs() < 0.05);
+}
+
+#[test]
+fn opaque_shapes_come_first_then_file_order() {
+    let p = prepared(&format!(
+        "{VIEW}{GLASS}sphere 0 0 0 1\n{MATTE}sphere 5 0 0 1\n{GLASS}sphere 9 0 0 1\n{MATTE}box 20 0 0 1 1 1\n"
+    ));
+    let lines: Vec<usize> = p.shapes.iter().map(|s| s.line).collect();
+    assert_eq!(lines, [6, 10, 4, 8]);
+}
+
+#[test]
+fn the_middle_of_the_scene_becomes_the_origin() {
+    let p = prepared(&format!(
+        "{VIEW}{MATTE}sphere 1e4 0 0 1\nsphere 1.0004e4 0 0 1\n"
+    ));
+    assert_eq!(p.spheres[0].centre, DVec3::new(-2.0, 0.0, 0.0));
+    assert_eq!(p.camera.eye, DVec3::new(-10002.0, 0.0, 0.0));
+}
+
+#[test]
+fn the_eye_knows_the_medium_it_stands_in() {
+    let medium = |shape: &str| {
+        let p = prepared(&format!("{VIEW}{MATTE}sphere 9 9 9 1\n{GLASS}{shape}\n"));
+        match p.eye_medium {
+            NONE => None,
+            m => Some(p.materials[m as usize].kind),
+        }
+    };
+    let inside = [
+        "sphere .5 0 0 1",
+        "box -1 -1 -1 2 2 2",
+        "cylinder 0 0 -1 0 0 2 1",
+    ];
+    let outside = [
+        "sphere 1.5 0 0 1",
+        "box .1 -1 -1 2 2 2",
+        "cylinder 0 0 .1 0 0 2 1",
+    ];
+    for shape in inside {
+        assert_eq!(medium(shape), Some(MaterialKind::Dielectric), "{shape}");
+    }
+    for shape in outside {
+        assert_eq!(medium(shape), None, "{shape}");
+    }
+}
+
+#[test]
+fn overlapping_glass_is_said_once() {
+    let warnings = |shapes: &str| prepared(&format!("{VIEW}{GLASS}{shapes}")).warnings;
+    assert_eq!(
+        warnings("sphere 0 0 0 1\nsphere 1.5 0 0 1\nsphere .7 0 0 1\n").len(),
+        1
+    );
+    // Their bounds overlap, they do not.
+    assert!(warnings("sphere 0 0 0 1\nsphere 1.5 1.5 -.5 1\nbox .8 .8 .8 1 1 1\n").is_empty());
+}
+
+#[test]
+fn lights_are_chosen_by_power() {
+    let p = prepared(&format!(
+        "{VIEW}light 1 1 1\nsphere 0 0 0 1\nlight 3 3 3\nsphere 5 0 0 1\nlight 0 0 0\nsphere 9 0 0 1\n"
+    ));
+    assert_eq!(p.lights.len(), 2, "a black emitter is no light");
+    // A quarter of 2²⁴, to the one count that a quantised table may be off.
+    assert!(p.light_cdf[1].abs_diff(1 << 22) <= 1, "{:?}", p.light_cdf);
+    assert_eq!(p.light_cdf[2], 1 << 24);
+}
