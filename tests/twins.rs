@@ -10,6 +10,10 @@ mod harness;
 mod bsdf;
 #[path = "twins/camera.rs"]
 mod camera;
+#[path = "twins/elementary.rs"]
+mod elementary;
+#[path = "twins/film.rs"]
+mod film;
 #[path = "twins/light.rs"]
 mod light;
 #[path = "twins/math.rs"]
@@ -29,6 +33,16 @@ fn bsdf_functions() {
 #[test]
 fn camera_functions() {
     check(&camera::twins());
+}
+
+#[test]
+fn elementary_functions() {
+    check(&elementary::twins());
+}
+
+#[test]
+fn film_functions() {
+    check(&film::twins());
 }
 
 #[test]

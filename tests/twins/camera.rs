@@ -1,7 +1,47 @@
 //! Twins of `shaders/camera/`.
 
-use super::harness::Twin;
+use vkpt::reference::camera::{Camera, camera_direction};
+use vkpt::reference::math::{Vec3, vec3};
+
+use super::harness::{Row, Twin};
+
+/// A 640 × 480 or an 8192 × 8191 picture, seen by a camera that is turned.
+const GLSL: &str =
+    "Camera camera = Camera(vec3(0.0), in_vec3(), in_vec3(), in_vec3(), in_u(), in_u());";
 
 pub fn twins() -> Vec<Twin> {
-    vec![]
+    let right = vec3(0.264, -0.07, 0.01);
+    let (up, forward) = (vec3(-0.33, -0.189, 0.925), vec3(-0.803, -0.458, -0.381));
+    let pixel = move |size: [u32; 2], at: [u32; 2], ab: [f32; 2]| {
+        let axes = Row::new().vec3(right).vec3(up).vec3(forward);
+        axes.u(size[0]).u(size[1]).u(at[0]).u(at[1]).vec2(ab)
+    };
+    let last = 1.0 - 2f32.powi(-24);
+    vec![
+        Twin::new("camera_direction", "camera/pinhole")
+            .glsl(&format!(
+                "{GLSL} uint x = in_u(); uint y = in_u(); float a = in_f();
+                 out_vec3(camera_direction(camera, x, y, a, in_f()));"
+            ))
+            .rust(|i, o| {
+                let camera = Camera {
+                    eye: Vec3::zero(),
+                    right: i.vec3(),
+                    up: i.vec3(),
+                    forward: i.vec3(),
+                    width: i.u(),
+                    height: i.u(),
+                };
+                o.vec3(camera_direction(&camera, i.u(), i.u(), i.f(), i.f()));
+            })
+            .edge(pixel([1, 1], [0, 0], [0.5, 0.5]))
+            .edge(pixel([640, 480], [0, 479], [0.0, 0.0]))
+            .edge(pixel([640, 480], [639, 0], [last, last]))
+            .edge(pixel([8192, 8191], [8191, 8190], [last, 0.0]))
+            .seeded(5000, move |r| {
+                let size = if r.bool() { [640, 480] } else { [8192, 8191] };
+                let at = [r.below(size[0]), r.below(size[1])];
+                pixel(size, at, [r.unit(), r.unit()])
+            }),
+    ]
 }

@@ -1,7 +1,79 @@
 //! Twins of `shaders/sampler/`.
 
-use super::harness::Twin;
+use vkpt::reference::sampler::random::{mix_words, pcg4d};
+use vkpt::reference::sampler::{
+    bsdf_block, camera_block, light_block, roulette_block, sampler_block, unit_float,
+};
+
+use super::harness::{In, Row, Twin};
 
 pub fn twins() -> Vec<Twin> {
-    vec![]
+    [numbers(), blocks()].into_iter().flatten().collect()
+}
+
+fn words(i: &mut In) -> [u32; 4] {
+    [i.u(), i.u(), i.u(), i.u()]
+}
+
+/// A function of four words to four words.
+fn hash(name: &'static str, call: &str, f: fn([u32; 4]) -> [u32; 4]) -> Twin {
+    Twin::new(name, "sampler/random")
+        .glsl(&format!(
+            "uint x = in_u(); uint y = in_u(); uint z = in_u(); uint w = in_u();
+             uvec4 h = {call}; out_u(h.x); out_u(h.y); out_u(h.z); out_u(h.w);"
+        ))
+        .rust(move |i, o| f(words(i)).into_iter().for_each(|x| o.u(x)))
+        .edge([0, 0, 0, 0])
+        .edge([u32::MAX; 4])
+        .edge([1, 0x8000_0000, 0xffff_0000, 0xffff])
+        .seeded(2000, |r| {
+            Row::new()
+                .u(r.u32())
+                .u(r.below(4096))
+                .u(r.below(3000))
+                .u(r.u32())
+        })
+}
+
+fn numbers() -> Vec<Twin> {
+    vec![
+        hash("mix_words", "mix_words(uvec4(x, y, z, w))", mix_words),
+        hash("pcg4d", "pcg4d(uvec4(x, y, z, w))", pcg4d),
+        hash(
+            "sampler_block",
+            "sampler_block(x, y, z, w)",
+            |[p, s, b, e]| sampler_block(p, s, b, e),
+        ),
+        Twin::new("unit_float", "sampler/unit_float")
+            .glsl("out_f(unit_float(in_u()));")
+            .rust(|i, o| o.f(unit_float(i.u())))
+            .edges(
+                [
+                    0,
+                    255,
+                    256,
+                    0x7fff_ffff,
+                    0x8000_0000,
+                    u32::MAX - 256,
+                    u32::MAX,
+                ]
+                .map(|x| Row::from([x])),
+            )
+            .seeded(2000, |r| Row::new().u(r.u32())),
+    ]
+}
+
+fn blocks() -> Vec<Twin> {
+    let block = |name, call: &str, f: fn(u32) -> u32| {
+        Twin::new(name, "sampler/dimensions")
+            .glsl(&format!("uint bounce = in_u(); out_u({call});"))
+            .rust(move |i, o| o.u(f(i.u())))
+            .edges([0, 1, 2, 999, 1_000_000].map(|b| Row::from([b])))
+    };
+    vec![
+        block("camera_block", "camera_block()", |_| camera_block()),
+        block("light_block", "light_block(bounce)", light_block),
+        block("bsdf_block", "bsdf_block(bounce)", bsdf_block),
+        block("roulette_block", "roulette_block(bounce)", roulette_block),
+    ]
 }

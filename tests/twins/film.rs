@@ -1,0 +1,66 @@
+//! Twins of `shaders/film/`.
+
+use vkpt::reference::film::{PixelSum, film_add, film_mean};
+use vkpt::reference::math::{Vec3, vec3};
+
+use super::harness::{Rng, Row, Twin};
+
+const GLSL: &str = "vec3 sum = in_vec3(); PixelSum pixel = PixelSum(sum, in_vec3());";
+
+/// A sum in two parts as additions leave it: `comp` below half a unit of `sum`.
+fn sum(r: &mut Rng) -> Row {
+    let whole = vec3(
+        r.log_range(1e-6, 1e12),
+        r.unit(),
+        16_777_216.0 + r.below(9) as f32,
+    );
+    let mut rest = |x: f32| x * r.range(-2f32.powi(-26), 2f32.powi(-26));
+    let rest = vec3(rest(whole.x), rest(whole.y), rest(whole.z));
+    Row::new().vec3(whole).vec3(rest)
+}
+
+pub fn twins() -> Vec<Twin> {
+    let at_two_to_the_24 = || {
+        Row::new()
+            .vec3(Vec3::splat(16_777_216.0))
+            .vec3(vec3(0.0, 1.0, -0.5))
+    };
+    let zero = || Row::new().vec3(Vec3::zero()).vec3(Vec3::zero());
+    vec![
+        Twin::new("film_add", "film/pixel_sum")
+            .glsl(&format!(
+                "{GLSL} PixelSum after = film_add(pixel, in_vec3());
+                 out_vec3(after.sum); out_vec3(after.comp);"
+            ))
+            .rust(|i, o| {
+                let pixel = PixelSum {
+                    sum: i.vec3(),
+                    comp: i.vec3(),
+                };
+                let after = film_add(pixel, i.vec3());
+                o.vec3(after.sum);
+                o.vec3(after.comp);
+            })
+            .edge(zero().vec3(Vec3::zero()))
+            .edge(zero().vec3(vec3(1e-45, 1.0, 3e38)))
+            .edge(at_two_to_the_24().vec3(Vec3::one()))
+            .seeded(5000, |r| {
+                sum(r).vec3(vec3(r.unit(), r.log_range(1e-9, 1e9), r.range(0.0, 4.0)))
+            }),
+        Twin::new("film_mean", "film/pixel_sum")
+            .glsl(&format!("{GLSL} out_vec3(film_mean(pixel, in_u()));"))
+            .rust(|i, o| {
+                let pixel = PixelSum {
+                    sum: i.vec3(),
+                    comp: i.vec3(),
+                };
+                o.vec3(film_mean(pixel, i.u()));
+            })
+            .edge(zero().u(1))
+            // a number of samples that f32 rounds: to even, and up
+            .edge(at_two_to_the_24().u((1 << 24) + 1))
+            .edge(at_two_to_the_24().u((1 << 24) + 3))
+            .edge(at_two_to_the_24().u(u32::MAX))
+            .seeded(2000, |r| sum(r).u((r.u32() >> r.below(32)).max(1))),
+    ]
+}
