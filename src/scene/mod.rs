@@ -25,7 +25,7 @@ use std::io::Read as _;
 use std::path::Path;
 
 pub use diagnostic::{Diagnostic, Errors, Place};
-pub use mesh::{MESH_FORMATS, MeshError, MeshFile, read_mesh};
+pub use mesh::{MESH_FORMATS, MeshError, MeshFile, parse_mesh, read_mesh};
 pub use mesh_check::{Edges, edges, flip, open_edges, signed_volume};
 pub use types::*;
 pub use view::LARGEST_SIDE;

@@ -1,26 +1,15 @@
 //! PLY files, whole and broken.
 
-use std::path::PathBuf;
+use std::path::Path;
 
 use glam::DVec3;
-use vkpt::scene::{MeshError, MeshFile, read_mesh};
+use vkpt::scene::{MeshError, MeshFile, parse_mesh, read_mesh};
 
 use crate::ply_writer::Scalar::{F32, F64, I8, I16, I32, U8, U16, U32};
 use crate::ply_writer::{ENCODINGS, Encoding, Scalar, file};
 
-/// A file that is written over and over.
-struct Folder(tempfile::TempDir);
-
-impl Folder {
-    fn new() -> Self {
-        Self(tempfile::tempdir().expect("a temporary folder"))
-    }
-
-    fn read(&self, bytes: &[u8]) -> Result<MeshFile, MeshError> {
-        let path = self.0.path().join("mesh.ply");
-        std::fs::write(&path, bytes).expect("a file");
-        read_mesh(&path)
-    }
+fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
+    parse_mesh(bytes, Path::new("mesh.PLY"))
 }
 
 /// A square and a triangle below it, with normals, between properties and elements that nobody asked for.
@@ -61,7 +50,6 @@ fn dressed_rows() -> Vec<Vec<Scalar>> {
 
 #[test]
 fn three_encodings_are_one_mesh() {
-    let folder = Folder::new();
     let z = f64::from(0.1_f32);
     let expected = MeshFile {
         positions: vec![
@@ -81,16 +69,13 @@ fn three_encodings_are_one_mesh() {
         triangles: vec![[0, 1, 2], [0, 2, 3], [0, 4, 1]],
     };
     for encoding in ENCODINGS {
-        let mesh = folder
-            .read(&file(encoding, DRESSED, &dressed_rows()))
-            .expect("a whole file");
+        let mesh = read(&file(encoding, DRESSED, &dressed_rows())).expect("a whole file");
         assert_eq!(mesh, expected, "{encoding:?}");
     }
 }
 
 #[test]
 fn any_scalar_type_will_do_and_faces_may_come_first() {
-    let folder = Folder::new();
     type Make = (&'static str, fn(u8) -> Scalar);
     let integers: [Make; 6] = [
         ("char", |i| I8(i as i8)),
@@ -122,7 +107,7 @@ fn any_scalar_type_will_do_and_faces_may_come_first() {
                     rows.extend(
                         [[1, 2, 3], [4, 5, 6], [7, 8, 100]].map(|row| row.map(coordinate).to_vec()),
                     );
-                    let mesh = folder.read(&file(encoding, &header, &rows)).expect(&header);
+                    let mesh = read(&file(encoding, &header, &rows)).expect(&header);
                     assert_eq!(mesh.positions[2], DVec3::new(100.0, 8.0, 7.0), "{header}");
                     assert_eq!(
                         (mesh.triangles, mesh.normals),
@@ -137,11 +122,10 @@ fn any_scalar_type_will_do_and_faces_may_come_first() {
 
 #[test]
 fn a_file_cut_anywhere_is_an_error_and_never_a_panic() {
-    let folder = Folder::new();
     for encoding in ENCODINGS {
         let whole = file(encoding, DRESSED, &dressed_rows());
         for length in 0..whole.len() {
-            let cut = folder.read(&whole[..length]);
+            let cut = read(&whole[..length]);
             // ASCII: without its last line's end a file is whole, and its last number may lose digits.
             let tail = if encoding == Encoding::Ascii {
                 "0.5\n".len()
@@ -175,14 +159,13 @@ fn triangle(x: f32, corners: [i32; 3]) -> Vec<Vec<Scalar>> {
 
 #[test]
 fn what_is_wrong_is_said() {
-    let folder = Folder::new();
     let rows = triangle(0.0, [0, 1, 2]);
     for encoding in ENCODINGS {
-        let message =
-            |header: &str, rows: &[Vec<Scalar>]| match folder.read(&file(encoding, header, rows)) {
-                Ok(mesh) => panic!("{header} {rows:?} read as {mesh:?}"),
-                Err(error) => error.to_string(),
-            };
+        let message = |header: &str, rows: &[Vec<Scalar>]| match read(&file(encoding, header, rows))
+        {
+            Ok(mesh) => panic!("{header} {rows:?} read as {mesh:?}"),
+            Err(error) => error.to_string(),
+        };
         assert_eq!(
             message(HEADER, &triangle(0.0, [0, 1, 3])),
             "face 0 (from 0) refers to vertex 3, and there are 3"
@@ -220,37 +203,41 @@ fn what_is_wrong_is_said() {
     }
     // In ASCII, where `nan` is no number of the format.
     let text = String::from_utf8(file(Encoding::Ascii, HEADER, &rows)).expect("text");
-    assert!(
-        folder
-            .read(text.replacen("\n0 0 0\n", "\nnan 0 0\n", 1).as_bytes())
-            .is_err()
-    );
+    assert!(read(text.replacen("\n0 0 0\n", "\nnan 0 0\n", 1).as_bytes()).is_err());
     assert!(matches!(
-        folder.read(b"solid cube\n"),
+        read(b"solid cube\n"),
         Err(MeshError::Malformed(_))
     ));
-    assert!(matches!(folder.read(b""), Err(MeshError::Malformed(_))));
-    let path = folder.0.path();
+    assert!(matches!(read(b""), Err(MeshError::Malformed(_))));
+}
+
+#[test]
+fn files_are_read_or_refused() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = |name: &str| folder.path().join(name);
+    let bytes = file(Encoding::Little, HEADER, &triangle(0.0, [0, 1, 2]));
+    std::fs::write(path("mesh.ply"), &bytes).expect("a file");
+    std::fs::create_dir(path("folder.ply")).expect("a folder");
+    let whole = read_mesh(&path("mesh.ply")).expect("a whole file");
+    assert_eq!(whole, read(&bytes).expect("a whole file"));
     assert!(matches!(
-        read_mesh(&path.join("none.ply")),
+        read_mesh(&path("none.ply")),
         Err(MeshError::Missing)
     ));
     assert!(matches!(
-        read_mesh(&path.join("none.obj")),
+        read_mesh(&path("none.obj")),
         Err(MeshError::Format)
     ));
-    std::fs::create_dir(path.join("folder.ply")).expect("a folder");
     assert!(matches!(
-        read_mesh(&path.join("folder.ply")),
+        read_mesh(&path("folder.ply")),
         Err(MeshError::Unreadable(_))
     ));
-    assert!(read_mesh(&PathBuf::from("")).is_err());
+    assert!(matches!(read_mesh(Path::new("")), Err(MeshError::Format)));
 }
 
 /// Headers whose counts would take a machine's memory, or its night, if they were believed.
 #[test]
 fn absurd_counts_are_refused_at_once() {
-    let folder = Folder::new();
     let rows = triangle(0.0, [0, 1, 2]);
     let many = 1_000_000_000_000_u64;
     for encoding in ENCODINGS {
@@ -260,12 +247,9 @@ fn absurd_counts_are_refused_at_once() {
             // No property: an element takes no byte in a binary file, so any number of them would fit.
             let empty = format!("element nothing {n}\n{HEADER}");
             for header in [&vertices, &faces] {
-                assert!(
-                    folder.read(&file(encoding, header, &rows)).is_err(),
-                    "{header}"
-                );
+                assert!(read(&file(encoding, header, &rows)).is_err(), "{header}");
             }
-            let read = folder.read(&file(encoding, &empty, &rows));
+            let read = read(&file(encoding, &empty, &rows));
             assert_eq!(
                 read.is_ok(),
                 encoding != Encoding::Ascii,
@@ -275,13 +259,12 @@ fn absurd_counts_are_refused_at_once() {
         let header = HEADER.replace("uchar int", "uint int");
         let mut rows = rows.clone();
         rows[3][0] = U32(u32::MAX);
-        assert!(folder.read(&file(encoding, &header, &rows)).is_err());
+        assert!(read(&file(encoding, &header, &rows)).is_err());
     }
 }
 
 #[test]
 fn damaged_files_never_panic() {
-    let folder = Folder::new();
     let mut random = crate::fuzz::Random(1);
     for encoding in ENCODINGS {
         let whole = file(encoding, DRESSED, &dressed_rows());
@@ -295,7 +278,7 @@ fn damaged_files_never_panic() {
                     _ => bytes[at] ^= 1 << random.below(8),
                 }
             }
-            if let Ok(mesh) = folder.read(&bytes) {
+            if let Ok(mesh) = read(&bytes) {
                 let vertices = mesh.positions.len() as u32;
                 assert!(
                     mesh.triangles

@@ -58,10 +58,7 @@ pub enum MeshError {
 /// A [`MeshError`] for any file that is not a whole mesh; no file makes it panic, and none makes it take much
 /// more memory than a few times the file's size.
 pub fn read_mesh(path: &Path) -> Result<MeshFile, MeshError> {
-    let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
-    if ending.is_none_or(|ending| ending != "ply") {
-        return Err(MeshError::Format);
-    }
+    let read = reader(path)?;
     if path.is_dir() {
         return Err(MeshError::Unreadable(io::ErrorKind::IsADirectory.into()));
     }
@@ -69,7 +66,24 @@ pub fn read_mesh(path: &Path) -> Result<MeshFile, MeshError> {
         io::ErrorKind::NotFound => MeshError::Missing,
         _ => MeshError::Unreadable(reason),
     })?;
-    ply::read(&bytes)
+    read(&bytes)
+}
+
+/// Reads the mesh that `bytes` hold, in the format that the ending of `path` tells.
+///
+/// # Errors
+/// As [`read_mesh`].
+pub fn parse_mesh(bytes: &[u8], path: &Path) -> Result<MeshFile, MeshError> {
+    reader(path)?(bytes)
+}
+
+/// What reads a file of this ending.
+fn reader(path: &Path) -> Result<fn(&[u8]) -> Result<MeshFile, MeshError>, MeshError> {
+    let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+    match ending.as_deref().and_then(|ending| ending.to_str()) {
+        Some("ply") => Ok(ply::read),
+        _ => Err(MeshError::Format),
+    }
 }
 
 /// Appends the polygon's triangles: a fan about its first corner.
