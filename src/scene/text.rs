@@ -60,12 +60,8 @@ fn tokens(line: &str, number: usize, start: usize) -> Line<'_> {
 
 /// `text` as a message quotes it: all of it, or its beginning if it is long.
 pub(super) fn shorten(text: &str) -> String {
-    shorten_to(text, 40)
-}
-
-/// `text`, or its first `longest` characters if it is longer.
-pub(super) fn shorten_to(text: &str, longest: usize) -> String {
-    match text.char_indices().nth(longest) {
+    const LONGEST: usize = 40;
+    match text.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.to_owned(),
     }

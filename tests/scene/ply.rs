@@ -201,14 +201,58 @@ fn what_is_wrong_is_said() {
             }
         }
     }
-    // In ASCII, where `nan` is no number of the format.
-    let text = String::from_utf8(file(Encoding::Ascii, HEADER, &rows)).expect("text");
-    assert!(read(text.replacen("\n0 0 0\n", "\nnan 0 0\n", 1).as_bytes()).is_err());
-    assert!(matches!(
-        read(b"solid cube\n"),
-        Err(MeshError::Malformed(_))
-    ));
-    assert!(matches!(read(b""), Err(MeshError::Malformed(_))));
+}
+
+#[test]
+fn lines_that_are_not_understood_are_quoted() {
+    let whole = file(Encoding::Ascii, HEADER, &triangle(0.0, [0, 1, 2]));
+    let whole = String::from_utf8(whole).expect("text");
+    let rows = [
+        (
+            "\n0 0 0\n",
+            "\nnan 0 0\n",
+            "its line 10 is not understood: `nan 0 0`",
+        ),
+        (
+            "\n0 0 0\n",
+            "\n0 0\n",
+            "its line 10 is not understood: `0 0`",
+        ),
+        (
+            "3 0 1 2",
+            "3 0 1.5 2",
+            "its line 13 is not understood: `3 0 1.5 2`",
+        ),
+        (
+            "float y",
+            "flt y",
+            "its line 5 is not understood: `property flt y`",
+        ),
+        (
+            "float y",
+            "flt \u{7}y",
+            "its line 5 is not understood: `property flt \u{fffd}y`",
+        ),
+        (
+            "ply\n",
+            "",
+            "its line 1 is not understood: `format ascii 1.0`",
+        ),
+        (
+            "3 0 1 2\n",
+            "\n\n\n\n\n\n\n\n\n",
+            "its line 13 is not understood: ``",
+        ),
+    ];
+    for (from, to, message) in rows {
+        let damaged = whole.replacen(from, to, 1);
+        assert_ne!(damaged, whole);
+        let error = read(damaged.as_bytes()).expect_err(message);
+        assert_eq!(error.to_string(), message);
+    }
+    for bytes in [&b"solid cube\n"[..], b"", b"ply\n", b"ply\n\xff\n"] {
+        assert!(matches!(read(bytes), Err(MeshError::Malformed(_))));
+    }
 }
 
 #[test]

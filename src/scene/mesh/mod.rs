@@ -77,8 +77,11 @@ pub fn parse_mesh(bytes: &[u8], path: &Path) -> Result<MeshFile, MeshError> {
     reader(path)?(bytes)
 }
 
+/// Reads a whole file of one format.
+type Reader = fn(&[u8]) -> Result<MeshFile, MeshError>;
+
 /// What reads a file of this ending.
-fn reader(path: &Path) -> Result<fn(&[u8]) -> Result<MeshFile, MeshError>, MeshError> {
+fn reader(path: &Path) -> Result<Reader, MeshError> {
     let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
     match ending.as_deref().and_then(|ending| ending.to_str()) {
         Some("ply") => Ok(ply::read),

@@ -12,21 +12,21 @@ use element::{Face, Other, Vertex};
 use header::{check_names, has, least_size};
 
 use super::{MeshError, MeshFile, fan};
-use crate::scene::text::shorten_to;
+use crate::scene::text::{clean, shorten};
 
 /// Reads the whole file `bytes`.
 pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
     let mut reader = Reader::new(bytes);
     let header = Parser::<Other>::new()
         .read_header(&mut reader)
-        .map_err(malformed)?;
+        .map_err(|error| malformed(error, bytes))?;
     check_names(&header, &bytes[..bytes.len() - reader.get_ref().len()])?;
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for element in header.elements.values() {
         match element.name.as_str() {
-            "vertex" => vertices = payload::<Vertex>(&mut reader, element, &header)?,
-            "face" => faces = payload::<Face>(&mut reader, element, &header)?,
-            _ => drop(payload::<Other>(&mut reader, element, &header)?),
+            "vertex" => vertices = payload::<Vertex>(&mut reader, element, &header, bytes)?,
+            "face" => faces = payload::<Face>(&mut reader, element, &header, bytes)?,
+            _ => drop(payload::<Other>(&mut reader, element, &header, bytes)?),
         }
     }
     let with_normals = header
@@ -65,11 +65,12 @@ fn assemble(
     })
 }
 
-/// The payload of one element, which comes next.
+/// The payload of one element, which comes next in `file`.
 fn payload<E: PropertyAccess>(
     reader: &mut Reader<&[u8]>,
     element: &ElementDef,
     header: &Header,
+    file: &[u8],
 ) -> Result<Vec<E>, MeshError> {
     let bytes = reader.get_ref().len();
     let least = least_size(element, header.encoding);
@@ -89,17 +90,33 @@ fn payload<E: PropertyAccess>(
     }
     Parser::<E>::new()
         .read_payload_for_element(reader, element, header)
-        .map_err(malformed)
+        .map_err(|error| malformed(error, file))
 }
 
-/// The crate's message on one line, without the lines that it quotes.
-fn malformed(error: ParseError) -> MeshError {
-    const LONGEST: usize = 200;
-    let text = error.to_string();
-    let lines = text
-        .lines()
-        .map(str::trim)
-        .filter(|line| !line.is_empty() && !line.starts_with("String:"));
-    let message = lines.collect::<Vec<_>>().join(" ").replace("Error: ", "");
-    MeshError::Malformed(shorten_to(&message, LONGEST))
+/// What the crate says of `bytes`, on one line and without the grammar that it expected.
+fn malformed(error: ParseError, bytes: &[u8]) -> MeshError {
+    let message = error.to_string();
+    let first = message.lines().next().unwrap_or_default();
+    // Its errors of a line of text quote that line.
+    let line = error.line().filter(|_| message.contains("String: '"));
+    MeshError::Malformed(match line {
+        Some(line) => format!(
+            "its line {line} is not understood: `{}`",
+            quoted(bytes, line)
+        ),
+        // Of a binary file it counts elements as lines.
+        None => first
+            .trim_start_matches("Line ")
+            .trim_start_matches(|c: char| c.is_ascii_digit() || ": ".contains(c))
+            .to_owned(),
+    })
+}
+
+/// Line `number` (from 1) as a message quotes it.
+fn quoted(bytes: &[u8], number: usize) -> String {
+    let line = bytes
+        .split(|b| *b == b'\n')
+        .nth(number.saturating_sub(1))
+        .unwrap_or_default();
+    shorten(&clean(String::from_utf8_lossy(line).trim()))
 }
