@@ -24,6 +24,7 @@ mod sampler;
 mod shape;
 
 use harness::{Row, Twin, check, compare};
+use vkpt::kernel::{file, files};
 
 #[test]
 fn bsdf_functions() {
@@ -63,6 +64,58 @@ fn sampler_functions() {
 #[test]
 fn shape_functions() {
     check(&shape::twins());
+}
+
+// ---- no function without a row
+
+/// Functions without a row of their own, and why.
+const EXCUSED: &[(&str, &str)] = &[];
+
+/// Files whose functions read a scene's buffers: whole paths, against the CPU, hold those to account.
+const SCENE_FILES: &[&str] = &[];
+
+#[test]
+fn every_function_has_a_row() {
+    let twins = [
+        bsdf::twins(),
+        camera::twins(),
+        elementary::twins(),
+        film::twins(),
+        light::twins(),
+        math::twins(),
+        sampler::twins(),
+        shape::twins(),
+    ];
+    let covered: Vec<&str> = twins.iter().flatten().flat_map(Twin::functions).collect();
+    let excused = |name: &str| EXCUSED.iter().any(|(n, _)| *n == name);
+    let library = files().filter(|f| !f.ends_with(".comp") && !SCENE_FILES.contains(f));
+    let missing: Vec<String> = library
+        .flat_map(|f| functions(file(f).unwrap_or_default()).map(move |name| (f, name)))
+        .filter(|(_, name)| !covered.contains(name) && !excused(name))
+        .map(|(file, name)| format!("{file}: {name}"))
+        .collect();
+    assert!(
+        missing.is_empty(),
+        "without a row in tests/twins/:\n{}",
+        missing.join("\n")
+    );
+}
+
+/// The functions that a GLSL file defines: a definition starts its line, `type name(`.
+fn functions(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().filter_map(|line| {
+        let (head, _) = line.split_once('(')?;
+        let (ty, name) = head.split_once(' ')?;
+        let word =
+            |w: &str| !w.is_empty() && w.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+        (word(ty) && word(name) && !line.trim_end().ends_with(';')).then_some(name)
+    })
+}
+
+#[test]
+fn functions_are_found_in_a_file() {
+    let text = "// float no(float x) {\nconst float K = f(1.0);\nvec3 one(vec3 v) {\n    return two(v);\n}\nfloat two() { return 2.0; }\n";
+    assert_eq!(functions(text).collect::<Vec<_>>(), ["one", "two"]);
 }
 
 // ---- the harness itself: it agrees where it should, and fails on what is planted

@@ -8,10 +8,11 @@ use std::time::Duration;
 use ash::vk;
 
 use super::error::GpuError;
-use super::info::{DeviceInfo, Selector, compute_family, enumerate};
+use super::info::{DeviceInfo, compute_family, enumerate};
 use super::instance::Instance;
 use super::limits::Limits;
 use super::queue::Queue;
+use super::selector::Selector;
 
 /// How a device is opened.
 #[derive(Clone, Debug, PartialEq, Eq)]

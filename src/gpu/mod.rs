@@ -3,20 +3,25 @@
 //! Everything is synchronous: a call returns when the device has done it. Objects keep their device alive and free
 //! themselves. A [`Device`] may be shared between threads; its work is done one piece at a time.
 
+mod barrier;
 mod buffer;
 mod device;
+mod dispatch;
 mod error;
 mod info;
 mod instance;
 mod limits;
+mod memory;
 mod pipeline;
 mod probe;
 mod queue;
+mod selector;
 mod transfer;
 
 pub use buffer::{Buffer, BufferUse};
 pub use device::{Device, Options};
 pub use error::GpuError;
-pub use info::{DeviceInfo, DeviceKind, Selector, devices};
+pub use info::{DeviceInfo, DeviceKind, devices};
 pub use limits::Limits;
 pub use pipeline::Pipeline;
+pub use selector::Selector;

@@ -1,25 +1,24 @@
-//! A kernel made ready for a device, and its dispatch.
+//! A kernel made ready for a device.
 
 use std::sync::Arc;
-use std::time::Duration;
 
 use ash::vk;
 
-use super::buffer::{Buffer, BufferUse};
+use super::buffer::BufferUse;
 use super::device::{Device, Inner};
 use super::error::GpuError;
 use crate::kernel::Spirv;
 
 /// A compute pipeline: binding i of set 0 is the i-th buffer.
 pub struct Pipeline {
-    device: Arc<Inner>,
-    uses: Vec<BufferUse>,
-    push_bytes: u32,
+    pub(super) device: Arc<Inner>,
+    pub(super) uses: Vec<BufferUse>,
+    pub(super) push_bytes: u32,
     set_layout: vk::DescriptorSetLayout,
-    layout: vk::PipelineLayout,
+    pub(super) layout: vk::PipelineLayout,
     pool: vk::DescriptorPool,
-    set: vk::DescriptorSet,
-    raw: vk::Pipeline,
+    pub(super) set: vk::DescriptorSet,
+    pub(super) raw: vk::Pipeline,
 }
 
 impl Device {
@@ -88,84 +87,9 @@ impl Device {
         }
         Ok(())
     }
-
-    /// Runs `groups` workgroups and waits for them; the device's own time.
-    ///
-    /// # Errors
-    /// [`GpuError::Mismatch`] where buffers, push constants or groups are not what pipeline and device take;
-    /// [`GpuError::TimeOut`] and [`GpuError::Lost`], after which the device cannot be used any more.
-    pub fn dispatch(
-        &self,
-        pipeline: &Pipeline,
-        buffers: &[&Buffer],
-        push: &[u8],
-        groups: [u32; 3],
-    ) -> Result<Duration, GpuError> {
-        self.check_dispatch(pipeline, buffers, push, groups)?;
-        let mut queue = self.0.queue()?;
-        // SAFETY: the set is not in use, because no work is under way while the queue is locked; the buffers
-        // have the types of the layout, and all objects are of this device and outlive the work.
-        unsafe {
-            pipeline.bind(buffers);
-            queue.run(&self.0, |raw, commands| {
-                raw.cmd_bind_pipeline(commands, vk::PipelineBindPoint::COMPUTE, pipeline.raw);
-                raw.cmd_bind_descriptor_sets(
-                    commands,
-                    vk::PipelineBindPoint::COMPUTE,
-                    pipeline.layout,
-                    0,
-                    &[pipeline.set],
-                    &[],
-                );
-                if !push.is_empty() {
-                    raw.cmd_push_constants(
-                        commands,
-                        pipeline.layout,
-                        vk::ShaderStageFlags::COMPUTE,
-                        0,
-                        push,
-                    );
-                }
-                raw.cmd_dispatch(commands, groups[0], groups[1], groups[2]);
-            })
-        }
-    }
-
-    fn check_dispatch(
-        &self,
-        pipeline: &Pipeline,
-        buffers: &[&Buffer],
-        push: &[u8],
-        groups: [u32; 3],
-    ) -> Result<(), GpuError> {
-        let uses: Vec<BufferUse> = buffers.iter().map(|b| b.usage).collect();
-        if uses != pipeline.uses {
-            return Err(GpuError::Mismatch(format!(
-                "buffers {uses:?}, the kernel takes {:?}",
-                pipeline.uses
-            )));
-        }
-        if push.len() != pipeline.push_bytes as usize {
-            let (given, taken) = (push.len(), pipeline.push_bytes);
-            return Err(GpuError::Mismatch(format!(
-                "{given} bytes of push constants, the kernel takes {taken}"
-            )));
-        }
-        let limit = self.0.limits.group_count;
-        if groups.iter().zip(limit).any(|(g, l)| *g > l) {
-            return Err(GpuError::Mismatch(format!(
-                "{groups:?} workgroups, the device allows {limit:?}"
-            )));
-        }
-        let foreign = |d: &Arc<Inner>| !Arc::ptr_eq(d, &self.0);
-        if foreign(&pipeline.device) || buffers.iter().any(|b| foreign(&b.device)) {
-            return Err(GpuError::Mismatch("an object of another device".into()));
-        }
-        Ok(())
-    }
 }
 
-fn descriptor(usage: BufferUse) -> vk::DescriptorType {
+pub(super) fn descriptor(usage: BufferUse) -> vk::DescriptorType {
     match usage {
         BufferUse::Uniform => vk::DescriptorType::UNIFORM_BUFFER,
         BufferUse::Storage => vk::DescriptorType::STORAGE_BUFFER,
@@ -257,36 +181,6 @@ impl Pipeline {
                 made.map_err(|(_, result)| GpuError::of("vkCreateComputePipelines")(result))?[0];
         }
         Ok(())
-    }
-
-    /// Points the set at `buffers`.
-    ///
-    /// # Safety
-    /// The set is not in use, and the buffers are of the types of its layout.
-    unsafe fn bind(&self, buffers: &[&Buffer]) {
-        let whole = |b: &&Buffer| {
-            [vk::DescriptorBufferInfo {
-                buffer: b.raw,
-                offset: 0,
-                range: vk::WHOLE_SIZE,
-            }]
-        };
-        let infos: Vec<_> = buffers.iter().map(whole).collect();
-        let write = |(i, info)| {
-            vk::WriteDescriptorSet::default()
-                .dst_set(self.set)
-                .dst_binding(i as u32)
-                .descriptor_type(descriptor(self.uses[i]))
-                .buffer_info(info)
-        };
-        let writes: Vec<_> = infos
-            .iter()
-            .map(|info| &info[..])
-            .enumerate()
-            .map(write)
-            .collect();
-        // SAFETY: of the caller.
-        unsafe { self.device.raw.update_descriptor_sets(&writes, &[]) };
     }
 }
 

@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use ash::vk;
 
+use super::barrier;
 use super::device::Inner;
 use super::error::GpuError;
 
@@ -92,11 +93,11 @@ impl Queue {
         unsafe {
             raw.begin_command_buffer(commands, &begin)
                 .map_err(GpuError::of("vkBeginCommandBuffer"))?;
-            barrier_before(raw, commands);
+            barrier::before(raw, commands);
             self.timestamp(raw, 0);
             record(raw, commands);
             self.timestamp(raw, 1);
-            barrier_after(raw, commands);
+            barrier::after(raw, commands);
             raw.end_command_buffer(commands)
                 .map_err(GpuError::of("vkEndCommandBuffer"))?;
             let started = Instant::now();
@@ -178,51 +179,4 @@ impl Queue {
         let nanoseconds = elapsed as f64 * f64::from(device.limits.timestamp_period);
         Ok(Some(Duration::from_nanos(nanoseconds as u64)))
     }
-}
-
-/// What host, kernels and copies wrote before is seen by what follows.
-///
-/// # Safety
-/// While recording.
-unsafe fn barrier_before(raw: &ash::Device, commands: vk::CommandBuffer) {
-    use vk::{AccessFlags as A, PipelineStageFlags as S};
-    let memory = vk::MemoryBarrier::default()
-        .src_access_mask(A::HOST_WRITE | A::SHADER_WRITE | A::TRANSFER_WRITE)
-        .dst_access_mask(
-            A::UNIFORM_READ
-                | A::SHADER_READ
-                | A::SHADER_WRITE
-                | A::TRANSFER_READ
-                | A::TRANSFER_WRITE,
-        );
-    let from = S::HOST | S::COMPUTE_SHADER | S::TRANSFER;
-    let to = S::COMPUTE_SHADER | S::TRANSFER;
-    // SAFETY: of the caller.
-    unsafe {
-        raw.cmd_pipeline_barrier(commands, from, to, Default::default(), &[memory], &[], &[])
-    };
-}
-
-/// What kernels and copies wrote is seen by the host, once the fence has been waited for.
-///
-/// # Safety
-/// While recording.
-unsafe fn barrier_after(raw: &ash::Device, commands: vk::CommandBuffer) {
-    use vk::{AccessFlags as A, PipelineStageFlags as S};
-    let memory = vk::MemoryBarrier::default()
-        .src_access_mask(A::SHADER_WRITE | A::TRANSFER_WRITE)
-        .dst_access_mask(A::HOST_READ | A::HOST_WRITE);
-    let from = S::COMPUTE_SHADER | S::TRANSFER;
-    // SAFETY: of the caller.
-    unsafe {
-        raw.cmd_pipeline_barrier(
-            commands,
-            from,
-            S::HOST,
-            Default::default(),
-            &[memory],
-            &[],
-            &[],
-        )
-    };
 }

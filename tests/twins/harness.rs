@@ -3,13 +3,22 @@
 //! A [`Twin`] is a row of the suite: a body of GLSL that reads its inputs and writes its outputs, a Rust closure that
 //! does the same in `f32`, and the inputs: edges first, then seeded ones. Outputs are filled with a NaN pattern
 //! beforehand and have guard words around them. On a CPU driver every word must be equal: there `÷` and `√` round
-//! correctly as the other operations do. On a GPU they need not, and a last bit may turn a branch: see [`near`].
+//! correctly as the other operations do. On a GPU they need not, and a last bit may turn a branch: see `report::near`.
 
-use std::fmt::Write as _;
+#[path = "harness/report.rs"]
+mod report;
+#[path = "harness/rng.rs"]
+mod rng;
+#[path = "harness/words.rs"]
+mod words;
 
 use vkpt::gpu::{BufferUse, Device, DeviceKind};
 use vkpt::kernel::{Composer, Slot, compile};
-use vkpt::reference::math::{Vec3, vec3};
+
+use report::Report;
+pub use rng::Rng;
+use words::Value;
+pub use words::{In, Out, Row};
 
 /// What no function writes: a quiet NaN with a payload of its own.
 const UNWRITTEN: u32 = 0x7fc0_dead;
@@ -19,163 +28,6 @@ const GUARD: u32 = 0x7fc0_beef;
 const MARGIN: usize = 16;
 /// Words after the outputs of a row: inputs read, outputs written, a guard.
 const TRAILER: usize = 3;
-
-/// The inputs of one call.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Row(pub Vec<u32>);
-
-impl Row {
-    pub fn new() -> Self {
-        Self::default()
-    }
-    pub fn f(mut self, x: f32) -> Self {
-        self.0.push(x.to_bits());
-        self
-    }
-    pub fn u(mut self, x: u32) -> Self {
-        self.0.push(x);
-        self
-    }
-    pub fn vec2(self, v: [f32; 2]) -> Self {
-        self.f(v[0]).f(v[1])
-    }
-    pub fn vec3(self, v: Vec3<f32>) -> Self {
-        self.f(v.x).f(v.y).f(v.z)
-    }
-}
-
-impl<const N: usize> From<[f32; N]> for Row {
-    fn from(values: [f32; N]) -> Self {
-        Self(values.map(f32::to_bits).to_vec())
-    }
-}
-
-/// Bit patterns, as a failure prints them.
-impl<const N: usize> From<[u32; N]> for Row {
-    fn from(words: [u32; N]) -> Self {
-        Self(words.to_vec())
-    }
-}
-
-/// Reads the inputs of one call, in order.
-pub struct In<'a> {
-    words: &'a [u32],
-    at: usize,
-}
-
-impl In<'_> {
-    pub fn u(&mut self) -> u32 {
-        self.at += 1;
-        self.words[self.at - 1]
-    }
-    pub fn f(&mut self) -> f32 {
-        f32::from_bits(self.u())
-    }
-    pub fn b(&mut self) -> bool {
-        self.u() != 0
-    }
-    pub fn vec2(&mut self) -> [f32; 2] {
-        [self.f(), self.f()]
-    }
-    pub fn vec3(&mut self) -> Vec3<f32> {
-        vec3(self.f(), self.f(), self.f())
-    }
-}
-
-/// A word written by a function.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Value {
-    Float(f32),
-    Uint(u32),
-}
-
-/// Collects the outputs of one call, in order.
-#[derive(Default)]
-pub struct Out(Vec<Value>);
-
-impl Out {
-    pub fn u(&mut self, x: u32) {
-        self.0.push(Value::Uint(x));
-    }
-    pub fn b(&mut self, x: bool) {
-        self.u(x.into());
-    }
-    pub fn f(&mut self, x: f32) {
-        self.0.push(Value::Float(x));
-    }
-    pub fn vec2(&mut self, v: [f32; 2]) {
-        v.into_iter().for_each(|x| self.f(x));
-    }
-    pub fn vec3(&mut self, v: Vec3<f32>) {
-        [v.x, v.y, v.z].into_iter().for_each(|x| self.f(x));
-    }
-}
-
-/// Seeded inputs: splitmix64, so that rows stay the same for ever.
-pub struct Rng(u64);
-
-impl Rng {
-    /// The same sequence for the same name.
-    fn named(name: &str) -> Self {
-        // FNV-1a
-        Self(name.bytes().fold(0xcbf2_9ce4_8422_2325, |h, b| {
-            (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3)
-        }))
-    }
-    pub fn u32(&mut self) -> u32 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ self.0 >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ z >> 31) >> 32) as u32
-    }
-    /// In [0, 1), a multiple of 2⁻²⁴, as the sampler's.
-    pub fn unit(&mut self) -> f32 {
-        (self.u32() >> 8) as f32 / 16_777_216.0
-    }
-    pub fn range(&mut self, lo: f32, hi: f32) -> f32 {
-        lo + (hi - lo) * self.unit()
-    }
-    /// Uniform in the logarithm; 0 < lo < hi.
-    pub fn log_range(&mut self, lo: f32, hi: f32) -> f32 {
-        lo * (hi / lo).powf(self.unit())
-    }
-    /// Below `n`.
-    pub fn below(&mut self, n: u32) -> u32 {
-        self.u32() % n
-    }
-    pub fn bool(&mut self) -> bool {
-        self.u32() & 1 == 1
-    }
-    /// Any finite number, all exponents alike.
-    pub fn finite(&mut self) -> f32 {
-        loop {
-            let x = f32::from_bits(self.u32());
-            if x.is_finite() {
-                return x;
-            }
-        }
-    }
-    /// A unit vector, uniform over the sphere.
-    pub fn direction(&mut self) -> Vec3<f32> {
-        let z = f64::from(self.range(-1.0, 1.0));
-        let phi = f64::from(self.unit()) * std::f64::consts::TAU;
-        let r = (1.0 - z * z).max(0.0).sqrt();
-        vec3((r * phi.cos()) as f32, (r * phi.sin()) as f32, z as f32)
-    }
-    /// A unit vector with z > 0.
-    pub fn hemisphere(&mut self) -> Vec3<f32> {
-        loop {
-            let v = self.direction();
-            if v.z != 0.0 {
-                return vec3(v.x, v.y, v.z.abs());
-            }
-        }
-    }
-    /// All components in [lo, hi).
-    pub fn vec3(&mut self, lo: f32, hi: f32) -> Vec3<f32> {
-        vec3(self.range(lo, hi), self.range(lo, hi), self.range(lo, hi))
-    }
-}
 
 type Rust = Box<dyn Fn(&mut In, &mut Out)>;
 
@@ -288,7 +140,7 @@ pub fn compare(twin: &Twin, device: &Device) -> Result<(), String> {
         .rust
         .as_ref()
         .ok_or_else(|| format!("{}: no Rust\n", twin.name))?;
-    let expected: Vec<Vec<Value>> = twin.rows.iter().map(|row| reference(rust, row)).collect();
+    let expected: Vec<Vec<Value>> = twin.rows.iter().map(|row| call(rust, row)).collect();
     let (inputs, outputs) = match (twin.rows.first(), expected.first()) {
         (Some(row), Some(values)) => (row.0.len(), values.len()),
         _ => return Err(format!("{}: no rows\n", twin.name)),
@@ -309,15 +161,10 @@ pub fn compare(twin: &Twin, device: &Device) -> Result<(), String> {
     report.finish(twin.name, twin.rows.len())
 }
 
-fn reference(rust: &Rust, row: &Row) -> Vec<Value> {
+/// What Rust makes of a row.
+fn call(rust: &Rust, row: &Row) -> Vec<Value> {
     let mut out = Out::default();
-    rust(
-        &mut In {
-            words: &row.0,
-            at: 0,
-        },
-        &mut out,
-    );
+    rust(&mut In::new(row), &mut out);
     out.0
 }
 
@@ -407,135 +254,4 @@ fn body(statements: &str) -> String {
 }}
 "
     )
-}
-
-/// What differs, for one twin.
-struct Report {
-    exact: bool,
-    text: String,
-    differing: usize,
-    broken: bool,
-}
-
-/// Rows that a report shows.
-const SHOWN: usize = 5;
-
-impl Report {
-    fn new(exact: bool) -> Self {
-        Self {
-            exact,
-            text: String::new(),
-            differing: 0,
-            broken: false,
-        }
-    }
-
-    /// What no device may do.
-    fn broken(&mut self, what: &str) {
-        self.broken = true;
-        let _ = writeln!(self.text, "  {what}");
-    }
-
-    /// `words`: outputs and trailer.
-    fn row(&mut self, row: &Row, values: &[Value], words: &[u32]) {
-        let (words, trailer) = words.split_at(values.len());
-        let mut lines = String::new();
-        if trailer != [row.0.len() as u32, values.len() as u32, GUARD] {
-            let [read, written, guard] = [trailer[0], trailer[1], trailer[2]];
-            self.broken = true;
-            let _ = writeln!(
-                lines,
-                "    the kernel read {read} words and wrote {written}, Rust {} and {}; guard {guard:#010x}",
-                row.0.len(),
-                values.len()
-            );
-        }
-        let scale = values.iter().map(|v| v.magnitude()).fold(0.0, f32::max);
-        for (i, (value, word)) in values.iter().zip(words).enumerate() {
-            let same = if self.exact {
-                equal(*value, *word)
-            } else {
-                near(*value, *word, scale)
-            };
-            if !same {
-                let _ = writeln!(lines, "    output {i}: {}", difference(*value, *word));
-            }
-        }
-        if !lines.is_empty() {
-            self.differing += 1;
-            if self.differing <= SHOWN {
-                let _ = write!(self.text, "  .edge([{}])\n{lines}", row_text(row));
-            }
-        }
-    }
-
-    fn finish(self, name: &str, rows: usize) -> Result<(), String> {
-        // Not exact: a comparison on the brink may turn out otherwise, rarely.
-        let allowed = if self.exact { 0 } else { rows / 100 };
-        if self.broken || self.differing > allowed {
-            return Err(format!(
-                "{name}: {} of {rows} rows differ\n{}",
-                self.differing, self.text
-            ));
-        }
-        Ok(())
-    }
-}
-
-impl Value {
-    fn magnitude(self) -> f32 {
-        match self {
-            Self::Float(x) if x.is_finite() => x.abs(),
-            _ => 0.0,
-        }
-    }
-}
-
-/// The same bits; a NaN equals any NaN that was written.
-fn equal(value: Value, word: u32) -> bool {
-    match value {
-        Value::Uint(x) => x == word,
-        Value::Float(x) if x.is_nan() => f32::from_bits(word).is_nan() && word != UNWRITTEN,
-        Value::Float(x) => x.to_bits() == word,
-    }
-}
-
-/// On devices that may round `÷` and `√` their own way: integers equal; floats within 1e-4 of their size, or within 1e-5 of
-/// the row's largest output, which a difference of large numbers may lose. One row in a hundred may lie elsewhere.
-fn near(value: Value, word: u32, scale: f32) -> bool {
-    match value {
-        Value::Float(x) if x.is_finite() => {
-            let difference = (x - f32::from_bits(word)).abs();
-            difference <= 1e-4 * x.abs() || difference <= 1e-5 * scale
-        }
-        value => equal(value, word),
-    }
-}
-
-fn difference(value: Value, word: u32) -> String {
-    match value {
-        _ if word == UNWRITTEN => "not written".into(),
-        Value::Uint(x) => format!("device {word:#010x} ({word}), Rust {x:#010x} ({x})"),
-        Value::Float(x) => {
-            let (bits, y) = (x.to_bits(), f32::from_bits(word));
-            let ulps = (order(bits) - order(word)).abs();
-            format!("device {word:#010x} ({y:e}), Rust {bits:#010x} ({x:e}), {ulps} ulps apart")
-        }
-    }
-}
-
-/// Neighbouring floats have neighbouring numbers.
-fn order(bits: u32) -> i64 {
-    let magnitude = i64::from(bits & 0x7fff_ffff);
-    if bits >> 31 == 1 {
-        -magnitude - 1
-    } else {
-        magnitude
-    }
-}
-
-fn row_text(row: &Row) -> String {
-    let word = |w: &u32| format!("{w:#010x} /* {:e} */", f32::from_bits(*w));
-    let words: Vec<String> = row.0.iter().map(word).collect();
-    words.join(", ")
 }
