@@ -9,6 +9,7 @@ pub mod kernel;
 pub mod layout;
 pub mod prepared;
 pub mod reference;
+pub mod render;
 pub mod report;
 pub mod scene;
 pub mod settings;

@@ -1,1 +1,18 @@
-//! To come.
+//! The command line: a file a command. Nothing below knows it, and nothing else prints.
+
+mod arguments;
+mod devices;
+mod exit;
+mod interrupt;
+mod job;
+mod outputs;
+mod progress;
+mod render;
+mod trace;
+mod values;
+
+pub use arguments::{Arguments, RenderArguments, SettingArguments, Task, task};
+pub use devices::devices;
+pub use exit::{Ending, Failure, exit};
+pub use render::render;
+pub use trace::trace;

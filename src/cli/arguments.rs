@@ -1,0 +1,243 @@
+//! Every flag, with its help.
+
+use std::path::PathBuf;
+
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser, Subcommand};
+
+use super::exit::Failure;
+use super::values::{self, Output, Preset, SamplePath, choice};
+use crate::render::{Selector, Target};
+use crate::settings::{
+    Absorption, Connect, DistributionRule, Fresnel, LobeChoice, Normals, Roulette, Settings,
+};
+
+const EXIT_CODES: &str = "\
+Exit codes:
+    0  the pictures are written
+    1  rendering failed, by an error of the device or in a check of the samples
+    2  the command line is wrong
+    3  the scene or one of its meshes is wrong; nothing was written
+    4  there is no such Vulkan device, or none at all
+    5  a file could not be written
+  130  interrupted by ctrl-c; the pictures hold the samples done by then";
+
+/// A headless path tracer on Vulkan: a scene file goes in, pictures come out
+#[derive(Parser, Debug)]
+#[command(
+    version,
+    args_conflicts_with_subcommands = true,
+    subcommand_negates_reqs = true
+)]
+#[command(after_help = EXIT_CODES, max_term_width = 100, subcommand_value_name = "COMMAND")]
+#[command(disable_help_subcommand = true)]
+pub struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    render: RenderArguments,
+}
+
+#[derive(Subcommand, Debug)]
+enum Command {
+    /// List what can render here, and what can't and why
+    Devices,
+}
+
+/// What one rendering needs to know.
+#[derive(clap::Args, Debug)]
+pub struct RenderArguments {
+    /// The scene file
+    #[arg(required = true)]
+    scene: Option<PathBuf>,
+
+    /// Picture to write: .png (sRGB) or .exr (linear, f32); may be repeated [default: the scene's
+    /// name with .png and .exr, in the working directory]
+    #[arg(short, long = "output", value_name = "FILE", help_heading = "Picture")]
+    #[arg(value_parser = values::output)]
+    pub output: Vec<Output>,
+
+    /// Width and height in pixels [default: the scene's]
+    #[arg(long, value_name = "WxH", help_heading = "Picture", value_parser = values::size)]
+    pub size: Option<[u32; 2]>,
+
+    /// Only these pixels, counted from the top left; X1 and Y1 are excluded
+    #[arg(long, value_name = "X0,Y0,X1,Y1", help_heading = "Picture", value_parser = values::crop)]
+    pub crop: Option<[u32; 4]>,
+
+    /// Stops by which .png is brightened; negative: darkened
+    #[arg(long, value_name = "EV", help_heading = "Picture", default_value = "0")]
+    #[arg(allow_negative_numbers = true, value_parser = values::exposure)]
+    pub exposure: f64,
+
+    /// Samples per pixel
+    #[arg(
+        long,
+        value_name = "N",
+        help_heading = "Rendering",
+        default_value = "64"
+    )]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
+    pub spp: u32,
+
+    /// Seed of the random numbers: the same seed gives the same picture, bit for bit
+    #[arg(
+        long,
+        value_name = "N",
+        help_heading = "Rendering",
+        default_value = "0"
+    )]
+    pub seed: u32,
+
+    /// A Vulkan device by its index or part of its name (`vkpt devices` lists them), or the
+    /// reference renderer: cpu-f64, cpu-f32 [default: the best Vulkan device]
+    #[arg(long, value_name = "DEVICE", help_heading = "Rendering", value_parser = values::device)]
+    device: Option<Target>,
+
+    #[command(flatten)]
+    pub settings: SettingArguments,
+
+    /// Write what the rendering did and how long it took
+    #[arg(long, value_name = "FILE", help_heading = "Reports")]
+    pub json: Option<PathBuf>,
+
+    /// No progress and no summary, only warnings and errors
+    #[arg(long, help_heading = "Reports")]
+    pub quiet: bool,
+
+    /// Take every warning about the scene as an error
+    #[arg(long, help_heading = "Reports")]
+    pub strict: bool,
+
+    /// Render nothing; print the path of sample I of pixel X,Y (from the top left), vertex by vertex
+    #[arg(long, value_name = "X,Y,I", help_heading = "Reports", value_parser = values::sample_path)]
+    trace: Option<SamplePath>,
+}
+
+/// One flag per setting of the surface model.
+#[derive(clap::Args, Debug)]
+pub struct SettingArguments {
+    /// A preset. handout: all settings as the course's hand-out has them. Words in the scene beat
+    /// it, flags beat both
+    #[arg(long, value_name = "PRESET", help_heading = MODEL)]
+    #[arg(value_parser = choice::<Preset>(), hide_possible_values = true)]
+    pub model: Option<Preset>,
+
+    /// Reflectance of an interface: schlick or exact [default: the scene's, else schlick]
+    #[arg(long, value_name = "FORM", help_heading = MODEL)]
+    #[arg(value_parser = choice::<Fresnel>(), hide_possible_values = true)]
+    pub fresnel: Option<Fresnel>,
+
+    /// Micro-normals: phong, beckmann, ggx, or auto: phong for an exponent and ggx for a width
+    /// [default: the scene's, else auto]
+    #[arg(long, value_name = "NAME", help_heading = MODEL)]
+    #[arg(value_parser = values::distribution(), hide_possible_values = true)]
+    pub distribution: Option<DistributionRule>,
+
+    /// Absorb along every segment in a medium, or only in the transmission term as the hand-out
+    /// prints it: segment or term [default: segment]
+    #[arg(long, value_name = "WHERE", help_heading = MODEL)]
+    #[arg(value_parser = choice::<Absorption>(), hide_possible_values = true)]
+    pub absorption: Option<Absorption>,
+
+    /// Scale radiance by the squared ratio of indices at each refraction: on or off [default: on]
+    #[arg(long, value_name = "SWITCH", help_heading = MODEL)]
+    #[arg(value_parser = values::switch(), hide_possible_values = true)]
+    pub radiance_scaling: Option<bool>,
+
+    /// Longest path in bounces: 0 shows emitters, 1 adds direct light [default: no cap]
+    #[arg(long, value_name = "N", help_heading = MODEL)]
+    pub max_depth: Option<u32>,
+
+    /// How a lobe is chosen: by its share of fresnel, or by the norms of Kd, Ks and Kt [default:
+    /// fresnel]
+    #[arg(long, value_name = "RULE", help_heading = ESTIMATOR)]
+    #[arg(value_parser = choice::<LobeChoice>(), hide_possible_values = true)]
+    pub lobe: Option<LobeChoice>,
+
+    /// Which micro-normals are drawn: the visible ones, or those of the whole distribution [default:
+    /// visible]
+    #[arg(long, value_name = "DENSITY", help_heading = ESTIMATOR)]
+    #[arg(value_parser = choice::<Normals>(), hide_possible_values = true)]
+    pub normals: Option<Normals>,
+
+    /// Let paths survive by their throughput, with a constant probability such as 0.8, or always:
+    /// throughput, P or off [default: throughput]
+    #[arg(long, value_name = "RULE", help_heading = ESTIMATOR, value_parser = values::roulette)]
+    pub roulette: Option<Roulette>,
+
+    /// Find light by connecting to it, by paths that hit it, or by both, weighted: light, bsdf or
+    /// mis [default: mis]
+    #[arg(long, value_name = "HOW", help_heading = ESTIMATOR)]
+    #[arg(value_parser = choice::<Connect>(), hide_possible_values = true)]
+    pub connect: Option<Connect>,
+}
+
+const MODEL: &str = "Model (what the picture converges to)";
+const ESTIMATOR: &str = "Estimator (how fast it converges)";
+
+/// What the command line asks for.
+#[derive(Debug)]
+pub enum Task {
+    Render(RenderArguments),
+    Trace(RenderArguments, SamplePath),
+    Devices,
+}
+
+/// Reads the command line; help, version and errors end the program here.
+pub fn task() -> Result<Task, Failure> {
+    let Arguments { command, render } = Arguments::parse();
+    match (command, render.trace) {
+        (Some(Command::Devices), _) => Ok(Task::Devices),
+        (None, Some(path)) => Ok(Task::Trace(render, path)),
+        (None, None) => Ok(Task::Render(render)),
+    }
+}
+
+/// What the command line's own checks could not know, told in the same form.
+pub fn usage(message: impl std::fmt::Display) -> Failure {
+    Failure::Usage(Arguments::command().error(ErrorKind::ValueValidation, message))
+}
+
+impl RenderArguments {
+    /// The scene file.
+    pub fn scene(&self) -> Result<&PathBuf, Failure> {
+        self.scene
+            .as_ref()
+            .ok_or_else(|| usage("a scene file is missing"))
+    }
+
+    /// What shall render.
+    pub fn target(&self) -> Target {
+        self.device
+            .clone()
+            .unwrap_or(Target::Vulkan(Selector::Best))
+    }
+}
+
+impl SettingArguments {
+    /// The preset's values, or the defaults, with what the flags say put over them.
+    pub fn settings(&self) -> Settings {
+        let mut settings = match self.model {
+            Some(Preset::Handout) => Settings::handout(),
+            None => Settings::default(),
+        };
+        let Settings { model, estimator } = &mut settings;
+        model.fresnel = self.fresnel.or(model.fresnel);
+        replace(&mut model.distribution, self.distribution);
+        replace(&mut model.absorption, self.absorption);
+        replace(&mut model.radiance_scaling, self.radiance_scaling);
+        model.max_depth = self.max_depth;
+        replace(&mut estimator.lobe, self.lobe);
+        replace(&mut estimator.normals, self.normals);
+        replace(&mut estimator.roulette, self.roulette);
+        replace(&mut estimator.connect, self.connect);
+        settings
+    }
+}
+
+fn replace<T>(value: &mut T, flag: Option<T>) {
+    if let Some(flag) = flag {
+        *value = flag;
+    }
+}

@@ -1,0 +1,94 @@
+//! How the program ends: exit codes, and errors told on stderr.
+
+use std::process::ExitCode;
+
+use crate::image::file::FileError;
+use crate::prepared::PrepareError;
+use crate::render::RenderError;
+use crate::scene::{Diagnostic, Errors};
+
+/// An end that left what was asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    Complete,
+    /// By ctrl-c.
+    Interrupted,
+}
+
+/// An end that did not.
+#[derive(Debug)]
+pub enum Failure {
+    Usage(clap::Error),
+    Scene(Errors),
+    Prepare(PrepareError),
+    /// Warnings that `--strict` makes errors.
+    Strict(Vec<String>),
+    Render(RenderError),
+    /// By the Vulkan loader or for want of a device.
+    NoDevice(String),
+    Files(Vec<FileError>),
+}
+
+/// Tells a failure and gives the program's exit code.
+pub fn exit(ending: Result<Ending, Failure>) -> ExitCode {
+    match ending {
+        Ok(Ending::Complete) => ExitCode::SUCCESS,
+        Ok(Ending::Interrupted) => ExitCode::from(130),
+        Err(failure) => {
+            let code = failure.code();
+            failure.tell();
+            ExitCode::from(code)
+        }
+    }
+}
+
+impl Failure {
+    fn code(&self) -> u8 {
+        match self {
+            Self::Render(error) if error.is_no_device() => 4,
+            Self::Render(_) => 1,
+            Self::Usage(_) => 2,
+            Self::Scene(_) | Self::Prepare(_) | Self::Strict(_) => 3,
+            Self::NoDevice(_) => 4,
+            Self::Files(_) => 5,
+        }
+    }
+
+    fn tell(self) {
+        match self {
+            Self::Usage(error) => drop(error.print()),
+            Self::Scene(errors) => {
+                let sum = errors.to_string();
+                errors.diagnostics.into_iter().for_each(point_out);
+                tell(&sum);
+            }
+            Self::Prepare(error) => tell(&error),
+            Self::Strict(warnings) => {
+                warnings
+                    .iter()
+                    .for_each(|warning| tell(&format!("{warning} (--strict)")));
+            }
+            Self::Render(error) => tell(&error),
+            Self::NoDevice(message) => tell(&message),
+            Self::Files(errors) => {
+                errors
+                    .iter()
+                    .for_each(|error| tell(&format!("cannot write {error}")));
+            }
+        }
+    }
+}
+
+fn tell(message: &dyn std::fmt::Display) {
+    eprintln!("error: {message}");
+}
+
+/// Tells a warning.
+pub fn warn(message: &str) {
+    eprintln!("warning: {message}");
+}
+
+/// Shows what is wrong in a scene file: the line, with the culprit underlined.
+pub fn point_out(diagnostic: Diagnostic) {
+    eprintln!("{:?}", miette::Report::new(diagnostic));
+}

@@ -1,0 +1,67 @@
+//! From a command line to a scene that is ready to be rendered.
+
+use std::time::Instant;
+
+use super::arguments::{RenderArguments, usage};
+use super::exit::{Failure, point_out, warn};
+use crate::prepared::{self, Prepared};
+use crate::render::Job;
+use crate::scene;
+use crate::settings::Settings;
+
+/// A scene read, checked and prepared, its warnings told.
+pub struct Ready {
+    pub prepared: Prepared,
+    pub settings: Settings,
+    pub warnings: Vec<String>,
+    pub read_s: f64,
+    pub prepare_s: f64,
+}
+
+impl Ready {
+    /// Reads and prepares the scene that the command line names.
+    pub fn new(arguments: &RenderArguments) -> Result<Self, Failure> {
+        let settings = arguments.settings.settings();
+        let start = Instant::now();
+        let read = scene::read(arguments.scene()?, arguments.strict).map_err(Failure::Scene)?;
+        let read_s = start.elapsed().as_secs_f64();
+        let mut warnings: Vec<String> = read.warnings.iter().map(ToString::to_string).collect();
+        read.warnings.into_iter().for_each(point_out);
+        let start = Instant::now();
+        let prepared =
+            prepared::prepare(&read.scene, &settings, arguments.size).map_err(Failure::Prepare)?;
+        let prepare_s = start.elapsed().as_secs_f64();
+        if arguments.strict && !prepared.warnings.is_empty() {
+            return Err(Failure::Strict(prepared.warnings));
+        }
+        prepared.warnings.iter().for_each(|warning| warn(warning));
+        warnings.extend(prepared.warnings.iter().cloned());
+        Ok(Self {
+            prepared,
+            settings,
+            warnings,
+            read_s,
+            prepare_s,
+        })
+    }
+
+    /// The job that the command line describes.
+    pub fn job(&self, arguments: &RenderArguments) -> Result<Job<'_>, Failure> {
+        let Prepared { width, height, .. } = self.prepared;
+        if let Some([_, _, x1, y1]) = arguments
+            .crop
+            .filter(|crop| crop[2] > width || crop[3] > height)
+        {
+            return Err(usage(format!(
+                "--crop ends at {x1},{y1}, outside the picture of {width}x{height} pixels"
+            )));
+        }
+        Ok(Job {
+            prepared: &self.prepared,
+            settings: self.settings,
+            spp: arguments.spp.into(),
+            seed: arguments.seed,
+            crop: arguments.crop,
+        })
+    }
+}

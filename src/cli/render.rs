@@ -1,0 +1,136 @@
+//! `vkpt SCENE`: renders a scene to pictures.
+
+use std::io::Write;
+use std::time::Instant;
+
+use super::arguments::RenderArguments;
+use super::exit::{Ending, Failure, warn};
+use super::interrupt::stop_flag;
+use super::job::Ready;
+use super::outputs::Outputs;
+use super::progress::Display;
+use crate::image::{Frame, Labels};
+use crate::render::{self, Outcome};
+use crate::report::{self, Dropped, Job, Machine, Record, SOFTWARE, Seconds, Work};
+
+/// Reads, prepares, renders, writes and reports.
+pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
+    let outputs = Outputs::check(arguments)?;
+    let ready = Ready::new(arguments)?;
+    let outcome = develop(arguments, &ready)?;
+    if outcome.spp == 0 {
+        warn("interrupted before the first sample was done: nothing is written");
+        return Ok(Ending::Interrupted);
+    }
+    let mut record = record(arguments, &ready, &outcome)?;
+    let errors = write(arguments, &outputs, &outcome, &mut record);
+    report::concerns(&record)
+        .iter()
+        .for_each(|concern| warn(concern));
+    if !arguments.quiet {
+        // A reader that has gone away is no reason to fail.
+        let _ = writeln!(std::io::stdout(), "{}", report::summary(&record));
+    }
+    match (errors.is_empty(), outcome.interrupted) {
+        (false, _) => Err(Failure::Files(errors)),
+        (true, true) => Ok(Ending::Interrupted),
+        (true, false) => Ok(Ending::Complete),
+    }
+}
+
+fn develop(arguments: &RenderArguments, ready: &Ready) -> Result<Outcome, Failure> {
+    let job = ready.job(arguments)?;
+    let stop = stop_flag();
+    let mut display = Display::new(arguments.quiet);
+    let outcome = render::render(&job, &arguments.target(), &stop, &mut |progress| {
+        display.update(progress)
+    });
+    display.finish();
+    outcome.map_err(Failure::Render)
+}
+
+/// Writes pictures and the JSON, and notes in the record what was written and how long it took.
+fn write(
+    arguments: &RenderArguments,
+    outputs: &Outputs,
+    outcome: &Outcome,
+    record: &mut Record,
+) -> Vec<crate::image::file::FileError> {
+    let start = Instant::now();
+    let [x0, y0, ..] = arguments.crop.unwrap_or_default();
+    let frame = Frame {
+        film: &outcome.film,
+        origin: [x0, y0],
+        full: record.job.size,
+    };
+    let notes = report::notes(&record.job, &record.machine.device);
+    let labels = Labels {
+        exposure: arguments.exposure,
+        software: SOFTWARE,
+        notes: &notes,
+    };
+    let mut errors = outputs.write_pictures(&frame, &labels);
+    let written = outputs
+        .pictures
+        .iter()
+        .filter(|picture| errors.iter().all(|e| e.path != picture.path));
+    record.files = written
+        .map(|picture| picture.path.display().to_string())
+        .collect();
+    record.seconds.write = start.elapsed().as_secs_f64();
+    errors.extend(outputs.write_json(record));
+    errors
+}
+
+fn record(
+    arguments: &RenderArguments,
+    ready: &Ready,
+    outcome: &Outcome,
+) -> Result<Record, Failure> {
+    let stats = &outcome.stats;
+    let seconds = Seconds {
+        read: ready.read_s,
+        prepare: ready.prepare_s,
+        compose: stats.compose_s,
+        compile: stats.compile_s,
+        render: stats.render_s,
+        write: 0.0,
+    };
+    let render::Dropped {
+        nan,
+        infinite,
+        loops,
+    } = stats.dropped;
+    let dropped = Dropped {
+        nan,
+        infinite,
+        loops,
+    };
+    Ok(Record {
+        version: env!("CARGO_PKG_VERSION"),
+        job: Job {
+            scene: arguments.scene()?.display().to_string(),
+            size: [ready.prepared.width, ready.prepared.height],
+            crop: arguments.crop,
+            spp: outcome.spp,
+            spp_asked: arguments.spp.into(),
+            seed: arguments.seed,
+            settings: (&ready.settings).into(),
+        },
+        machine: Machine {
+            device: stats.device.clone(),
+            driver: stats.driver.clone(),
+            features: stats.features.clone(),
+        },
+        work: Work::new(
+            &seconds,
+            stats.samples,
+            stats.rays,
+            dropped,
+            stats.long_paths,
+        ),
+        seconds,
+        files: Vec::new(),
+        warnings: ready.warnings.clone(),
+    })
+}

@@ -1,0 +1,27 @@
+//! `vkpt SCENE --trace X,Y,I`: prints one path, vertex by vertex.
+
+use std::io::Write;
+
+use super::arguments::{RenderArguments, usage};
+use super::exit::{Ending, Failure};
+use super::job::Ready;
+use super::values::SamplePath;
+use crate::render;
+
+/// Prints the path of one sample on stdout; writes no file.
+pub fn trace(arguments: &RenderArguments, path: SamplePath) -> Result<Ending, Failure> {
+    let ready = Ready::new(arguments)?;
+    let job = ready.job(arguments)?;
+    let [x, y] = path.pixel;
+    let (width, height) = (ready.prepared.width, ready.prepared.height);
+    if x >= width || y >= height {
+        return Err(usage(format!(
+            "--trace: pixel {x},{y} is outside the picture of {width}x{height} pixels"
+        )));
+    }
+    let trace = render::trace(&job, &arguments.target(), path.pixel, path.index)
+        .map_err(Failure::Render)?;
+    // A reader that has gone away is no reason to fail.
+    let _ = writeln!(std::io::stdout(), "{trace}");
+    Ok(Ending::Complete)
+}

@@ -1,0 +1,232 @@
+//! The values that flags take.
+
+use std::path::{Path, PathBuf};
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+use crate::image::Format;
+use crate::render::{Selector, Target};
+use crate::report::names::Named;
+use crate::scene::LARGEST_SIDE;
+use crate::settings::{Distribution, DistributionRule, Roulette};
+
+/// A picture to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Output {
+    pub path: PathBuf,
+    pub format: Format,
+}
+
+/// A named set of settings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Preset {
+    Handout,
+}
+
+/// One sample of one pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SamplePath {
+    /// Column and row, from the top left.
+    pub pixel: [u32; 2],
+    pub index: u32,
+}
+
+impl Named for Preset {
+    const ALL: &'static [(Self, &'static str)] = &[(Self::Handout, "handout")];
+}
+
+/// One of few, by name.
+pub fn choice<T: Named>() -> impl TypedValueParser<Value = T> {
+    named(T::ALL.to_vec())
+}
+
+/// `auto`, or the name of a distribution.
+pub fn distribution() -> impl TypedValueParser<Value = DistributionRule> {
+    let always = Distribution::ALL
+        .iter()
+        .map(|&(which, name)| (DistributionRule::Always(which), name));
+    named(
+        [(DistributionRule::Auto, "auto")]
+            .into_iter()
+            .chain(always)
+            .collect(),
+    )
+}
+
+/// `on` or `off`.
+pub fn switch() -> impl TypedValueParser<Value = bool> {
+    named(vec![(true, "on"), (false, "off")])
+}
+
+fn named<T: Copy + Send + Sync + 'static>(
+    all: Vec<(T, &'static str)>,
+) -> impl TypedValueParser<Value = T> {
+    let names = PossibleValuesParser::new(all.iter().map(|&(_, name)| name));
+    names.try_map(move |given| {
+        let found = all.iter().find(|(_, name)| *name == given);
+        found.map(|&(value, _)| value).ok_or("no such value")
+    })
+}
+
+/// A file whose ending names a format.
+pub fn output(text: &str) -> Result<Output, String> {
+    match Format::of(Path::new(text)) {
+        Some(format) => Ok(Output {
+            path: text.into(),
+            format,
+        }),
+        None => Err("the ending must be .png or .exr".to_owned()),
+    }
+}
+
+/// `WxH`, both from 1 to [`LARGEST_SIDE`].
+pub fn size(text: &str) -> Result<[u32; 2], String> {
+    match numbers(text, 'x') {
+        Some(size) if size.iter().all(|side| (1..=LARGEST_SIDE).contains(side)) => Ok(size),
+        Some(_) => Err(format!("each side must be from 1 to {LARGEST_SIDE} pixels")),
+        None => Err("must be two whole numbers, such as 400x300".to_owned()),
+    }
+}
+
+/// `X0,Y0,X1,Y1`, not empty.
+pub fn crop(text: &str) -> Result<[u32; 4], String> {
+    match numbers(text, ',') {
+        Some([x0, y0, x1, y1]) if x0 < x1 && y0 < y1 => Ok([x0, y0, x1, y1]),
+        Some(_) => Err("no pixels: X0 must be below X1 and Y0 below Y1".to_owned()),
+        None => Err("must be four whole numbers, such as 0,0,64,64".to_owned()),
+    }
+}
+
+/// `X,Y,I`.
+pub fn sample_path(text: &str) -> Result<SamplePath, String> {
+    let [x, y, index] = numbers(text, ',').ok_or("must be three whole numbers, such as 10,20,0")?;
+    Ok(SamplePath {
+        pixel: [x, y],
+        index,
+    })
+}
+
+/// A device.
+pub fn device(text: &str) -> Result<Target, std::convert::Infallible> {
+    Ok(match text {
+        "cpu-f32" => Target::CpuF32,
+        "cpu-f64" => Target::CpuF64,
+        _ => match text.parse() {
+            Ok(index) => Target::Vulkan(Selector::Index(index)),
+            Err(_) => Target::Vulkan(Selector::Name(text.to_owned())),
+        },
+    })
+}
+
+/// `throughput`, `off`, or a probability above 0 and up to 1.
+pub fn roulette(text: &str) -> Result<Roulette, String> {
+    match text {
+        "throughput" => Ok(Roulette::Throughput),
+        "off" => Ok(Roulette::Off),
+        _ => match text.parse() {
+            Ok(p) if p > 0.0 && p <= 1.0 => Ok(Roulette::Constant(p)),
+            Ok(_) => Err("a probability of survival must be above 0 and at most 1".to_owned()),
+            Err(_) => Err("must be throughput, off, or a probability such as 0.8".to_owned()),
+        },
+    }
+}
+
+/// A number of stops.
+pub fn exposure(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(stops) if stops.is_finite() => Ok(stops),
+        _ => Err("must be a finite number of stops, such as -1.5".to_owned()),
+    }
+}
+
+/// Exactly N whole numbers with `separator` between them.
+fn numbers<const N: usize>(text: &str, separator: char) -> Option<[u32; N]> {
+    let all: Result<Vec<u32>, _> = text.split(separator).map(str::parse).collect();
+    all.ok()?.try_into().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_and_crops() {
+        assert_eq!(size("400x300"), Ok([400, 300]));
+        assert_eq!(size("1x16384"), Ok([1, 16384]));
+        for wrong in [
+            "",
+            "400",
+            "400x",
+            "400x300x2",
+            "4.5x3",
+            "-1x2",
+            "0x300",
+            "400x0",
+            "1x16385",
+            "4e2x300",
+        ] {
+            assert!(size(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(crop("0,1,2,3"), Ok([0, 1, 2, 3]));
+        for wrong in [
+            "",
+            "0,0,1",
+            "0,0,1,1,1",
+            "1,0,1,1",
+            "0,1,1,1",
+            "2,0,1,1",
+            "0,0,1,-1",
+            "0 ,0,1,1",
+        ] {
+            assert!(crop(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(
+            sample_path("3,4,5"),
+            Ok(SamplePath {
+                pixel: [3, 4],
+                index: 5
+            })
+        );
+        assert!(sample_path("3,4").is_err());
+    }
+
+    #[test]
+    fn roulettes() {
+        assert_eq!(roulette("throughput"), Ok(Roulette::Throughput));
+        assert_eq!(roulette("off"), Ok(Roulette::Off));
+        assert_eq!(roulette("0.8"), Ok(Roulette::Constant(0.8)));
+        assert_eq!(roulette("1"), Ok(Roulette::Constant(1.0)));
+        for wrong in ["0", "-0.5", "1.01", "NaN", "inf", "on", ""] {
+            assert!(roulette(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn devices() {
+        let vulkan = |selector| Ok(Target::Vulkan(selector));
+        assert_eq!(device("1"), vulkan(Selector::Index(1)));
+        assert_eq!(
+            device("llvmpipe"),
+            vulkan(Selector::Name("llvmpipe".to_owned()))
+        );
+        assert_eq!(device("cpu-f32"), Ok(Target::CpuF32));
+        assert_eq!(device("cpu-f64"), Ok(Target::CpuF64));
+    }
+
+    #[test]
+    fn outputs_and_exposures() {
+        assert_eq!(output("a/b.png").map(|o| o.format), Ok(Format::Png));
+        assert_eq!(output("b.exr").map(|o| o.format), Ok(Format::Exr));
+        assert!(
+            ["a.jpg", "png", "a"]
+                .iter()
+                .all(|name| output(name).is_err())
+        );
+        assert_eq!(exposure("-1.5"), Ok(-1.5));
+        assert!(
+            ["NaN", "inf", "x", ""]
+                .iter()
+                .all(|text| exposure(text).is_err())
+        );
+    }
+}
