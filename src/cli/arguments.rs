@@ -7,7 +7,8 @@ use clap::{CommandFactory, Parser, Subcommand};
 
 use super::exit::Failure;
 use super::values::{self, Output, Preset, SamplePath, choice};
-use crate::render::{Selector, Target};
+use crate::gpu::Selector;
+use crate::render::Target;
 use crate::settings::{
     Absorption, Connect, DistributionRule, Fresnel, LobeChoice, Normals, Roulette, Settings,
 };

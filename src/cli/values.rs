@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::image::Format;
-use crate::render::{Selector, Target};
+use crate::render::Target;
 use crate::report::names::Named;
 use crate::scene::LARGEST_SIDE;
 use crate::settings::{Distribution, DistributionRule, Roulette};
@@ -111,10 +111,7 @@ pub fn device(text: &str) -> Result<Target, std::convert::Infallible> {
     Ok(match text {
         "cpu-f32" => Target::CpuF32,
         "cpu-f64" => Target::CpuF64,
-        _ => match text.parse() {
-            Ok(index) => Target::Vulkan(Selector::Index(index)),
-            Err(_) => Target::Vulkan(Selector::Name(text.to_owned())),
-        },
+        _ => Target::Vulkan(text.into()),
     })
 }
 
@@ -148,6 +145,7 @@ fn numbers<const N: usize>(text: &str, separator: char) -> Option<[u32; N]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gpu::Selector;
 
     #[test]
     fn sizes_and_crops() {

@@ -3,6 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use crate::film::Film;
+use crate::gpu::{GpuError, Selector};
 use crate::prepared::Prepared;
 use crate::settings::Settings;
 
@@ -12,15 +13,6 @@ pub enum Target {
     Vulkan(Selector),
     CpuF32,
     CpuF64,
-}
-
-/// Which Vulkan device.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub enum Selector {
-    #[default]
-    Best,
-    Index(usize),
-    Name(String),
 }
 
 /// What is to be rendered.
@@ -87,6 +79,8 @@ pub struct Stats {
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub enum RenderError {
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
     #[error("not yet")]
     NotYet,
 }
@@ -94,7 +88,12 @@ pub enum RenderError {
 impl RenderError {
     /// Whether there is no such device, rather than one that failed.
     pub fn is_no_device(&self) -> bool {
-        false
+        matches!(
+            self,
+            Self::Gpu(
+                GpuError::NoVulkan(_) | GpuError::NoSuchDevice { .. } | GpuError::Unusable { .. }
+            )
+        )
     }
 }
 
