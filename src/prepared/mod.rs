@@ -197,17 +197,3 @@ pub struct Light {
     pub cdf: u32,
     pub radiance: DVec3,
 }
-
-/// Why a scene cannot be prepared.
-#[derive(Debug, thiserror::Error)]
-#[error("not yet")]
-pub struct PrepareError;
-
-/// All that both renderers share, for a picture of `size` (by default the scene's own).
-pub fn prepare(
-    _scene: &crate::scene::Scene,
-    _settings: &crate::settings::Settings,
-    _size: Option<[u32; 2]>,
-) -> Result<Prepared, PrepareError> {
-    Err(PrepareError)
-}

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use crate::film::Film;
-use crate::gpu::{GpuError, Selector};
+use crate::gpu::{Device, GpuError, Selector};
 use crate::prepared::Prepared;
 use crate::settings::Settings;
 
@@ -101,10 +101,13 @@ impl RenderError {
 /// index under way in every pixel and returns what is there.
 pub fn render(
     _job: &Job,
-    _target: &Target,
+    target: &Target,
     _stop: &AtomicBool,
     _progress: &mut dyn FnMut(Progress),
 ) -> Result<Outcome, RenderError> {
+    if let Target::Vulkan(selector) = target {
+        Device::open(selector)?;
+    }
     Err(RenderError::NotYet)
 }
 

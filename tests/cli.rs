@@ -1,0 +1,7 @@
+//! The program itself: help, refusals, exit codes, and that a refusal leaves no file.
+
+mod cli {
+    mod help;
+    pub mod program;
+    mod refusals;
+}

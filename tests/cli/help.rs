@@ -1,0 +1,56 @@
+//! What the program tells about itself.
+
+use super::program::{folder, run};
+
+#[test]
+fn help_names_every_flag_and_exit_code() {
+    let folder = folder("");
+    let help = run(folder.path(), &["--help"]);
+    assert_eq!((help.code, help.err.as_str()), (Some(0), ""));
+    let flags = "-o --spp --seed --size --crop --exposure --device --model --fresnel --distribution \
+        --absorption --radiance-scaling --max-depth --lobe --normals --roulette --connect --json --quiet \
+        --strict --trace";
+    for word in flags
+        .split_whitespace()
+        .chain(["devices", "cpu-f64", "cpu-f32"])
+    {
+        assert!(help.out.contains(word), "{word} is missing");
+    }
+    for code in ["0  ", "1  ", "2  ", "3  ", "4  ", "5  ", "130  "] {
+        assert!(
+            help.out
+                .lines()
+                .any(|line| line.trim_start().starts_with(code)),
+            "{code} is missing"
+        );
+    }
+    assert!(help.out.lines().all(|line| line.chars().count() <= 100));
+    assert_eq!(run(folder.path(), &["-h"]).out, help.out);
+}
+
+#[test]
+fn the_version_is_the_packages() {
+    let version = run(folder("").path(), &["--version"]);
+    assert_eq!(
+        version.out,
+        concat!("vkpt ", env!("CARGO_PKG_VERSION"), "\n")
+    );
+}
+
+#[test]
+fn devices_always_list_the_reference_renderer() {
+    let folder = folder("");
+    let devices = run(folder.path(), &["devices"]);
+    assert_eq!(devices.code, Some(0), "{}", devices.err);
+    let first_words: Vec<_> = devices
+        .out
+        .lines()
+        .filter_map(|line| line.split_whitespace().next())
+        .collect();
+    assert!(first_words.starts_with(&["DEVICE", "0"]), "{}", devices.out);
+    assert!(
+        first_words.ends_with(&["cpu-f32", "cpu-f64"]),
+        "{}",
+        devices.out
+    );
+}
