@@ -5,5 +5,7 @@
 pub mod bsdf;
 pub mod camera;
 pub mod film;
+pub mod light;
 pub mod math;
 pub mod sampler;
+pub mod shape;

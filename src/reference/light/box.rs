@@ -1,0 +1,92 @@
+//! Axis-aligned boxes as lights; twin of `shaders/light/box.glsl`.
+
+use super::sample::{LightSample, area_density, area_sample, choice_below, solid_angle_pdf};
+use crate::prepared::NONE;
+use crate::reference::math::{Real, Vec3, vec3};
+
+/// How many faces across each axis are sampled from `p`, 0 to 2: from outside those that show their
+/// front, at most one an axis; from inside, or from a point on the box that sees none, all six.
+fn faces_seen<F: Real>(p: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>) -> Vec3<F> {
+    let seen = |p: F, lo: F, hi: F| {
+        if p < lo || hi < p {
+            F::one()
+        } else {
+            F::zero()
+        }
+    };
+    let faces = vec3(
+        seen(p.x, lo.x, hi.x),
+        seen(p.y, lo.y, hi.y),
+        seen(p.z, lo.z, hi.z),
+    );
+    if faces.is_zero() {
+        Vec3::splat(F::new(2.0))
+    } else {
+        faces
+    }
+}
+
+/// The area of one face across each axis.
+fn face_areas<F: Real>(e: Vec3<F>) -> Vec3<F> {
+    vec3(e.y * e.z, e.z * e.x, e.x * e.y)
+}
+
+/// A point uniform over the faces that `p` sees; the face is chosen by `u24` < 2²⁴.
+pub fn box_light_sample<F: Real>(
+    p: Vec3<F>,
+    lo: Vec3<F>,
+    hi: Vec3<F>,
+    u24: u32,
+    u: [F; 2],
+) -> LightSample<F> {
+    let e = hi - lo;
+    let faces = faces_seen(p, lo, hi);
+    let face = face_areas(e);
+    let area = faces * face;
+    let total = area.x + area.y + area.z;
+    let choice = choice_below(u24, total);
+    let x = choice < area.x;
+    let y = !x && choice < area.x + area.y;
+    let z = !x && !y;
+    // Of two faces across an axis the upper one has the second half of the choice.
+    let half_x = if faces.x == F::one() {
+        lo.x <= p.x
+    } else {
+        face.x <= choice
+    };
+    let half_y = if faces.y == F::one() {
+        lo.y <= p.y
+    } else {
+        face.y <= choice - area.x
+    };
+    let half_z = if faces.z == F::one() {
+        lo.z <= p.z
+    } else {
+        face.z <= choice - (area.x + area.y)
+    };
+    let unit = |on: bool| if on { F::one() } else { F::zero() };
+    let s = if x { unit(half_x) } else { u[0] };
+    let t = if y {
+        unit(half_y)
+    } else if x {
+        u[0]
+    } else {
+        u[1]
+    };
+    let r = if z { unit(half_z) } else { u[1] };
+    let point = lo + e * vec3(s, t, r);
+    area_sample(
+        point - p,
+        vec3(unit(x), unit(y), unit(z)),
+        area_density(total),
+        NONE,
+    )
+}
+
+/// Density of `box_light_sample` at a point that a path has hit `distance` away under the cosine
+/// `cosine` = |N_L·w|.
+pub fn box_light_pdf<F: Real>(p: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>, distance: F, cosine: F) -> F {
+    let area = faces_seen(p, lo, hi) * face_areas(hi - lo);
+    let total = area.x + area.y + area.z;
+    solid_angle_pdf(area_density(total), distance, cosine)
+}

@@ -1,0 +1,113 @@
+//! Capped cylinders as lights; twin of `shaders/light/cylinder.glsl`.
+
+use super::sample::{LightSample, area_density, area_sample, choice_below, solid_angle_pdf};
+use crate::prepared::NONE;
+use crate::reference::math::frame::{to_local, to_world};
+use crate::reference::math::{Real, Vec3, dot3, vec3};
+use crate::reference::shape::{Cylinder, cylinder_frame};
+
+const PI: f64 = std::f64::consts::PI;
+
+/// The areas that are sampled from a point, given in the cylinder's frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct CylinderArea<F> {
+    side: F,
+    base: F,
+    top: F,
+    /// The point sees no part from outside: it is inside, or on the surface.
+    inside: bool,
+}
+
+/// From outside the caps that show their front, and beside the cylinder the half of the side that is
+/// turned to the point; from inside everything.
+fn cylinder_area<F: Real>(p: Vec3<F>, radius: F, height: F) -> CylinderArea<F> {
+    let beside = radius < (p.x * p.x + p.y * p.y).sqrt();
+    let below = p.z < F::zero();
+    let above = height < p.z;
+    let inside = !beside && !below && !above;
+    let half = F::new(PI) * radius * height;
+    let cap = F::new(PI) * radius * radius;
+    CylinderArea {
+        side: if inside {
+            half + half
+        } else if beside {
+            half
+        } else {
+            F::zero()
+        },
+        base: if inside || below { cap } else { F::zero() },
+        top: if inside || above { cap } else { F::zero() },
+        inside,
+    }
+}
+
+/// A point uniform over the areas of `cylinder_area`; the part is chosen by `u24` < 2²⁴.
+///
+/// Beside the cylinder a point of the half that is turned away yields no sample: pdf 0.
+pub fn cylinder_light_sample<F: Real>(
+    p: Vec3<F>,
+    cylinder: &Cylinder<F>,
+    u24: u32,
+    u: [F; 2],
+) -> LightSample<F> {
+    let frame = cylinder_frame(cylinder);
+    let pl = to_local(frame, p - cylinder.base);
+    let area = cylinder_area(pl, cylinder.radius, cylinder.height);
+    let total = area.side + area.base + area.top;
+    let choice = choice_below(u24, total);
+    let on_side = choice < area.side;
+    let on_base = !on_side && choice < area.side + area.base;
+    let half = on_side && !area.inside;
+    let (sin, cos) = F::sincos_2pi(if half { u[0] * F::new(0.5) } else { u[0] });
+    // Half a turn about the direction to p, or a whole turn.
+    let rho = (pl.x * pl.x + pl.y * pl.y).sqrt();
+    let ex = if half { pl.x / rho } else { F::one() };
+    let ey = if half { pl.y / rho } else { F::zero() };
+    let x = ex * sin - ey * cos;
+    let y = ey * sin + ex * cos;
+    let r = if on_side {
+        cylinder.radius
+    } else {
+        cylinder.radius * u[1].sqrt()
+    };
+    let cap_z = if on_base { F::zero() } else { cylinder.height };
+    let z = if on_side {
+        cylinder.height * u[1]
+    } else {
+        cap_z
+    };
+    let n = if on_side {
+        vec3(x, y, F::zero())
+    } else {
+        vec3(F::zero(), F::zero(), F::one())
+    };
+    let to = vec3(x * r, y * r, z) - pl;
+    let turned_away = half && dot3(to, n) >= F::zero();
+    let density = if turned_away {
+        F::zero()
+    } else {
+        area_density(total)
+    };
+    let sample = area_sample(to, n, density, NONE);
+    LightSample {
+        wi: to_world(frame, sample.wi),
+        ..sample
+    }
+}
+
+/// Density of `cylinder_light_sample` at a point that a path has hit `distance` away under the cosine
+/// `cosine` = |N_L·w|.
+pub fn cylinder_light_pdf<F: Real>(
+    p: Vec3<F>,
+    cylinder: &Cylinder<F>,
+    distance: F,
+    cosine: F,
+) -> F {
+    let pl = to_local(cylinder_frame(cylinder), p - cylinder.base);
+    let area = cylinder_area(pl, cylinder.radius, cylinder.height);
+    solid_angle_pdf(
+        area_density(area.side + area.base + area.top),
+        distance,
+        cosine,
+    )
+}

@@ -1,0 +1,113 @@
+//! Rays, hits, surfaces, and the order among hits; twin of `shaders/shape/ray.glsl`.
+
+use crate::prepared::NONE;
+use crate::reference::math::{Real, Vec3};
+
+/// Farther than anything: the limit of a ray that has none.
+pub const FAR: f64 = 3.0e38;
+
+/// The ray does not start on a surface, or not on that of the shape in question.
+pub const START_ELSEWHERE: u32 = 0;
+/// The ray starts on the shape's surface and leaves to its outside.
+pub const START_OUTSIDE: u32 = 1;
+/// The ray starts on the shape's surface and leaves to its inside.
+pub const START_INSIDE: u32 = 2;
+
+/// The half-line o + t d, t > 0, and what it starts on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray<F> {
+    pub o: Vec3<F>,
+    /// Unit length.
+    pub d: Vec3<F>,
+    /// The shape that it starts on, or [`NONE`].
+    pub shape: u32,
+    /// The primitive that it starts on, as in [`Hit::prim`], or [`NONE`].
+    pub prim: u32,
+    /// Which side of `shape` it leaves to: [`START_ELSEWHERE`], [`START_OUTSIDE`] or [`START_INSIDE`].
+    pub start: u32,
+    /// How far the origin's rounding error reaches along the ray, where it starts on a mesh; else 0. See
+    /// [`triangle_self_distance`](super::triangle_self_distance).
+    pub t_self: F,
+}
+
+impl<F: Real> Ray<F> {
+    /// A ray that starts on no surface.
+    pub fn new(o: Vec3<F>, d: Vec3<F>) -> Self {
+        Self {
+            o,
+            d,
+            shape: NONE,
+            prim: NONE,
+            start: START_ELSEWHERE,
+            t_self: F::zero(),
+        }
+    }
+}
+
+/// What a shadow ray leads to and must not be stopped by: a solid, or one triangle of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Target {
+    pub shape: u32,
+    /// The triangle, or [`NONE`] for a solid.
+    pub prim: u32,
+}
+
+impl Target {
+    /// Nothing is skipped.
+    pub fn none() -> Self {
+        Self {
+            shape: NONE,
+            prim: NONE,
+        }
+    }
+}
+
+/// Where a ray meets a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit<F> {
+    /// Distance; the limit of the search where nothing is hit.
+    pub t: F,
+    /// [`NONE`]: nothing is hit.
+    pub shape: u32,
+    /// Triangle (index among all), face of a box, part of a cylinder, 0 for a sphere.
+    pub prim: u32,
+    /// Weights of a triangle's second and third corner.
+    pub uv: [F; 2],
+}
+
+/// A point of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface<F> {
+    /// On the surface as exactly as `F` allows.
+    pub p: Vec3<F>,
+    /// Outward geometric normal, unit length.
+    pub ng: Vec3<F>,
+    /// Shading normal on the side of `ng`, unit length.
+    pub ns: Vec3<F>,
+}
+
+/// Nothing is hit before `t_max`.
+pub fn no_hit<F: Real>(t_max: F) -> Hit<F> {
+    Hit {
+        t: t_max,
+        shape: NONE,
+        prim: NONE,
+        uv: [F::zero(); 2],
+    }
+}
+
+/// Whether a hit comes before `best`: the least (t, shape, prim), in lexicographic order (model page,
+/// section 13). Where nothing was hit yet it must come before the limit, `best.t`, itself.
+pub fn closer<F: Real>(t: F, shape: u32, prim: u32, best: Hit<F>) -> bool {
+    let before = shape < best.shape || (shape == best.shape && prim < best.prim);
+    t < best.t || (t == best.t && best.shape != NONE && before)
+}
+
+/// How the ray starts as `shape` sees it.
+pub fn start_on<F: Real>(ray: Ray<F>, shape: u32) -> u32 {
+    if shape == ray.shape {
+        ray.start
+    } else {
+        START_ELSEWHERE
+    }
+}

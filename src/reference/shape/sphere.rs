@@ -1,0 +1,78 @@
+//! Spheres; twin of `shaders/shape/sphere.glsl`.
+
+use super::ray::{Hit, Ray, START_ELSEWHERE, START_INSIDE, Surface};
+use crate::prepared;
+use crate::reference::math::{Real, Vec3, dot3, length3, max2};
+
+/// The ball { p : |p − centre| ≤ radius }.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere<F> {
+    pub centre: Vec3<F>,
+    pub radius: F,
+    pub shape: u32,
+}
+
+impl<F: Real> Sphere<F> {
+    pub fn new(s: &prepared::Sphere) -> Self {
+        Self {
+            centre: Vec3::new(s.centre),
+            radius: F::new(s.radius),
+            shape: s.shape,
+        }
+    }
+}
+
+/// Distance to the sphere's surface along the unit vector `d`, or −1.
+///
+/// `start` is the ray's relation to this very sphere. To its outside: never. To its inside: |oc| = r makes
+/// the roots 0 and −2 oc·d, and the second is the way out, at least 0. From elsewhere: the least t > 0.
+/// Haines, Günther, Akenine-Möller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems
+/// (2019), chapter 7: the discriminant from the ray's distance to the centre, r² − |oc − (oc·d)d|², and
+/// the smaller root as c/q.
+pub fn sphere_hit<F: Real>(o: Vec3<F>, d: Vec3<F>, centre: Vec3<F>, radius: F, start: u32) -> F {
+    let none = -F::one();
+    let oc = o - centre;
+    let b = -dot3(oc, d);
+    let l = oc + d * b;
+    let disc = radius * radius - dot3(l, l);
+    let root = max2(disc, F::zero()).sqrt();
+    let q = if b < F::zero() { b - root } else { b + root };
+    let distance = length3(oc);
+    // t₀ t₁ = c = |oc|² − r², without the cancellation.
+    let c = (distance - radius) * (distance + radius);
+    let other = if q == F::zero() { F::zero() } else { c / q };
+    let near = if b < F::zero() { q } else { other };
+    let far = if b < F::zero() { other } else { q };
+    let ahead = if near > F::zero() { near } else { far };
+    let elsewhere = if disc >= F::zero() && ahead > F::zero() {
+        ahead
+    } else {
+        none
+    };
+    let inside = max2(b + b, F::zero());
+    if start == START_ELSEWHERE {
+        elsewhere
+    } else if start == START_INSIDE {
+        inside
+    } else {
+        none
+    }
+}
+
+/// The point that was hit, moved along the radius onto the sphere.
+pub fn sphere_surface<F: Real>(ray: Ray<F>, hit: Hit<F>, sphere: &Sphere<F>) -> Surface<F> {
+    let v = ray.o - sphere.centre + ray.d * hit.t;
+    let length = length3(v);
+    // Where the radius is below the resolution of the coordinates, the side that faces the ray will do.
+    let lost = length == F::zero();
+    let n = if lost {
+        -ray.d
+    } else {
+        v / if lost { F::one() } else { length }
+    };
+    Surface {
+        p: sphere.centre + n * sphere.radius,
+        ng: n,
+        ns: n,
+    }
+}
