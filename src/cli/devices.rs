@@ -13,8 +13,12 @@ pub fn devices() -> Result<Ending, Failure> {
     };
     // A reader that has gone away is no reason to fail.
     let _ = write!(std::io::stdout(), "{}", table(&rows(&vulkan)));
+    let usable = vulkan.iter().any(|device| device.unusable.is_none());
     match failure {
-        None => Ok(Ending::Complete),
+        None if usable => Ok(Ending::Complete),
+        None => Err(Failure::NoDevice(
+            "none of these Vulkan devices can be used".to_owned(),
+        )),
         Some(error @ GpuError::NoVulkan(_)) => Err(Failure::NoDevice(error.to_string())),
         Some(error) => Err(Failure::Render(error.into())),
     }

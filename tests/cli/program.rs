@@ -56,3 +56,12 @@ pub fn names(folder: &Path) -> Vec<String> {
     names.sort();
     names
 }
+
+/// Whether the run goes without a Vulkan device; says that the test is skipped.
+pub fn without_vulkan() -> bool {
+    let without = std::env::var_os("VKPT_TEST_NO_GPU").is_some_and(|v| v == "1");
+    if without {
+        println!("skipped: VKPT_TEST_NO_GPU=1");
+    }
+    without
+}

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use super::program::{SCENE, command, folder, names, run};
+use super::program::{SCENE, command, folder, names, run, without_vulkan};
 
 /// Runs with a scene and expects the code, a message that holds `said`, and an untouched folder.
 fn refused(scene: &str, arguments: &[&str], code: i32, said: &str) {
@@ -101,6 +101,9 @@ fn a_scene_with_errors_leaves_older_pictures_alone() {
 
 #[test]
 fn no_such_device_is_4() {
+    if without_vulkan() {
+        return;
+    }
     for device in ["99", "no such device"] {
         refused(SCENE, &["scene.scn", "--device", device], 4, device);
     }
