@@ -3,5 +3,6 @@
 mod cli {
     mod help;
     pub mod program;
+    mod readme;
     mod refusals;
 }
