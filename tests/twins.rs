@@ -18,6 +18,8 @@ mod film;
 mod light;
 #[path = "twins/math.rs"]
 mod math;
+#[path = "twins/platform.rs"]
+mod platform;
 #[path = "twins/sampler.rs"]
 mod sampler;
 #[path = "twins/shape.rs"]
@@ -54,6 +56,11 @@ fn light_functions() {
 #[test]
 fn math_functions() {
     check(&math::twins());
+}
+
+#[test]
+fn platform_arithmetic() {
+    check(&platform::twins());
 }
 
 #[test]
