@@ -3,5 +3,6 @@
 //! Section 11 of the model page numbers the checks. Statistical ones have fixed seeds, state their
 //! significance over the whole family of a test (Šidák), and each comparator is shown to fail on a planted error.
 
+mod extremes;
 mod golden;
 mod support;

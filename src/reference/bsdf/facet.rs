@@ -19,7 +19,7 @@ pub struct Facet<F> {
     /// Reflectance.
     pub f: Vec3<F>,
     /// Probability that it reflects, once it is drawn.
-    pub reflect: F,
+    pub p_reflect: F,
     /// Density with which it is drawn.
     pub pm: F,
     /// D(m) G1(wo) G1(wi)/wo.z
@@ -40,7 +40,7 @@ pub fn facet<F: Real>(
         c,
         ci: dot3(wi, m),
         f,
-        reflect: reflect_probability(settings, at, c, mean3(f)),
+        p_reflect: reflect_probability(settings, at, c, mean3(f)),
         pm: normals_pdf(settings, at, m),
         dg: distribution_d(&at.material, m) * g / at.wo.z,
     }

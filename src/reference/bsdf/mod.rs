@@ -11,7 +11,7 @@
 //! | [`fresnel`] | Schlick and exact (4) |
 //! | [`normals`] | which micro-normals are drawn, and their density (5.2, 5.3) |
 //! | [`choice`] | which lobe is drawn (5.1) |
-//! | [`snell`], [`facet`], [`reflection`], [`transmission`], [`diffuse`] | one lobe's value and density (5.4 to 6) |
+//! | [`snell`], [`facet`], [`reflection`], [`refraction`], [`transmission`], [`diffuse`] | one lobe's value and density (5.4 to 6) |
 //! | [`scaling`] | radiance or flux (7) |
 //! | [`kind`] | lobes put together, one file a kind of material (5, 6, 8) |
 
@@ -25,6 +25,7 @@ pub mod kind;
 pub mod material;
 pub mod normals;
 pub mod reflection;
+pub mod refraction;
 pub mod sample;
 pub mod scaling;
 pub mod snell;

@@ -17,7 +17,7 @@ pub struct BsdfSample<F> {
     pub wi: Vec3<F>,
     /// value·|N·wi| / density, per channel.
     pub weight: Vec3<F>,
-    /// Density of `wi` per solid angle, over all lobes; of a delta lobe the probability that it was chosen.
+    /// Density of `wi` per solid angle, over all lobes; without meaning for a delta lobe.
     pub pdf: F,
     /// `LOBE_…`, with [`LOBE_DELTA`] or without.
     pub lobe: u32,
@@ -48,6 +48,11 @@ pub fn no_value<F: Real>() -> BsdfValue<F> {
         value: Vec3::zero(),
         pdf: F::zero(),
     }
+}
+
+/// `value`, or nothing.
+pub fn value_if<F: Real>(valid: bool, value: BsdfValue<F>) -> BsdfValue<F> {
+    if valid { value } else { no_value() }
 }
 
 /// The sample `wi`, unless it is invalid or its density is not positive.

@@ -1,7 +1,7 @@
-//! Snell's law about a micro-normal; twin of `shaders/bsdf/snell.glsl`.
+//! Snell's law about a micro-normal, and total reflection; twin of `shaders/bsdf/snell.glsl`.
 
 use super::interaction::Interaction;
-use crate::reference::math::Real;
+use crate::reference::math::{Real, Vec3};
 
 /// r = 1 − eta² (1 − c²) = (wi·m)² of the refracted direction, c = wo·m; not positive: total reflection.
 ///
@@ -15,4 +15,14 @@ pub fn snell_radicand<F: Real>(at: &Interaction<F>, c: F) -> F {
 /// Whether light that meets a micro-normal at cosine `c` is totally reflected.
 pub fn total_reflection<F: Real>(at: &Interaction<F>, c: F) -> bool {
     snell_radicand(at, c) <= F::zero()
+}
+
+/// What an interface reflects: F, or at total reflection, where F = 1, the A(t) that absorption by `term` puts in
+/// the place of E_r.
+pub fn reflected_share<F: Real>(at: &Interaction<F>, c: F, f: Vec3<F>) -> Vec3<F> {
+    if total_reflection(at, c) {
+        at.attenuation
+    } else {
+        f
+    }
 }

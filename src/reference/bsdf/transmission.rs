@@ -1,27 +1,12 @@
-//! The refracted lobe E_t; twin of `shaders/bsdf/transmission.glsl`.
+//! The refracted lobe E_t; twin of `shaders/bsdf/transmission.glsl`. Equation numbers are those of Walter et al. 2007.
 
 use super::facet::Facet;
 use super::interaction::Interaction;
-use super::sample::{BsdfValue, no_value};
+use super::refraction::{bend, refracted_cosine};
+use super::sample::{BsdfValue, value_if};
 use super::scaling::transmission_scale;
-use super::snell::snell_radicand;
-use crate::reference::math::{Real, Vec3, max2, normalize3};
+use crate::reference::math::{Real, Vec3, normalize3};
 use crate::settings::Settings;
-
-/// √r = |wi·m| of the direction refracted at cosine `c` = wo·m; 0 at total reflection.
-pub fn refracted_cosine<F: Real>(at: &Interaction<F>, c: F) -> F {
-    max2(snell_radicand(at, c), F::zero()).sqrt()
-}
-
-/// wi·m + eta c = eta c − √r, without cancellation: −(1 − eta²)/(eta c + √r).
-pub fn bend<F: Real>(at: &Interaction<F>, c: F) -> F {
-    -at.one_minus_eta2 / (at.eta * c + refracted_cosine(at, c))
-}
-
-/// wi = (eta c − √r)m − eta wo (Walter et al. 2007, eq. 40), normalized; `c` = wo·m and r > 0.
-pub fn refract_about<F: Real>(at: &Interaction<F>, m: Vec3<F>, c: F) -> Vec3<F> {
-    normalize3(m * bend(at, c) - at.wo * at.eta)
-}
 
 /// m = ±normalize(eta wo + wi) with mz > 0 (eq. 16; the sign so that ior < 1 is right too).
 pub fn transmission_half_vector<F: Real>(at: &Interaction<F>, wi: Vec3<F>) -> Vec3<F> {
@@ -49,13 +34,11 @@ pub fn transmission_lobe<F: Real>(
     x: Facet<F>,
 ) -> BsdfValue<F> {
     let jacobian = transmission_jacobian(at, x.c);
-    let lobe = BsdfValue {
-        value: transmitted(settings, at, x) * jacobian,
-        pdf: x.pm * (F::one() - x.reflect) * jacobian,
-    };
-    if x.c > F::zero() && x.ci < F::zero() && wi.z < F::zero() {
-        lobe
-    } else {
-        no_value()
-    }
+    let value = transmitted(settings, at, x) * jacobian;
+    let pdf = x.pm * (F::one() - x.p_reflect) * jacobian;
+    let zero = F::zero();
+    value_if(
+        x.c > zero && x.ci < zero && wi.z < zero,
+        BsdfValue { value, pdf },
+    )
 }

@@ -1,7 +1,7 @@
 //! The diffuse lobe; twin of `shaders/bsdf/diffuse/lambert.glsl`.
 
 use crate::reference::bsdf::interaction::Interaction;
-use crate::reference::bsdf::sample::{BsdfValue, no_value};
+use crate::reference::bsdf::sample::{BsdfValue, value_if};
 use crate::reference::math::{Real, Vec3, vec3};
 
 /// A direction about N' with density cos θ/π: a disc's point lifted to the hemisphere, sin² θ = u.
@@ -18,9 +18,6 @@ pub fn cosine_lobe<F: Real>(u: [F; 2]) -> Vec3<F> {
 /// value·|N·wi| = Kd/π wi.z, density wi.z/π; nothing on the far side.
 pub fn lambert_lobe<F: Real>(at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
     let pdf = wi.z * F::new(std::f64::consts::FRAC_1_PI);
-    let lobe = BsdfValue {
-        value: at.material.kd * pdf,
-        pdf,
-    };
-    if wi.z > F::zero() { lobe } else { no_value() }
+    let value = at.material.kd * pdf;
+    value_if(wi.z > F::zero(), BsdfValue { value, pdf })
 }

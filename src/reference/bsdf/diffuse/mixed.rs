@@ -1,7 +1,7 @@
 //! The diffuse lobe beside others; twin of `shaders/bsdf/diffuse/mixed.glsl`. A kernel whose scene has no such
 //! material fills the slot `<diffuse>` with `shaders/bsdf/diffuse/absent.glsl`, which is this with Kd = 0.
 
-use super::lambert::lambert_lobe;
+use super::lambert::{cosine_lobe, lambert_lobe};
 use crate::reference::bsdf::choice::diffuse_probability;
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::bsdf::sample::BsdfValue;
@@ -11,6 +11,11 @@ use crate::settings::Settings;
 /// Whether the uniform number `u` chooses the diffuse lobe.
 pub fn diffuse_chosen<F: Real>(settings: &Settings, at: &Interaction<F>, u: F) -> bool {
     u < diffuse_probability(settings, at)
+}
+
+/// A direction of the diffuse lobe.
+pub fn diffuse_direction<F: Real>(u: [F; 2]) -> Vec3<F> {
+    cosine_lobe(u)
 }
 
 /// Probability p_m of the lobes that have a micro-normal.

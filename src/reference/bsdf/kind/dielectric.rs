@@ -1,19 +1,17 @@
 //! A rough interface between two media, and Kd on wo's side; twin of `shaders/bsdf/kind/dielectric.glsl`.
 
 use crate::reference::bsdf::choice::reflect_probability;
-use crate::reference::bsdf::diffuse::lambert::cosine_lobe;
-use crate::reference::bsdf::diffuse::mixed::{diffuse_chosen, with_diffuse};
+use crate::reference::bsdf::diffuse::mixed::{diffuse_chosen, diffuse_direction, with_diffuse};
 use crate::reference::bsdf::facet::facet;
 use crate::reference::bsdf::fresnel::fresnel;
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::bsdf::normals::normals_sample;
 use crate::reference::bsdf::reflection::{reflect_about, reflection_half_vector, reflection_lobe};
+use crate::reference::bsdf::refraction::refract_about;
 use crate::reference::bsdf::sample::{
     BsdfSample, BsdfValue, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION, sample_or_none,
 };
-use crate::reference::bsdf::transmission::{
-    refract_about, transmission_half_vector, transmission_lobe,
-};
+use crate::reference::bsdf::transmission::{transmission_half_vector, transmission_lobe};
 use crate::reference::math::{Real, Vec3, dot3, mean3};
 use crate::settings::Settings;
 
@@ -51,7 +49,11 @@ pub fn dielectric_sample<F: Real>(
     } else {
         refract_about(at, drawn, c)
     };
-    let wi = if diffuse { cosine_lobe(u_d) } else { leaving };
+    let wi = if diffuse {
+        diffuse_direction(u_d)
+    } else {
+        leaving
+    };
     let m = if diffuse {
         reflection_half_vector(at.wo, wi)
     } else {

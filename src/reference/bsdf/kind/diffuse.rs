@@ -4,12 +4,24 @@ use crate::reference::bsdf::diffuse::lambert::{cosine_lobe, lambert_lobe};
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::bsdf::sample::{BsdfSample, BsdfValue, LOBE_DIFFUSE, sample_or_none};
 use crate::reference::math::{Real, Vec3};
+use crate::settings::Settings;
 
-pub fn diffuse_sample<F: Real>(at: &Interaction<F>, u_d: [F; 2]) -> BsdfSample<F> {
+pub fn diffuse_sample<F: Real>(
+    _settings: &Settings,
+    at: &Interaction<F>,
+    _u_lobe: F,
+    _u_reflect: F,
+    _u_m: [F; 2],
+    u_d: [F; 2],
+) -> BsdfSample<F> {
     let wi = cosine_lobe(u_d);
     sample_or_none(true, wi, lambert_lobe(at, wi), LOBE_DIFFUSE)
 }
 
-pub fn diffuse_eval<F: Real>(at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
+pub fn diffuse_eval<F: Real>(
+    _settings: &Settings,
+    at: &Interaction<F>,
+    wi: Vec3<F>,
+) -> BsdfValue<F> {
     lambert_lobe(at, wi)
 }

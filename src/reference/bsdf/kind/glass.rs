@@ -1,17 +1,18 @@
 //! A smooth interface between two media, and Kd on wo's side; twin of `shaders/bsdf/kind/glass.glsl`.
 
 use crate::reference::bsdf::choice::reflect_probability;
-use crate::reference::bsdf::diffuse::lambert::cosine_lobe;
-use crate::reference::bsdf::diffuse::mixed::{diffuse_chosen, facet_probability, with_diffuse};
+use crate::reference::bsdf::diffuse::mixed::{
+    diffuse_chosen, diffuse_direction, facet_probability, with_diffuse,
+};
 use crate::reference::bsdf::fresnel::fresnel;
 use crate::reference::bsdf::interaction::Interaction;
-use crate::reference::bsdf::reflection::reflected_share;
+use crate::reference::bsdf::refraction::refract_about;
 use crate::reference::bsdf::sample::{
     BsdfSample, BsdfValue, LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION, no_value,
     sample_or_none,
 };
 use crate::reference::bsdf::scaling::transmission_scale;
-use crate::reference::bsdf::transmission::refract_about;
+use crate::reference::bsdf::snell::reflected_share;
 use crate::reference::math::{Real, Vec3, mean3, vec3};
 use crate::settings::Settings;
 
@@ -50,10 +51,11 @@ pub fn glass_sample<F: Real>(
     at: &Interaction<F>,
     u_lobe: F,
     u_reflect: F,
+    _u_m: [F; 2],
     u_d: [F; 2],
 ) -> BsdfSample<F> {
     if diffuse_chosen(settings, at, u_lobe) {
-        let wi = cosine_lobe(u_d);
+        let wi = diffuse_direction(u_d);
         sample_or_none(true, wi, glass_eval(settings, at, wi), LOBE_DIFFUSE)
     } else {
         glass_delta(settings, at, u_reflect)

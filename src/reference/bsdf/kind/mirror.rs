@@ -1,7 +1,8 @@
 //! Opaque: a perfect mirror, and Kd; twin of `shaders/bsdf/kind/mirror.glsl`.
 
-use crate::reference::bsdf::diffuse::lambert::cosine_lobe;
-use crate::reference::bsdf::diffuse::mixed::{diffuse_chosen, facet_probability, with_diffuse};
+use crate::reference::bsdf::diffuse::mixed::{
+    diffuse_chosen, diffuse_direction, facet_probability, with_diffuse,
+};
 use crate::reference::bsdf::fresnel::fresnel;
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::bsdf::sample::{
@@ -14,11 +15,13 @@ pub fn mirror_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
     u_lobe: F,
+    _u_reflect: F,
+    _u_m: [F; 2],
     u_d: [F; 2],
 ) -> BsdfSample<F> {
     let diffuse = diffuse_chosen(settings, at, u_lobe);
     let wi = if diffuse {
-        cosine_lobe(u_d)
+        diffuse_direction(u_d)
     } else {
         vec3(-at.wo.x, -at.wo.y, at.wo.z)
     };

@@ -1,4 +1,5 @@
-//! Kinds of material, each from its lobes; the kernels' slot `<bsdf>`.
+//! Kinds of material, each from its lobes; the kernels' slot `<bsdf>`. All kinds' functions take the same
+//! arguments.
 //!
 //! A kind's `_at` function takes the micro-normal: sampling hands it the one that was drawn, evaluation the
 //! half vector, which has lost digits where the surface is smooth.
@@ -28,13 +29,13 @@ pub fn bsdf_sample<F: Real>(
 ) -> BsdfSample<F> {
     match at.material.kind {
         MaterialKind::Black | MaterialKind::Nothing => no_sample(),
-        MaterialKind::Diffuse => diffuse::diffuse_sample(at, u_d),
-        MaterialKind::Opaque => opaque::opaque_sample(settings, at, u_lobe, u_m, u_d),
-        MaterialKind::Mirror => mirror::mirror_sample(settings, at, u_lobe, u_d),
+        MaterialKind::Diffuse => diffuse::diffuse_sample(settings, at, u_lobe, u_reflect, u_m, u_d),
+        MaterialKind::Opaque => opaque::opaque_sample(settings, at, u_lobe, u_reflect, u_m, u_d),
+        MaterialKind::Mirror => mirror::mirror_sample(settings, at, u_lobe, u_reflect, u_m, u_d),
         MaterialKind::Dielectric => {
             dielectric::dielectric_sample(settings, at, u_lobe, u_reflect, u_m, u_d)
         }
-        MaterialKind::Glass => glass::glass_sample(settings, at, u_lobe, u_reflect, u_d),
+        MaterialKind::Glass => glass::glass_sample(settings, at, u_lobe, u_reflect, u_m, u_d),
         MaterialKind::Weak => weak::weak_sample(settings, at, u_lobe, u_reflect, u_m, u_d),
     }
 }
@@ -43,7 +44,7 @@ pub fn bsdf_sample<F: Real>(
 pub fn bsdf_eval<F: Real>(settings: &Settings, at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
     match at.material.kind {
         MaterialKind::Black | MaterialKind::Nothing => no_value(),
-        MaterialKind::Diffuse => diffuse::diffuse_eval(at, wi),
+        MaterialKind::Diffuse => diffuse::diffuse_eval(settings, at, wi),
         MaterialKind::Opaque => opaque::opaque_eval(settings, at, wi),
         MaterialKind::Mirror => mirror::mirror_eval(settings, at, wi),
         MaterialKind::Dielectric => dielectric::dielectric_eval(settings, at, wi),

@@ -1,7 +1,6 @@
 //! Opaque: a rough reflection, and Kd; twin of `shaders/bsdf/kind/opaque.glsl`.
 
-use crate::reference::bsdf::diffuse::lambert::cosine_lobe;
-use crate::reference::bsdf::diffuse::mixed::{diffuse_chosen, with_diffuse};
+use crate::reference::bsdf::diffuse::mixed::{diffuse_chosen, diffuse_direction, with_diffuse};
 use crate::reference::bsdf::facet::facet;
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::bsdf::normals::normals_sample;
@@ -27,6 +26,7 @@ pub fn opaque_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
     u_lobe: F,
+    _u_reflect: F,
     u_m: [F; 2],
     u_d: [F; 2],
 ) -> BsdfSample<F> {
@@ -34,7 +34,7 @@ pub fn opaque_sample<F: Real>(
     let drawn = normals_sample(settings, at, u_m);
     let c = dot3(at.wo, drawn);
     let wi = if diffuse {
-        cosine_lobe(u_d)
+        diffuse_direction(u_d)
     } else {
         reflect_about(at.wo, drawn, c)
     };

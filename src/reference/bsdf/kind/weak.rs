@@ -5,18 +5,20 @@
 //! to lights. Reflection is the rough one, with a density.
 
 use crate::reference::bsdf::choice::reflect_probability;
-use crate::reference::bsdf::diffuse::lambert::cosine_lobe;
-use crate::reference::bsdf::diffuse::mixed::{diffuse_chosen, facet_probability, with_diffuse};
+use crate::reference::bsdf::diffuse::mixed::{
+    diffuse_chosen, diffuse_direction, facet_probability, with_diffuse,
+};
 use crate::reference::bsdf::facet::facet;
 use crate::reference::bsdf::fresnel::fresnel;
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::bsdf::normals::normals_sample;
 use crate::reference::bsdf::reflection::{reflect_about, reflection_half_vector, reflection_lobe};
+use crate::reference::bsdf::refraction::refract_about;
 use crate::reference::bsdf::sample::{
     BsdfSample, BsdfValue, LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION,
     sample_or_none,
 };
-use crate::reference::bsdf::transmission::{refract_about, transmitted};
+use crate::reference::bsdf::transmission::transmitted;
 use crate::reference::math::{Real, Vec3, dot3, mean3};
 use crate::settings::Settings;
 
@@ -42,7 +44,7 @@ pub fn weak_transmission<F: Real>(
     let p_m = facet_probability(settings, at);
     let value = BsdfValue {
         value: transmitted(settings, at, x),
-        pdf: p_m * x.pm * (F::one() - x.reflect),
+        pdf: p_m * x.pm * (F::one() - x.p_reflect),
     };
     let valid = x.c > F::zero() && wi.z < F::zero();
     sample_or_none(valid, wi, value, LOBE_TRANSMISSION | LOBE_DELTA)
@@ -63,7 +65,11 @@ pub fn weak_sample<F: Real>(
     let reflects = u_reflect < reflect_probability(settings, at, c, f_mean);
     if diffuse || reflects {
         let mirrored = reflect_about(at.wo, drawn, c);
-        let wi = if diffuse { cosine_lobe(u_d) } else { mirrored };
+        let wi = if diffuse {
+            diffuse_direction(u_d)
+        } else {
+            mirrored
+        };
         let half = reflection_half_vector(at.wo, wi);
         let m = if diffuse { half } else { drawn };
         let valid = (diffuse || c > F::zero()) && wi.z > F::zero();

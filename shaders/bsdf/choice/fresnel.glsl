@@ -1,0 +1,23 @@
+// Choice of lobe by Fresnel's share.
+// Twin of src/reference/bsdf/choice/fresnel.rs. Fills the slot <choice>.
+
+// uses: math/vec, bsdf/interaction, <fresnel>
+
+// prepared::MaterialKind; the kinds from here on transmit.
+const uint KIND_DIELECTRIC = 4u;
+
+// p_d = kd/(kd + 1) of a transmissive material, kd the mean of Kd, where reflection and refraction share the 1.
+// Opaque: kd/(kd + S), S the mean of F(wo.N), kept within [0.1, 0.9] where both lobes exist.
+float diffuse_probability(Interaction at) {
+    float kd = at.material.kd_mean;
+    bool opaque = at.material.kind < KIND_DIELECTRIC;
+    float specular = opaque ? mean3(fresnel(at, at.wo.z)) : 1.0;
+    float share = kd / (kd + specular);
+    float kept = min2(max2(share, 0.1), 0.9);
+    return kd > 0.0 ? (opaque ? kept : share) : 0.0;
+}
+
+// R = the mean of F(c); 1 for opaque materials.
+float reflect_probability(Interaction at, float c, float f_mean) {
+    return at.material.kind < KIND_DIELECTRIC ? 1.0 : f_mean;
+}

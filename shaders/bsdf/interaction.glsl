@@ -1,0 +1,30 @@
+// A surface seen from one direction.
+// Twin of src/reference/bsdf/interaction.rs.
+
+// uses:
+
+struct Interaction {
+    Material material;
+    // To the path's previous vertex, of unit length, in the frame of N': wo.z > 0.
+    vec3 wo;
+    // n_o / n_i
+    float eta;
+    // 1 - eta^2, rounded from f64: an eta near 1 has lost it.
+    float one_minus_eta2;
+    // (n_i / n_o)^2 - 1, rounded from f64.
+    float d;
+    // A(t) of the stretch that led here inside the medium, with absorption by `term`; 1 otherwise.
+    vec3 attenuation;
+};
+
+// `material` seen from `wo`, which is on the outer side if `outside`.
+Interaction interaction(Material material, bool outside, vec3 wo, vec3 attenuation) {
+    Interaction at;
+    at.material = material;
+    at.wo = wo;
+    at.eta = outside ? material.eta.x : material.eta.y;
+    at.one_minus_eta2 = outside ? material.one_minus_eta2.x : material.one_minus_eta2.y;
+    at.d = outside ? material.d.x : material.d.y;
+    at.attenuation = attenuation;
+    return at;
+}

@@ -1,0 +1,37 @@
+// A rough interface between two media, and Kd on wo's side.
+// Twin of src/reference/bsdf/kind/dielectric.rs.
+
+// uses: math/vec, bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection, bsdf/refraction, bsdf/transmission
+// uses: <fresnel>, <choice>, <normals>, <diffuse>
+
+// Value and density of wi whose micro-normal is m.
+BsdfValue dielectric_at(Interaction at, vec3 wi, vec3 m) {
+    Facet x = facet(at, wi, m);
+    BsdfValue r = reflection_lobe(at, wi, x);
+    BsdfValue t = transmission_lobe(at, wi, x);
+    bool same_side = wi.z > 0.0;
+    vec3 value = same_side ? r.value : t.value;
+    float pdf = same_side ? r.pdf : t.pdf;
+    return with_diffuse(at, wi, BsdfValue(value, pdf));
+}
+
+BsdfSample dielectric_sample(Interaction at, float u_lobe, float u_reflect, vec2 u_m, vec2 u_d) {
+    bool diffuse = diffuse_chosen(at, u_lobe);
+    vec3 drawn = normals_sample(at, u_m);
+    float c = dot3(at.wo, drawn);
+    float f_mean = mean3(fresnel(at, c));
+    bool reflects = u_reflect < reflect_probability(at, c, f_mean);
+    vec3 leaving = reflects ? reflect_about(at.wo, drawn, c) : refract_about(at, drawn, c);
+    vec3 wi = diffuse ? diffuse_direction(u_d) : leaving;
+    vec3 m = diffuse ? reflection_half_vector(at.wo, wi) : drawn;
+    bool right_side = reflects ? wi.z > 0.0 : wi.z < 0.0;
+    bool valid = diffuse || (c > 0.0 && right_side);
+    uint lobe = reflects ? LOBE_REFLECTION : LOBE_TRANSMISSION;
+    return sample_or_none(valid, wi, dielectric_at(at, wi, m), diffuse ? LOBE_DIFFUSE : lobe);
+}
+
+BsdfValue dielectric_eval(Interaction at, vec3 wi) {
+    bool same_side = wi.z > 0.0;
+    vec3 m = same_side ? reflection_half_vector(at.wo, wi) : transmission_half_vector(at, wi);
+    return dielectric_at(at, wi, m);
+}

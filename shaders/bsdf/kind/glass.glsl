@@ -1,0 +1,38 @@
+// A smooth interface between two media, and Kd on wo's side.
+// Twin of src/reference/bsdf/kind/glass.rs.
+
+// uses: math/vec, bsdf/interaction, bsdf/sample, bsdf/snell, bsdf/refraction
+// uses: <fresnel>, <choice>, <scaling>, <diffuse>
+
+// The delta lobes: the micro-normal is N', F reflects, (1 - F) is refracted, times eta^2 for radiance, times A(t).
+BsdfSample glass_delta(Interaction at, float u_reflect) {
+    float c = at.wo.z;
+    vec3 f = fresnel(at, c);
+    float p_m = facet_probability(at);
+    float p_r = reflect_probability(at, c, mean3(f));
+    bool reflects = u_reflect < p_r;
+    vec3 reflected = reflected_share(at, c, f);
+    vec3 refracted = (vec3(1.0) - f) * at.attenuation * transmission_scale(at.eta);
+    vec3 value = reflects ? reflected : refracted;
+    float pdf = p_m * (reflects ? p_r : 1.0 - p_r);
+    vec3 wi = reflects ? vec3(-at.wo.x, -at.wo.y, c) : refract_about(at, vec3(0.0, 0.0, 1.0), c);
+    bool right_side = reflects ? wi.z > 0.0 : wi.z < 0.0;
+    uint lobe = reflects ? LOBE_REFLECTION : LOBE_TRANSMISSION;
+    return sample_or_none(c > 0.0 && right_side, wi, BsdfValue(value, pdf), lobe | LOBE_DELTA);
+}
+
+// The smooth interface has no density: Kd alone.
+BsdfValue glass_eval(Interaction at, vec3 wi) {
+    return with_diffuse(at, wi, no_value());
+}
+
+BsdfSample glass_sample(Interaction at, float u_lobe, float u_reflect, vec2 u_m, vec2 u_d) {
+    BsdfSample s;
+    if (diffuse_chosen(at, u_lobe)) {
+        vec3 wi = diffuse_direction(u_d);
+        s = sample_or_none(true, wi, glass_eval(at, wi), LOBE_DIFFUSE);
+    } else {
+        s = glass_delta(at, u_reflect);
+    }
+    return s;
+}

@@ -1,0 +1,57 @@
+// What sampling and evaluation hand back.
+// Twin of src/reference/bsdf/sample.rs.
+
+// uses:
+
+// No direction was found: the path ends.
+const uint LOBE_NONE = 0u;
+const uint LOBE_DIFFUSE = 1u;
+const uint LOBE_REFLECTION = 2u;
+const uint LOBE_TRANSMISSION = 3u;
+// Flag beside the lobe: the direction has no density, so no light connection could have found it.
+const uint LOBE_DELTA = 4u;
+
+struct BsdfSample {
+    // In the frame of N', of unit length.
+    vec3 wi;
+    // value |N.wi| / density, per channel.
+    vec3 weight;
+    // Density of wi per solid angle, over all lobes; without meaning for a delta lobe.
+    float pdf;
+    // LOBE_..., with LOBE_DELTA or without.
+    uint lobe;
+};
+
+// The parts of a BSDF that have a density, for one pair of directions.
+struct BsdfValue {
+    // value |N.wi|, per channel.
+    vec3 value;
+    // Density of sampling wi per solid angle.
+    float pdf;
+};
+
+// No direction.
+BsdfSample no_sample() {
+    return BsdfSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, LOBE_NONE);
+}
+
+// No light goes this way.
+BsdfValue no_value() {
+    return BsdfValue(vec3(0.0), 0.0);
+}
+
+// `value`, or nothing.
+BsdfValue value_if(bool valid, BsdfValue value) {
+    return BsdfValue(valid ? value.value : vec3(0.0), valid ? value.pdf : 0.0);
+}
+
+// The sample wi, unless it is invalid or its density is not positive (nor a NaN).
+BsdfSample sample_or_none(bool valid, vec3 wi, BsdfValue value, uint lobe) {
+    bool found = valid && value.pdf > 0.0;
+    BsdfSample s;
+    s.wi = found ? wi : vec3(0.0, 0.0, 1.0);
+    s.weight = found ? value.value / value.pdf : vec3(0.0);
+    s.pdf = found ? value.pdf : 0.0;
+    s.lobe = found ? lobe : LOBE_NONE;
+    return s;
+}

@@ -1,0 +1,9 @@
+// A path carries radiance: L/n^2 is what refraction keeps (model page, section 7).
+// Twin of src/reference/bsdf/scaling/radiance.rs. Fills the slot <scaling>.
+
+// uses:
+
+// eta^2
+float transmission_scale(float eta) {
+    return eta * eta;
+}

@@ -1,0 +1,30 @@
+// The refracted lobe E_t. Equation numbers are those of Walter et al. 2007.
+// Twin of src/reference/bsdf/transmission.rs.
+
+// uses: math/vec, bsdf/interaction, bsdf/sample, bsdf/snell, bsdf/facet, bsdf/refraction, <scaling>
+
+// m = +-normalize(eta wo + wi) with mz > 0 (eq. 16; the sign so that ior < 1 is right too)
+vec3 transmission_half_vector(Interaction at, vec3 wi) {
+    vec3 m = normalize3(at.wo * at.eta + wi);
+    return m.z < 0.0 ? -m : m;
+}
+
+// d omega_m / d omega_i = |ci|/(ci + eta c)^2 (eq. 17), ci = wi.m
+float transmission_jacobian(Interaction at, float c) {
+    float k = bend(at, c);
+    return refracted_cosine(at, c) / (k * k);
+}
+
+// What the facet lets through, without the Jacobian: D G (1 - F) c/wo.z, times eta^2 for radiance, times A(t).
+vec3 transmitted(Interaction at, Facet x) {
+    float scale = transmission_scale(at.eta);
+    return (vec3(1.0) - x.f) * at.attenuation * (x.dg * x.c * scale);
+}
+
+// value |N.wi| = D G (1 - F) c J/wo.z (eq. 21), density pm (1 - R) J; nothing unless c > 0, ci < 0 and wi.z < 0.
+BsdfValue transmission_lobe(Interaction at, vec3 wi, Facet x) {
+    float jacobian = transmission_jacobian(at, x.c);
+    vec3 value = transmitted(at, x) * jacobian;
+    float pdf = x.pm * (1.0 - x.p_reflect) * jacobian;
+    return value_if(x.c > 0.0 && x.ci < 0.0 && wi.z < 0.0, BsdfValue(value, pdf));
+}

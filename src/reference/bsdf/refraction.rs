@@ -1,0 +1,20 @@
+//! The refracted direction; twin of `shaders/bsdf/refraction.glsl`. Equation numbers are those of Walter et al. 2007.
+
+use super::interaction::Interaction;
+use super::snell::snell_radicand;
+use crate::reference::math::{Real, Vec3, max2, normalize3};
+
+/// √r = |wi·m| of the direction refracted at cosine `c` = wo·m; 0 at total reflection.
+pub fn refracted_cosine<F: Real>(at: &Interaction<F>, c: F) -> F {
+    max2(snell_radicand(at, c), F::zero()).sqrt()
+}
+
+/// wi·m + eta c = eta c − √r, without cancellation: −(1 − eta²)/(eta c + √r).
+pub fn bend<F: Real>(at: &Interaction<F>, c: F) -> F {
+    -at.one_minus_eta2 / (at.eta * c + refracted_cosine(at, c))
+}
+
+/// wi = (eta c − √r)m − eta wo (eq. 40), normalized; `c` = wo·m and r > 0.
+pub fn refract_about<F: Real>(at: &Interaction<F>, m: Vec3<F>, c: F) -> Vec3<F> {
+    normalize3(m * bend(at, c) - at.wo * at.eta)
+}
