@@ -17,3 +17,10 @@ float bend(Interaction at, float c) {
 vec3 refract_about(Interaction at, vec3 m, float c) {
     return normalize3(m * bend(at, c) - at.wo * at.eta);
 }
+
+// The same about N' itself, whose cosine is wo.z: wi.z = -sqrt(r).
+vec3 refract_about_normal(Interaction at) {
+    float x = at.eta * at.wo.x;
+    float y = at.eta * at.wo.y;
+    return normalize3(vec3(-x, -y, -refracted_cosine(at, at.wo.z)));
+}

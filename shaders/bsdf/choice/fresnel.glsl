@@ -14,6 +14,7 @@ float diffuse_probability(Interaction at) {
     float specular = opaque ? mean3(fresnel(at, at.wo.z)) : 1.0;
     float share = kd / (kd + specular);
     float kept = min2(max2(share, 0.1), 0.9);
+    // 0/0 where S has vanished too
     return kd > 0.0 ? (opaque ? kept : share) : 0.0;
 }
 

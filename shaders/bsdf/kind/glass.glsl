@@ -15,7 +15,7 @@ BsdfSample glass_delta(Interaction at, float u_reflect) {
     vec3 refracted = (vec3(1.0) - f) * at.attenuation * transmission_scale(at.eta);
     vec3 value = reflects ? reflected : refracted;
     float pdf = p_m * (reflects ? p_r : 1.0 - p_r);
-    vec3 wi = reflects ? vec3(-at.wo.x, -at.wo.y, c) : refract_about(at, vec3(0.0, 0.0, 1.0), c);
+    vec3 wi = reflects ? vec3(-at.wo.x, -at.wo.y, c) : refract_about_normal(at);
     bool right_side = reflects ? wi.z > 0.0 : wi.z < 0.0;
     uint lobe = reflects ? LOBE_REFLECTION : LOBE_TRANSMISSION;
     return sample_or_none(c > 0.0 && right_side, wi, BsdfValue(value, pdf), lobe | LOBE_DELTA);

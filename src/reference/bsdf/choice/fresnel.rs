@@ -17,11 +17,9 @@ pub fn fresnel_diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
     };
     let share = kd / (kd + specular);
     let kept = min2(max2(share, F::new(0.1)), F::new(0.9));
-    if opaque && kd > F::zero() {
-        kept
-    } else {
-        share
-    }
+    let chosen = if opaque { kept } else { share };
+    // 0/0 where S has vanished too
+    if kd > F::zero() { chosen } else { F::zero() }
 }
 
 /// R = F̄(c); 1 for opaque materials.

@@ -6,7 +6,7 @@ use crate::reference::bsdf::diffuse::mixed::{
 };
 use crate::reference::bsdf::fresnel::fresnel;
 use crate::reference::bsdf::interaction::Interaction;
-use crate::reference::bsdf::refraction::refract_about;
+use crate::reference::bsdf::refraction::refract_about_normal;
 use crate::reference::bsdf::sample::{
     BsdfSample, BsdfValue, LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION, no_value,
     sample_or_none,
@@ -40,7 +40,7 @@ pub fn glass_delta<F: Real>(
             value: (Vec3::one() - f) * at.attenuation * scale,
             pdf: p_m * (one - p_r),
         };
-        let wi = refract_about(at, vec3(zero, zero, one), c);
+        let wi = refract_about_normal(at);
         let valid = c > zero && wi.z < zero;
         sample_or_none(valid, wi, value, LOBE_TRANSMISSION | LOBE_DELTA)
     }
