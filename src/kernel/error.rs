@@ -21,7 +21,7 @@ pub enum KernelError {
     #[error("a driver may choose the result of these, use the functions of shaders/math: {}", list(.0))]
     DriverMaths(Vec<Culprit>),
     #[error(
-        "the GLSL compiler (naga) panicked: {0}; facts of its dialect that do this: inout of a component"
+        "the GLSL compiler (naga) panicked: {0}; out or inout of a component or of a member does this"
     )]
     Panic(String),
     #[error("SPIR-V: {0}")]

@@ -1,6 +1,16 @@
 //! GLSL files → one composed text → SPIR-V; the only module that names naga.
 //!
 //! [`Composer`] picks the files that a kernel needs, [`compile`] turns them into [`Spirv`].
+//!
+//! What naga's GLSL (30.0.1) does not take, or takes otherwise than GLSL says:
+//! - a buffer block with an instance name that has an unsized array *and* other members: reading one of those fails
+//!   ("Loading of … can't be done"); give each block one member, or no instance name;
+//! - a block's instance and its member of one name;
+//! - `out` and `inout` of a component or a struct's member (a panic), `const in` and unnamed parameters;
+//! - `&&` and `||` evaluate both sides; `x != x` is false for NaN, use `isnan`;
+//! - `uint(x)` of a float clamps first: the same for 0 ≤ x < 2³² − 2⁸, the driver's choice for NaN;
+//! - `float a, b; uint x[2], y;` declares `y` as an array too: one declaration a line;
+//! - `#include`, `#line`, atomics, subgroup operations, 64-bit integers, `precise`, struct `==`, stacked `case` labels.
 
 mod audit;
 mod compile;

@@ -1,6 +1,14 @@
 //! The ground that all twins stand on: arithmetic, comparisons and conversions as IEEE 754 has them, and none of it
 //! rewritten. Each body tempts a compiler: to fuse, to reassociate, to drop a zero, to turn `!(a < b)` into `a >= b`.
 
+#![allow(
+    clippy::eq_op,
+    clippy::neg_cmp_op_on_partial_ord,
+    clippy::neg_multiply,
+    clippy::nonminimal_bool,
+    reason = "what a compiler might simplify is the point"
+)]
+
 use super::harness::{In, Out, Rng, Row, Twin};
 
 /// Zeros, denormals, ends of the range, neighbours of 1, infinities, NaN.
@@ -110,7 +118,6 @@ fn contraction() -> Twin {
 }
 
 /// What real numbers would allow, and floats do not.
-#[allow(clippy::eq_op, reason = "what a compiler might simplify is the point")]
 fn algebra() -> Twin {
     let glsl = "out_f((a + b) - a); out_f((a - b) + b); out_f((a + b) + c); out_f(a + (b + c)); out_f(a * b * c);
         out_f(a * (b * c)); out_f(a * b / b); out_f(a / b / c); out_f(a / a); out_f(a - a); out_f(a * b + a * c);
@@ -161,11 +168,6 @@ fn zeros() -> Twin {
 }
 
 /// Nothing compares with NaN; `!(a < b)` is not `a >= b`. `a != a` is left out: naga makes it false for NaN, write isnan.
-#[allow(
-    clippy::nonminimal_bool,
-    clippy::neg_cmp_op_on_partial_ord,
-    reason = "what a compiler might simplify is the point"
-)]
 fn comparisons() -> Twin {
     let glsl = "out_b(a < b); out_b(a <= b); out_b(a > b); out_b(a >= b); out_b(a == b);
         out_b(!(a < b)); out_b(!(a <= b)); out_b(!(a > 0.0)); out_b(!(a >= 0.0)); out_b(isnan(a)); out_b(isinf(a));
@@ -202,10 +204,6 @@ fn comparisons() -> Twin {
 fn choices() -> Twin {
     let glsl = "out_f(b < a ? b : a); out_f(a < b ? b : a); out_f(a > 0.0 ? a : 0.0); out_f(a < 0.0 ? -a : a);
         out_f(!(a > b) ? b : a); out_f(a < b ? a : b); out_f(a >= b ? a : b); out_f(a == 0.0 ? 0.0 : a);";
-    #[allow(
-        clippy::neg_cmp_op_on_partial_ord,
-        reason = "what a compiler might simplify is the point"
-    )]
     twin("choices", glsl, |i, o| {
         let (a, b, _) = abc(i);
         o.f(if b < a { b } else { a });
