@@ -1,5 +1,6 @@
 //! The files that a rendering leaves.
 
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::arguments::{RenderArguments, usage};
@@ -51,8 +52,12 @@ impl<'a> Outputs<'a> {
 
     /// Writes the record, if it was asked for.
     pub fn write_json(&self, record: &Record) -> Option<FileError> {
-        let write = |path| write_whole(path, |out| serde_json::to_writer_pretty(out, record)).err();
-        self.json.and_then(write)
+        let write = |out: &mut dyn Write| -> io::Result<()> {
+            serde_json::to_writer_pretty(&mut *out, record)?;
+            writeln!(out)
+        };
+        self.json
+            .and_then(|path| write_whole(path, |out| write(out)).err())
     }
 }
 

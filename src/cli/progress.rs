@@ -63,9 +63,9 @@ impl Display {
 fn bar() -> ProgressBar {
     let bar = ProgressBar::new(STEPS);
     // The template is a constant; should it ever be wrong, the crate's own style shows as much.
-    if let Ok(style) =
-        ProgressStyle::with_template("{bar:30} {percent:>3} %  {msg} samples per pixel, {eta} left")
-    {
+    if let Ok(style) = ProgressStyle::with_template(
+        "[{bar:30}] {percent:>3} %  {msg} samples per pixel, {eta} left",
+    ) {
         bar.set_style(style.progress_chars("=> "));
     }
     bar.set_message("0");
