@@ -7,5 +7,7 @@ pub mod camera;
 pub mod film;
 pub mod light;
 pub mod math;
+pub mod path;
 pub mod sampler;
 pub mod shape;
+pub mod world;

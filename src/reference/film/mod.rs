@@ -1,5 +1,7 @@
 //! Accumulation of samples; twin of `shaders/film/`.
 
+pub mod film_pixel;
 pub mod pixel_sum;
 
+pub use film_pixel::{FilmPixel, film_sample};
 pub use pixel_sum::{PixelSum, film_add, film_mean};

@@ -1,6 +1,7 @@
 //! Scalars, vectors, frames and elementary functions; twin of `shaders/math/`.
 
 pub mod elementary;
+pub mod finite;
 pub mod frame;
 pub mod real;
 pub mod vec3;

@@ -1,0 +1,31 @@
+//! Weights of light that is found in two ways; twin of `shaders/path/connect/`.
+
+use crate::reference::math::Real;
+use crate::settings::Connect;
+
+/// The power heuristic with exponent 2, w = p²/(p² + q²), written 1/(1 + (q/p)²) against overflow.
+///
+/// Veach, Robust Monte Carlo Methods for Light Transport Simulation, 1997, section 9.2.4.
+pub fn power_heuristic<F: Real>(p: F, q: F) -> F {
+    let ratio = q / p;
+    F::one() / (F::one() + ratio * ratio)
+}
+
+/// Weight of light that was connected to.
+pub fn connection_weight<F: Real>(connect: Connect, light_pdf: F, bsdf_pdf: F) -> F {
+    match connect {
+        Connect::Mis => power_heuristic(light_pdf, bsdf_pdf),
+        Connect::Light => F::one(),
+        Connect::Bsdf => F::zero(),
+    }
+}
+
+/// Weight of light that the path has hit; nothing else could have found what a delta lobe or the camera sees.
+pub fn hit_weight<F: Real>(connect: Connect, delta: bool, bsdf_pdf: F, light_pdf: F) -> F {
+    match connect {
+        Connect::Bsdf => F::one(),
+        _ if delta => F::one(),
+        Connect::Mis => power_heuristic(bsdf_pdf, light_pdf),
+        Connect::Light => F::zero(),
+    }
+}

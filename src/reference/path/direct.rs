@@ -1,0 +1,73 @@
+//! Explicit connection of a vertex to a point on a light; twin of `shaders/path/direct/`.
+
+use super::connect::connection_weight;
+use super::flight::{ShadowRay, shadow_ray};
+use super::medium::medium_beyond;
+use super::record::Recorder;
+use super::vertex::{Vertex, same_sides, spawn_ray};
+use super::{PathState, SampleId};
+use crate::reference::bsdf::bsdf_eval;
+use crate::reference::math::Real;
+use crate::reference::math::finite::is_black;
+use crate::reference::math::frame::to_local;
+use crate::reference::sampler::{light_block, sampler_block, unit_float};
+use crate::reference::shape::{FAR, Target};
+use crate::reference::world::World;
+use crate::settings::{Connect, Settings};
+
+/// Adds the light of one connection. Comes before roulette, which scales only the extension (model page, section 10).
+pub fn connect<F: Real>(
+    world: &World<F>,
+    settings: &Settings,
+    s: &mut PathState<F>,
+    v: &Vertex<F>,
+    id: SampleId,
+    recorder: &mut impl Recorder<F>,
+) {
+    if world.lights.is_empty() || settings.estimator.connect == Connect::Bsdf {
+        return;
+    }
+    let Some(c) = shadow_to_light(world, settings, s, v, id) else {
+        return;
+    };
+    let arrived = shadow_ray(world, settings, c, &mut s.rays);
+    if let Some(light) = arrived {
+        s.radiance += light;
+    }
+    recorder.connection(s, &c, arrived);
+}
+
+fn shadow_to_light<F: Real>(
+    world: &World<F>,
+    settings: &Settings,
+    s: &PathState<F>,
+    v: &Vertex<F>,
+    id: SampleId,
+) -> Option<ShadowRay<F>> {
+    let u = sampler_block(id.pixel, id.sample, light_block(s.bounce), id.seed);
+    let light = world.light_choice(u[0] >> 8);
+    let l = world.light_sample(light, v.p, u[1] >> 8, [unit_float(u[2]), unit_float(u[3])]);
+    let p = world.light_pmf(light) * l.pdf;
+    let wi = to_local(v.frame, l.wi);
+    if !(p > F::zero() && same_sides(v, l.wi, wi)) {
+        return None;
+    }
+    let f = bsdf_eval(settings, &v.interaction, wi);
+    let weight = connection_weight(settings.estimator.connect, p, f.pdf);
+    let contribution = s.throughput * f.value * world.lights[light].radiance * (weight / p);
+    let through = wi.z < F::zero();
+    (!is_black(contribution)).then(|| ShadowRay {
+        ray: spawn_ray(v, l.wi, through),
+        distance: if l.distance < F::zero() {
+            F::new(FAR)
+        } else {
+            l.distance
+        },
+        target: Target {
+            shape: world.lights[light].shape,
+            prim: l.prim,
+        },
+        medium: if through { medium_beyond(v) } else { s.medium },
+        contribution,
+    })
+}

@@ -1,0 +1,62 @@
+//! Where a path goes on from a vertex; twin of `extend` in `shaders/path/shade.glsl`.
+
+use super::medium::medium_beyond;
+use super::record::Recorder;
+use super::roulette::roulette_survival;
+use super::vertex::{Vertex, same_sides, spawn_ray};
+use super::{PathState, SampleId};
+use crate::reference::bsdf::{LOBE_DELTA, LOBE_NONE, bsdf_sample, transmission_scale};
+use crate::reference::math::Real;
+use crate::reference::math::finite::{is_black, is_finite3};
+use crate::reference::math::frame::to_world;
+use crate::reference::sampler::{bsdf_block, roulette_block, sampler_block, unit_float};
+use crate::settings::Settings;
+
+/// Draws the next direction and moves the path onto it; false where the path ends.
+pub fn extend<F: Real>(
+    settings: &Settings,
+    s: &mut PathState<F>,
+    v: &Vertex<F>,
+    id: SampleId,
+    recorder: &mut impl Recorder<F>,
+) -> bool {
+    let u = sampler_block(id.pixel, id.sample, bsdf_block(s.bounce), id.seed).map(unit_float::<F>);
+    let w =
+        sampler_block(id.pixel, id.sample, roulette_block(s.bounce), id.seed).map(unit_float::<F>);
+    let b = bsdf_sample(
+        settings,
+        &v.interaction,
+        u[0],
+        u[1],
+        [u[2], u[3]],
+        [w[1], w[2]],
+    );
+    let wi = to_world(v.frame, b.wi);
+    s.throughput *= b.weight;
+    let through = b.wi.z < F::zero();
+    if through {
+        s.eta_scale *= transmission_scale(settings, v.interaction.eta);
+    }
+    // A broken throughput breaks the sample, which the film then drops and counts.
+    if !is_finite3(s.throughput) {
+        s.radiance += s.throughput;
+    }
+    let survival = roulette_survival(
+        settings.estimator.roulette,
+        s.throughput,
+        s.eta_scale,
+        s.bounce,
+    );
+    let valid = b.lobe != LOBE_NONE && same_sides(v, wi, b.wi) && w[0] < survival;
+    let alive = valid && !is_black(s.throughput);
+    if alive {
+        s.throughput = s.throughput * (F::one() / survival);
+        s.medium = if through { medium_beyond(v) } else { s.medium };
+        s.ray = spawn_ray(v, wi, through);
+        s.pdf = b.pdf;
+        s.delta = b.lobe >= LOBE_DELTA;
+        s.bounce += 1;
+    }
+    recorder.vertex(s, v, b.lobe);
+    alive
+}

@@ -1,0 +1,116 @@
+//! The rays of a path, through surfaces that are not there; twin of `shaders/path/flight.glsl`.
+
+use super::PathState;
+use super::medium::{stretch_transmittance, term_attenuation};
+use super::vertex::self_distance;
+use crate::prepared::{MaterialKind, NONE};
+use crate::reference::math::{Real, Vec3, dot3};
+use crate::reference::shape::{FAR, Hit, Ray, START_INSIDE, START_OUTSIDE, Target};
+use crate::reference::world::World;
+use crate::settings::Settings;
+
+/// Flies the extension ray to the next surface that is there, attenuating the throughput on its way.
+/// Returns the hit, or `None` where the ray leaves the scene, and the distance from the last vertex.
+pub fn extend_ray<F: Real>(
+    world: &World<F>,
+    settings: &Settings,
+    s: &mut PathState<F>,
+) -> (Option<Hit<F>>, F) {
+    let absorption = settings.model.absorption;
+    let mut distance = F::zero();
+    loop {
+        let hit = world.nearest(s.ray, F::new(FAR), Target::none());
+        s.rays += 1;
+        let t = if hit.shape == NONE {
+            F::new(FAR)
+        } else {
+            hit.t
+        };
+        s.throughput *= stretch_transmittance(world, absorption, s.medium, t);
+        if hit.shape == NONE {
+            return (None, distance);
+        }
+        distance += hit.t;
+        if !goes_straight(world, hit) {
+            return (Some(hit), distance);
+        }
+        let passage = pass(world, settings, s.ray, hit);
+        s.throughput *= passage.factor;
+        s.ray = passage.ray;
+        s.medium = passage.medium;
+    }
+}
+
+/// A connection under way to a light.
+#[derive(Clone, Copy, Debug)]
+pub struct ShadowRay<F> {
+    pub ray: Ray<F>,
+    pub distance: F,
+    pub target: Target,
+    pub medium: u32,
+    pub contribution: Vec3<F>,
+}
+
+/// What arrives over a connection, or `None` where something stands in its way.
+pub fn shadow_ray<F: Real>(
+    world: &World<F>,
+    settings: &Settings,
+    mut c: ShadowRay<F>,
+    rays: &mut u64,
+) -> Option<Vec3<F>> {
+    let absorption = settings.model.absorption;
+    loop {
+        let hit = world.nearest(c.ray, c.distance, c.target);
+        *rays += 1;
+        let t = if hit.shape == NONE { c.distance } else { hit.t };
+        let transmittance = stretch_transmittance(world, absorption, c.medium, t);
+        if hit.shape == NONE {
+            return Some(c.contribution * transmittance);
+        }
+        if !goes_straight(world, hit) {
+            return None;
+        }
+        let passage = pass(world, settings, c.ray, hit);
+        c.contribution *= transmittance * passage.factor;
+        c.ray = passage.ray;
+        c.distance -= hit.t;
+        c.medium = passage.medium;
+    }
+}
+
+/// Whether the surface is not there: |ior − 1| < 1e-7 (model page, section 8).
+fn goes_straight<F: Real>(world: &World<F>, hit: Hit<F>) -> bool {
+    let material = world.shapes[hit.shape as usize].material;
+    world.materials[material as usize].kind == MaterialKind::Nothing
+}
+
+/// The ray beyond a surface that is not there, and what `term` takes off on leaving.
+struct Passage<F> {
+    ray: Ray<F>,
+    medium: u32,
+    factor: Vec3<F>,
+}
+
+fn pass<F: Real>(world: &World<F>, settings: &Settings, ray: Ray<F>, hit: Hit<F>) -> Passage<F> {
+    let surface = world.hit_surface(ray, hit);
+    let shape = &world.shapes[hit.shape as usize];
+    let outside = dot3(ray.d, surface.ng) <= F::zero();
+    Passage {
+        ray: Ray {
+            o: surface.p,
+            d: ray.d,
+            shape: hit.shape,
+            prim: hit.prim,
+            start: if outside { START_INSIDE } else { START_OUTSIDE },
+            t_self: self_distance(shape.kind, surface.p, surface.ng, ray.d),
+        },
+        medium: if outside { shape.material } else { NONE },
+        factor: term_attenuation(
+            world,
+            settings.model.absorption,
+            shape.material,
+            outside,
+            hit.t,
+        ),
+    }
+}

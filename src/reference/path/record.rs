@@ -1,0 +1,25 @@
+//! What `--trace` writes down of a path.
+
+use super::PathState;
+use super::flight::ShadowRay;
+use super::vertex::Vertex;
+use crate::reference::math::{Real, Vec3};
+
+/// Told of each event of a path, in order; the renderer uses [`Silent`].
+pub trait Recorder<F: Real> {
+    /// The state after the vertex `v` was shaded and the next direction drawn from `lobe`.
+    fn vertex(&mut self, s: &PathState<F>, v: &Vertex<F>, lobe: u32);
+    /// A connection and the light that arrived over it.
+    fn connection(&mut self, s: &PathState<F>, c: &ShadowRay<F>, arrived: Option<Vec3<F>>);
+    /// The path has left the scene.
+    fn escape(&mut self, s: &PathState<F>);
+}
+
+/// Writes nothing down.
+pub struct Silent;
+
+impl<F: Real> Recorder<F> for Silent {
+    fn vertex(&mut self, _: &PathState<F>, _: &Vertex<F>, _: u32) {}
+    fn connection(&mut self, _: &PathState<F>, _: &ShadowRay<F>, _: Option<Vec3<F>>) {}
+    fn escape(&mut self, _: &PathState<F>) {}
+}

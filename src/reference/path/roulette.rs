@@ -1,0 +1,31 @@
+//! Russian roulette; twin of `shaders/path/roulette/`.
+
+use crate::reference::math::{Real, Vec3, max_component, min2};
+use crate::settings::Roulette;
+
+/// From this bounce on a path survives with at most .95: a lossless one (light in a smooth glass box, two
+/// mirrors) would never end (model page, section 10).
+pub const LONG_PATH: u32 = 1000;
+
+/// Probability in (0, 1] that a path of this throughput goes on after bounce number `bounce` (from 0).
+///
+/// On throughput: from the third bounce, with the radiance scale eta² divided out, because in glass of index
+/// n throughput is n² smaller without being worth less.
+pub fn roulette_survival<F: Real>(
+    roulette: Roulette,
+    throughput: Vec3<F>,
+    eta_scale: F,
+    bounce: u32,
+) -> F {
+    let survival = match roulette {
+        Roulette::Throughput if bounce < 2 => F::one(),
+        Roulette::Throughput => min2(F::one(), max_component(throughput) / eta_scale),
+        Roulette::Constant(p) => F::new(p),
+        Roulette::Off => F::one(),
+    };
+    if bounce >= LONG_PATH && survival > F::new(0.95) {
+        F::new(0.95)
+    } else {
+        survival
+    }
+}

@@ -1,0 +1,101 @@
+//! A vertex of the path: the surface that a ray has hit, seen from the side it came from.
+//! Twin of `shaders/path/vertex.glsl`.
+
+use super::medium::term_attenuation;
+use crate::prepared::ShapeKind;
+use crate::reference::bsdf::{Interaction, interaction};
+use crate::reference::math::frame::{Frame, frame_about, to_local};
+use crate::reference::math::{Real, Vec3, dot3};
+use crate::reference::shape::{Hit, Ray, START_INSIDE, START_OUTSIDE, triangle_self_distance};
+use crate::reference::world::World;
+use crate::settings::Settings;
+
+#[derive(Clone, Copy, Debug)]
+pub struct Vertex<F> {
+    pub p: Vec3<F>,
+    /// Outward geometric normal.
+    pub ng: Vec3<F>,
+    /// Geometric normal on wo's side.
+    pub facing: Vec3<F>,
+    /// Whether wo is outside the shape.
+    pub outside: bool,
+    /// About N', the shading normal on wo's side.
+    pub frame: Frame<F>,
+    pub interaction: Interaction<F>,
+    pub shape: u32,
+    pub prim: u32,
+    pub material: u32,
+    pub kind: ShapeKind,
+}
+
+/// The vertex where `ray` has hit, `distance` away from the path's last vertex.
+pub fn path_vertex<F: Real>(
+    world: &World<F>,
+    settings: &Settings,
+    ray: Ray<F>,
+    hit: Hit<F>,
+    distance: F,
+) -> Vertex<F> {
+    let surface = world.hit_surface(ray, hit);
+    let wo = -ray.d;
+    let outside = dot3(wo, surface.ng) >= F::zero();
+    let facing = if outside { surface.ng } else { -surface.ng };
+    // The geometric normal decides the side; the shading normal makes only the frame (model page, section 2).
+    let frame = frame_about(if dot3(surface.ns, facing) < F::zero() {
+        -surface.ns
+    } else {
+        surface.ns
+    });
+    let shape = &world.shapes[hit.shape as usize];
+    let attenuation = term_attenuation(
+        world,
+        settings.model.absorption,
+        shape.material,
+        outside,
+        distance,
+    );
+    let material = world.materials[shape.material as usize];
+    Vertex {
+        p: surface.p,
+        ng: surface.ng,
+        facing,
+        outside,
+        frame,
+        interaction: interaction(material, outside, to_local(frame, wo), attenuation),
+        shape: hit.shape,
+        prim: hit.prim,
+        material: shape.material,
+        kind: shape.kind,
+    }
+}
+
+/// Whether a direction lies on the same side of the geometric and of the shading normal; elsewhere the BSDF is 0.
+pub fn same_sides<F: Real>(v: &Vertex<F>, wi: Vec3<F>, wi_local: Vec3<F>) -> bool {
+    (dot3(wi, v.facing) > F::zero()) == (wi_local.z > F::zero())
+}
+
+/// The ray that leaves a vertex along `wi`, through the surface or not.
+pub fn spawn_ray<F: Real>(v: &Vertex<F>, wi: Vec3<F>, through: bool) -> Ray<F> {
+    let goes_outside = v.outside != through;
+    Ray {
+        o: v.p,
+        d: wi,
+        shape: v.shape,
+        prim: v.prim,
+        start: if goes_outside {
+            START_OUTSIDE
+        } else {
+            START_INSIDE
+        },
+        t_self: self_distance(v.kind, v.p, v.ng, wi),
+    }
+}
+
+/// How far along a ray from a mesh its origin's rounding error reaches; solids tell theirs by the side that the
+/// ray leaves to.
+pub fn self_distance<F: Real>(kind: ShapeKind, p: Vec3<F>, ng: Vec3<F>, d: Vec3<F>) -> F {
+    match kind {
+        ShapeKind::Mesh => triangle_self_distance(p, ng, d),
+        _ => F::zero(),
+    }
+}

@@ -1,0 +1,170 @@
+//! A prepared scene in the scalar of the reference: what the kernels read from buffers, and the dispatch that
+//! they have generated.
+
+use super::bsdf::Material;
+use super::camera::Camera;
+use super::light::{
+    LightSample, background_light_sample, box_light_pdf, box_light_sample, cdf_choice,
+    cdf_probability, cylinder_light_pdf, cylinder_light_sample, mesh_light_pdf, mesh_light_sample,
+    sphere_light_pdf, sphere_light_sample,
+};
+use super::math::{Real, Vec3, dot3};
+use super::path::vertex::Vertex;
+use super::shape::{
+    Cuboid, Cylinder, Hit, Ray, Sphere, Surface, Target, Triangle, box_surface, cylinder_surface,
+    nearest_boxes, nearest_cylinders, nearest_spheres, nearest_triangles, no_hit, sphere_surface,
+    triangle_surface,
+};
+use crate::prepared::{LightKind, NONE, Prepared, Shape, ShapeKind};
+
+/// A light with its radiance in the scalar.
+#[derive(Clone, Copy, Debug)]
+pub struct Light<F> {
+    pub kind: LightKind,
+    pub radiance: Vec3<F>,
+    pub shape: u32,
+    /// Its first primitive, and the range of its triangles' table.
+    pub first: u32,
+    pub cdf: (usize, usize),
+}
+
+/// The scene that paths travel in.
+pub struct World<F> {
+    pub width: u32,
+    pub camera: Camera<F>,
+    pub eye_medium: u32,
+    pub shapes: Vec<Shape>,
+    pub spheres: Vec<Sphere<F>>,
+    pub boxes: Vec<Cuboid<F>>,
+    pub cylinders: Vec<Cylinder<F>>,
+    pub triangles: Vec<Triangle<F>>,
+    /// Of the corners of each triangle; empty where no mesh gives any.
+    pub normals: Vec<[Vec3<F>; 3]>,
+    pub materials: Vec<Material<F>>,
+    pub lights: Vec<Light<F>>,
+    /// Index of the background among the lights, where it shines.
+    pub background_light: Option<usize>,
+    light_cdf: Vec<u32>,
+    triangle_cdf: Vec<u32>,
+}
+
+impl<F: Real> World<F> {
+    /// Each number of `prepared` rounded to the scalar.
+    pub fn new(prepared: &Prepared) -> Self {
+        let light = |l: &crate::prepared::Light| {
+            let first = l.cdf as usize;
+            Light {
+                kind: l.kind,
+                radiance: Vec3::new(l.radiance),
+                shape: l.shape,
+                first: l.first,
+                cdf: (first, first + l.count as usize + 1),
+            }
+        };
+        Self {
+            width: prepared.width,
+            camera: Camera::new(prepared),
+            eye_medium: prepared.eye_medium,
+            shapes: prepared.shapes.clone(),
+            spheres: prepared.spheres.iter().map(Sphere::new).collect(),
+            boxes: prepared.boxes.iter().map(Cuboid::new).collect(),
+            cylinders: prepared.cylinders.iter().map(Cylinder::new).collect(),
+            triangles: prepared.triangles.iter().map(Triangle::new).collect(),
+            normals: prepared.normals.iter().map(|n| n.map(Vec3::new)).collect(),
+            materials: prepared.materials.iter().map(Material::from).collect(),
+            lights: prepared.lights.iter().map(light).collect(),
+            background_light: prepared
+                .lights
+                .iter()
+                .position(|l| l.kind == LightKind::Background),
+            light_cdf: prepared.light_cdf.clone(),
+            triangle_cdf: prepared.triangle_cdf.clone(),
+        }
+    }
+
+    /// The least (t, shape, prim) with t < `t_max`, `skip` passed over.
+    pub fn nearest(&self, ray: Ray<F>, t_max: F, skip: Target) -> Hit<F> {
+        let mut best = no_hit(t_max);
+        best = nearest_spheres(&self.spheres, ray, skip, best);
+        best = nearest_boxes(&self.boxes, ray, skip, best);
+        best = nearest_cylinders(&self.cylinders, ray, skip, best);
+        nearest_triangles(&self.triangles, ray, skip, best)
+    }
+
+    /// The surface where `ray` has hit.
+    pub fn hit_surface(&self, ray: Ray<F>, hit: Hit<F>) -> Surface<F> {
+        let shape = &self.shapes[hit.shape as usize];
+        let first = shape.first as usize;
+        match shape.kind {
+            ShapeKind::Sphere => sphere_surface(ray, hit, &self.spheres[first]),
+            ShapeKind::Box => box_surface(ray, hit, &self.boxes[first]),
+            ShapeKind::Cylinder => cylinder_surface(ray, hit, &self.cylinders[first]),
+            ShapeKind::Mesh => {
+                let prim = hit.prim as usize;
+                triangle_surface(hit, &self.triangles[prim], self.normals.get(prim))
+            }
+        }
+    }
+
+    /// The light that a shape is.
+    pub fn light_of(&self, shape: u32) -> Option<usize> {
+        let light = self.shapes[shape as usize].light;
+        (light != NONE).then_some(light as usize)
+    }
+
+    /// The light chosen by `u24` < 2²⁴.
+    pub fn light_choice(&self, u24: u32) -> usize {
+        cdf_choice(&self.light_cdf, u24) as usize
+    }
+
+    /// Probability of choosing `light`.
+    pub fn light_pmf(&self, light: usize) -> F {
+        cdf_probability(&self.light_cdf, light as u32)
+    }
+
+    /// A direction from `p` to a point of `light`.
+    pub fn light_sample(&self, light: usize, p: Vec3<F>, u24: u32, u: [F; 2]) -> LightSample<F> {
+        let l = &self.lights[light];
+        let first = l.first as usize;
+        match l.kind {
+            LightKind::Sphere => {
+                let s = &self.spheres[first];
+                sphere_light_sample(p, s.centre, s.radius, u)
+            }
+            LightKind::Box => {
+                let b = &self.boxes[first];
+                box_light_sample(p, b.lo, b.hi, u24, u)
+            }
+            LightKind::Cylinder => cylinder_light_sample(p, &self.cylinders[first], u24, u),
+            LightKind::Mesh => {
+                let cdf = &self.triangle_cdf[l.cdf.0..l.cdf.1];
+                mesh_light_sample(p, &self.triangles, l.first, cdf, u24, u)
+            }
+            LightKind::Background => background_light_sample(u),
+        }
+    }
+
+    /// Density with which [`Self::light_sample`] from `p` would have drawn the vertex `v` of `light`, which the
+    /// ray along `d` has hit after `distance`.
+    pub fn light_pdf(&self, light: usize, p: Vec3<F>, v: &Vertex<F>, d: Vec3<F>, distance: F) -> F {
+        let l = &self.lights[light];
+        let first = l.first as usize;
+        let cosine = dot3(d, v.ng).abs();
+        match l.kind {
+            LightKind::Sphere => {
+                let s = &self.spheres[first];
+                sphere_light_pdf(p, s.centre, s.radius, distance, cosine)
+            }
+            LightKind::Box => {
+                let b = &self.boxes[first];
+                box_light_pdf(p, b.lo, b.hi, distance, cosine)
+            }
+            LightKind::Cylinder => cylinder_light_pdf(p, &self.cylinders[first], distance, cosine),
+            LightKind::Mesh => {
+                let cdf = &self.triangle_cdf[l.cdf.0..l.cdf.1];
+                mesh_light_pdf(&self.triangles, l.first, cdf, v.prim, distance, cosine)
+            }
+            LightKind::Background => super::light::background_light_pdf(),
+        }
+    }
+}
