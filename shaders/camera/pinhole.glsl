@@ -1,17 +1,7 @@
 // A pinhole: all rays start at the eye.
-// Twin of src/reference/camera/pinhole.rs.
+// Twin of src/reference/camera/pinhole.rs; struct Camera comes with the layout of buffers.
 
 // uses: math/vec
-
-// The picture plane { forward + dx right + dy up }, dx and dy in [-1, 1], and the size of the picture in pixels.
-struct Camera {
-    vec3 eye;
-    vec3 right;
-    vec3 up;
-    vec3 forward;
-    uint width;
-    uint height;
-};
 
 // Unit direction of the ray through the point (a, b) of the pixel in column x and row y, row 0 at the top.
 // (a, b) lies in [0, 1)^2, (0, 0) is the pixel's lower left corner.

@@ -19,6 +19,7 @@ mod composed;
 mod error;
 mod no_contraction;
 mod reflect;
+pub mod scene;
 mod sources;
 mod spirv;
 mod uninitialised;

@@ -2,10 +2,12 @@
 //!
 //! [`gpu_struct!`](crate::gpu_struct) is the macro, [`records`] holds the declarations, [`types`] the GLSL types they are made of.
 
+pub mod kernel;
 mod macros;
 pub mod records;
 pub mod types;
 
+pub use kernel::{FilmPixel, PathState, Record, Slice};
 pub use records::{Camera, Cuboid, Cylinder, Light, Material, Shape, Sphere};
 
 /// A struct with the same bytes in Rust, in a uniform buffer (std140) and in a storage buffer (std430), alone and in an array.

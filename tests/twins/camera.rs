@@ -1,13 +1,19 @@
 //! Twins of `shaders/camera/`.
 
+use vkpt::layout::{self, GpuStruct};
 use vkpt::reference::camera::{Camera, camera_direction};
 use vkpt::reference::math::{Vec3, vec3};
 
 use super::harness::{Row, Twin};
 
 /// A 640 × 480 or an 8192 × 8191 picture, seen by a camera that is turned.
-const GLSL: &str =
-    "Camera camera = Camera(vec3(0.0), in_vec3(), in_vec3(), in_vec3(), in_u(), in_u());";
+const GLSL: &str = "
+    Camera camera;
+    camera.right = in_vec3();
+    camera.up = in_vec3();
+    camera.forward = in_vec3();
+    camera.width = in_u();
+    camera.height = in_u();";
 
 pub fn twins() -> Vec<Twin> {
     let right = vec3(0.264, -0.07, 0.01);
@@ -19,6 +25,7 @@ pub fn twins() -> Vec<Twin> {
     let last = 1.0 - 2f32.powi(-24);
     vec![
         Twin::new("camera_direction", "camera/pinhole")
+            .prelude(layout::Camera::glsl())
             .glsl(&format!(
                 "{GLSL} uint x = in_u(); uint y = in_u(); float a = in_f();
                  out_vec3(camera_direction(camera, x, y, a, in_f()));"

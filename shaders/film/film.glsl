@@ -1,0 +1,21 @@
+// A pixel of the film: the sum of its samples, and what was counted on the way.
+// Twin of src/reference/film/film_pixel.rs.
+
+// uses: math/finite, film/pixel_sum
+
+bool has_nan(vec3 v) {
+    uvec3 bits = floatBitsToUint(v) & uvec3(0x7fffffffu);
+    return bits.x > 0x7f800000u || bits.y > 0x7f800000u || bits.z > 0x7f800000u;
+}
+
+// Adds a sample; a broken one counts as 0, and by its cause.
+void film_sample(inout FilmPixel pixel, vec3 radiance) {
+    bool broken = !is_finite3(radiance);
+    bool nan = has_nan(radiance);
+    pixel.nan += nan ? 1u : 0u;
+    pixel.infinite += broken && !nan ? 1u : 0u;
+    PixelSum sum = film_add(PixelSum(pixel.sum, pixel.comp), broken ? vec3(0.0) : radiance);
+    pixel.sum = sum.sum;
+    pixel.comp = sum.comp;
+    pixel.samples += 1u;
+}

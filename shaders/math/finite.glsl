@@ -1,0 +1,14 @@
+// Tests of bits, which no driver's idea of NaN can change.
+
+bool is_finite(float x) {
+    return (floatBitsToUint(x) & 0x7f800000u) != 0x7f800000u;
+}
+
+bool is_finite3(vec3 v) {
+    return is_finite(v.x) && is_finite(v.y) && is_finite(v.z);
+}
+
+// No component is positive; false if one is NaN, so that NaN is never taken for black.
+bool is_black(vec3 v) {
+    return v.x <= 0.0 && v.y <= 0.0 && v.z <= 0.0;
+}

@@ -1,0 +1,5 @@
+// Paths are as long as roulette lets them be.
+
+bool depth_reached(uint bounce) {
+    return false;
+}

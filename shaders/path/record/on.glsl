@@ -1,0 +1,26 @@
+// Every event of a path, in order, for `--trace`; what does not fit is left out.
+// uses: path/vertex
+
+const uint RECORD_VERTEX = 1u;
+const uint RECORD_CONNECTION = 2u;
+const uint RECORD_ESCAPE = 3u;
+
+void record(inout PathState s, Record event) {
+    if (s.recorded < RECORDS) {
+        records[s.recorded] = event;
+    }
+    s.recorded += 1u;
+}
+
+void record_vertex(inout PathState s, Vertex v, uint lobe) {
+    record(s, Record(RECORD_VERTEX, lobe, v.shape, v.prim, v.p, s.pdf, s.throughput, s.medium, s.radiance, 0u));
+}
+
+void record_connection(inout PathState s, bool visible) {
+    record(s, Record(RECORD_CONNECTION, visible ? 1u : 0u, s.target_shape, s.target_prim, s.shadow_d, 0.0,
+                     s.contribution, s.shadow_medium, s.radiance, 0u));
+}
+
+void record_escape(inout PathState s) {
+    record(s, Record(RECORD_ESCAPE, 0u, NONE, NONE, s.d, s.pdf, s.throughput, s.medium, s.radiance, 0u));
+}

@@ -1,0 +1,6 @@
+// Russian roulette with the same survival probability at every bounce, as the course has it.
+// uses: path/roulette/long
+
+float roulette_survival(vec3 throughput, float eta_scale, uint bounce) {
+    return long_path_survival(ROULETTE, bounce);
+}

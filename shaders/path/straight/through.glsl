@@ -1,0 +1,33 @@
+// Surfaces with |ior − 1| < 1e-7 are not there: paths and shadow rays go straight through, attenuated (model page,
+// section 8). No bounce is counted and no random number drawn.
+// uses: shape/ray, math/vec, <surface>, <self_distance>, <medium>
+
+// The ray beyond the surface, and what `term` takes off on leaving.
+struct Passage {
+    vec3 o;
+    uint start;
+    float t_self;
+    uint medium;
+    vec3 factor;
+};
+
+bool goes_straight(Hit hit) {
+    bool straight = false;
+    if (hit.shape != NONE) {
+        straight = materials[shapes[hit.shape].material].kind == KIND_NOTHING;
+    }
+    return straight;
+}
+
+Passage pass(Ray ray, Hit hit, uint medium) {
+    Surface surface = hit_surface(ray, hit);
+    uint material = shapes[hit.shape].material;
+    bool outside = dot3(ray.d, surface.ng) <= 0.0;
+    Passage passage;
+    passage.o = surface.p;
+    passage.start = outside ? START_INSIDE : START_OUTSIDE;
+    passage.t_self = self_distance(hit.shape, surface.p, surface.ng, ray.d);
+    passage.medium = outside ? material : NONE;
+    passage.factor = term_attenuation(material, outside, hit.t);
+    return passage;
+}

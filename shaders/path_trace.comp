@@ -1,0 +1,47 @@
+// vkpt's kernel. Read this first: pixel → camera ray → path loop → film.
+//
+// A thread owns a pixel and follows its samples one after the other. A turn of the loop is a bounce: begin a path if
+// none is alive, fly the shadow ray that the last vertex left pending and then the extension ray (through one call
+// of nearest(), the heaviest function there is), add a sample that has ended to the film, shade the next vertex.
+// A path that ends leaves its shadow ray pending while the thread already carries its next camera ray.
+//
+// Between two bounces the thread may stop, its state kept in `paths`, and go on in the next dispatch: no driver's
+// watchdog and no limit on loops (Mesa 22: 65,535 iterations a subgroup and dispatch) can touch the picture.
+//
+// Twin: src/reference/path/, which takes the same decisions in the same order, one sample at a time.
+// uses: math/steps, film/film, path/begin, path/flight, path/shade
+layout(local_size_x = 64) in;
+
+void trace_pixel(uint lane) {
+    uint column = job.tile_x + lane % job.tile_width;
+    uint row = job.tile_y + lane / job.tile_width;
+    PathState s = paths[lane];
+    FilmPixel pixel = film[lane];
+    while ((s.alive != 0u || s.ended != 0u || s.index < job.sample_end) && loop_steps < job.budget) {
+        loop_steps += 1u;
+        if (s.alive == 0u && s.index < job.sample_end) {
+            begin_path(s, column, row);
+        }
+        Flight flight = fly(s, pixel);
+        if (s.ended != 0u) {
+            film_sample(pixel, s.radiance);
+            s.radiance = vec3(0.0);
+            s.ended = 0u;
+        }
+        if (s.alive != 0u) {
+            shade(s, flight, pixel, row * camera.width + column);
+        }
+    }
+    if (loop_failed) {
+        pixel.loops += 1u;
+    }
+    paths[lane] = s;
+    film[lane] = pixel;
+}
+
+void main() {
+    uint lane = gl_GlobalInvocationID.x;
+    if (lane < job.tile_width * job.tile_height) {
+        trace_pixel(lane);
+    }
+}

@@ -1,0 +1,145 @@
+//! The prelude of a scene's kernel: constants, structs, buffers.
+
+use super::Parameters;
+use crate::features::Features;
+use crate::gpu::BufferUse;
+use crate::layout::{self, GpuStruct};
+use crate::prepared::{MaterialKind, NONE, ShapeKind};
+use crate::settings::Roulette;
+
+/// What an array is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Element {
+    Float,
+    Uint,
+    Uvec4,
+    /// A struct of the layout, by name.
+    Struct(&'static str),
+}
+
+impl Element {
+    /// Size of a plain element.
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::Float | Self::Uint => 4,
+            Self::Uvec4 | Self::Struct(_) => 16,
+        }
+    }
+
+    fn glsl(self) -> &'static str {
+        match self {
+            Self::Float => "float",
+            Self::Uint => "uint",
+            Self::Uvec4 => "uvec4",
+            Self::Struct(name) => name,
+        }
+    }
+}
+
+/// A read-only array that a kernel finds at binding i of set 0, i its place in the list of bindings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Binding {
+    pub name: &'static str,
+    pub element: Element,
+    pub count: usize,
+    pub buffer_use: BufferUse,
+}
+
+/// The declaration of one array, or of one struct where the name says that there is one.
+pub fn declare_binding(binding: &Binding, index: usize) -> String {
+    let Binding {
+        name,
+        element,
+        count,
+        buffer_use,
+    } = binding;
+    let ty = element.glsl();
+    let one = *name == "camera";
+    match buffer_use {
+        BufferUse::Uniform => {
+            let extent = if one {
+                String::new()
+            } else {
+                format!("[{count}]")
+            };
+            format!(
+                "layout(std140, set = 0, binding = {index}) uniform {name}_block {{ {ty} {name}{extent}; }};\n"
+            )
+        }
+        BufferUse::Storage => format!(
+            "layout(std430, set = 0, binding = {index}) readonly buffer {name}_block {{ {ty} {name}[]; }};\n"
+        ),
+    }
+}
+
+pub fn prelude(features: &Features, parameters: &Parameters) -> String {
+    let mut text = constants(parameters);
+    text += &structs(features);
+    for (i, binding) in parameters.bindings.iter().enumerate() {
+        text += &declare_binding(binding, i);
+    }
+    let next = parameters.bindings.len();
+    text += &state_buffer("PathState", "paths", next);
+    text += &state_buffer("FilmPixel", "film", next + 1);
+    if parameters.records.is_some() {
+        text += &layout::Record::glsl();
+        text += &state_buffer("Record", "records", next + 2);
+    }
+    text + "layout(push_constant) uniform SliceBlock { Slice job; };\n"
+}
+
+fn state_buffer(ty: &str, name: &str, index: usize) -> String {
+    format!(
+        "layout(std430, set = 0, binding = {index}) buffer {name}_block {{ {ty} {name}[]; }};\n"
+    )
+}
+
+fn constants(parameters: &Parameters) -> String {
+    let mut text = String::new();
+    let mut uint = |name: &str, value: u32| text += &format!("const uint {name} = {value}u;\n");
+    uint("NONE", NONE);
+    uint("KIND_BLACK", MaterialKind::Black as u32);
+    uint("KIND_NOTHING", MaterialKind::Nothing as u32);
+    uint("SHAPE_MESH", ShapeKind::Mesh as u32);
+    for binding in parameters.bindings {
+        uint(&binding.name.to_uppercase(), binding.count as u32);
+    }
+    if let Some(n) = parameters.settings.model.max_depth {
+        uint("MAX_DEPTH", n);
+    }
+    if let Some(light) = parameters.background_light {
+        uint("BACKGROUND_LIGHT", light);
+    }
+    if let Some(n) = parameters.records {
+        uint("RECORDS", n);
+    }
+    if let Some((stack, _)) = parameters.bvh {
+        uint("STACK", stack);
+    }
+    if let Some((_, reach)) = parameters.bvh {
+        text += &format!("const float REACH = {reach:?};\n");
+    }
+    if let Roulette::Constant(p) = parameters.settings.estimator.roulette {
+        text += &format!("const float ROULETTE = {:?};\n", p as f32);
+    }
+    text
+}
+
+/// Only the records that the kernel reads.
+fn structs(features: &Features) -> String {
+    let has = |kind| features.shapes.contains(&kind);
+    let mut text = layout::Camera::glsl() + &layout::Material::glsl() + &layout::Shape::glsl();
+    let optional = [
+        (has(ShapeKind::Sphere), layout::Sphere::glsl()),
+        (has(ShapeKind::Box), layout::Cuboid::glsl()),
+        (has(ShapeKind::Cylinder), layout::Cylinder::glsl()),
+        (!features.lights.is_empty(), layout::Light::glsl()),
+    ];
+    text.extend(
+        optional
+            .into_iter()
+            .filter(|(needed, _)| *needed)
+            .map(|(_, glsl)| glsl),
+    );
+    text + &layout::PathState::glsl() + &layout::FilmPixel::glsl() + &layout::Slice::glsl()
+}

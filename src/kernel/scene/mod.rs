@@ -1,0 +1,169 @@
+//! Features → the composed kernel of a scene: which file stands in each slot, what is generated, what is declared.
+
+mod declare;
+mod dispatch;
+mod generate;
+
+use std::collections::BTreeSet;
+
+use super::{Composed, Composer, KernelError, Slot};
+use crate::features::{Features, RouletteKind};
+use crate::prepared::{LightKind, ShapeKind};
+use crate::settings::{Absorption, Connect, LobeChoice, Normals, Settings};
+pub use declare::{Binding, Element, declare_binding};
+
+/// What the text of a kernel depends on besides its features.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameters<'a> {
+    pub settings: &'a Settings,
+    pub bindings: &'a [Binding],
+    /// Entries of the hierarchy's traversal stack, and the largest coordinate in it.
+    pub bvh: Option<(u32, f32)>,
+    /// Index of the background among the lights, where it shines.
+    pub background_light: Option<u32>,
+    /// Write so many events of a path into the buffer `records`.
+    pub records: Option<u32>,
+}
+
+/// The path kernel for a scene of these features: the files it needs, the generated dispatch, nothing else.
+///
+/// # Errors
+/// If a file or slot is missing, which would be a mistake in this program.
+pub fn compose(features: &Features, parameters: &Parameters) -> Result<Composed, KernelError> {
+    composer(features, parameters).compose(&["path_trace.comp"])
+}
+
+fn composer(features: &Features, parameters: &Parameters) -> Composer {
+    let file = |path: &str| Slot::File(path.into());
+    let mut composer = Composer::new().prelude(declare::prelude(features, parameters));
+    for (name, path) in files(features, parameters) {
+        composer = composer.slot(name, file(path));
+    }
+    for (name, text) in generate::texts(features) {
+        composer = composer.slot(name, Slot::Text(text));
+    }
+    composer
+}
+
+/// Slots that hold one file of several.
+fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'static str)> {
+    let connects = !features.lights.is_empty() && features.connect != Connect::Bsdf;
+    vec![
+        ("sampler", "sampler/random"),
+        (
+            "normals",
+            match features.normals {
+                Normals::Visible => "bsdf/normals/visible",
+                Normals::Distribution => "bsdf/normals/distribution",
+            },
+        ),
+        (
+            "choice",
+            match features.lobe {
+                LobeChoice::Fresnel => "bsdf/choice/fresnel",
+                LobeChoice::Norms => "bsdf/choice/norms",
+            },
+        ),
+        (
+            "scaling",
+            match features.radiance_scaling {
+                true => "bsdf/scaling/radiance",
+                false => "bsdf/scaling/flux",
+            },
+        ),
+        (
+            "medium",
+            match features.absorption {
+                None => "path/medium/none",
+                Some(Absorption::Segment) => "path/medium/segment",
+                Some(Absorption::Term) => "path/medium/term",
+            },
+        ),
+        (
+            "straight",
+            match features.goes_straight() {
+                true => "path/straight/through",
+                false => "path/straight/none",
+            },
+        ),
+        (
+            "roulette",
+            match features.roulette {
+                RouletteKind::Throughput => "path/roulette/throughput",
+                RouletteKind::Constant => "path/roulette/constant",
+                RouletteKind::Off => "path/roulette/off",
+            },
+        ),
+        (
+            "depth",
+            match features.max_depth {
+                true => "path/depth/capped",
+                false => "path/depth/unlimited",
+            },
+        ),
+        (
+            "connect",
+            match features.connect {
+                Connect::Mis => "path/connect/mis",
+                Connect::Light => "path/connect/light",
+                Connect::Bsdf => "path/connect/bsdf",
+            },
+        ),
+        (
+            "direct",
+            if connects {
+                "path/direct/sample"
+            } else {
+                "path/direct/none"
+            },
+        ),
+        (
+            "emission",
+            match shine(&features.lights) {
+                true => "path/emission/shapes",
+                false => "path/emission/none",
+            },
+        ),
+        (
+            "background",
+            match features.lights.contains(&LightKind::Background) {
+                true => "path/background/constant",
+                false => "path/background/black",
+            },
+        ),
+        (
+            "light_choice",
+            match features.many_lights {
+                true => "light/choice/many",
+                false => "light/choice/one",
+            },
+        ),
+        (
+            "self_distance",
+            match features.shapes.contains(&ShapeKind::Mesh) {
+                true => "path/self_distance/mesh",
+                false => "path/self_distance/none",
+            },
+        ),
+        (
+            "shading_normal",
+            match features.shading_normals {
+                true => "shape/normal/smooth",
+                false => "shape/normal/flat",
+            },
+        ),
+        (
+            "record",
+            if parameters.records.is_some() {
+                "path/record/on"
+            } else {
+                "path/record/off"
+            },
+        ),
+    ]
+}
+
+/// Whether a shape is among the lights.
+fn shine(lights: &BTreeSet<LightKind>) -> bool {
+    lights.iter().any(|&l| l != LightKind::Background)
+}
