@@ -1,6 +1,5 @@
 //! Devices, buffers and dispatches, under the validation layer where that is installed.
 
-#[allow(dead_code, reason = "a toolbox: each test file uses what it needs")]
 mod common;
 
 use std::process::Command;

@@ -1,11 +1,21 @@
 //! Rendering: a prepared scene, a device, and the film that comes out.
 
+mod cpu;
+mod slices;
+mod tiles;
+mod trace;
+mod vulkan;
+
 use std::sync::atomic::AtomicBool;
 
 use crate::film::Film;
-use crate::gpu::{Device, GpuError, Selector};
+pub use crate::gpu::Selector;
+use crate::gpu::{Device, GpuError};
+use crate::kernel::KernelError;
 use crate::prepared::Prepared;
 use crate::settings::Settings;
+use tiles::Tile;
+pub use trace::{Trace, trace};
 
 /// What renders.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,6 +38,21 @@ pub struct Job<'a> {
     pub crop: Option<[u32; 4]>,
 }
 
+impl Job<'_> {
+    /// The pixels to be rendered.
+    fn area(&self) -> Tile {
+        let [left, top, right, bottom] =
+            self.crop
+                .unwrap_or([0, 0, self.prepared.width, self.prepared.height]);
+        Tile {
+            x: left,
+            y: top,
+            width: right - left,
+            height: bottom - top,
+        }
+    }
+}
+
 /// How far a rendering is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
@@ -36,6 +61,16 @@ pub struct Progress {
     pub spp: u64,
     /// Of all work, in [0, 1].
     pub fraction: f64,
+}
+
+impl Progress {
+    fn new(samples_done: u64, spp: u64) -> Self {
+        Self {
+            samples_done,
+            spp,
+            fraction: samples_done as f64 / spp as f64,
+        }
+    }
 }
 
 /// Samples that count as 0, by cause.
@@ -81,8 +116,13 @@ pub struct Stats {
 pub enum RenderError {
     #[error(transparent)]
     Gpu(#[from] GpuError),
-    #[error("not yet")]
-    NotYet,
+    #[error("the kernel of this scene does not compile, which is a mistake of vkpt's:\n{0}")]
+    Kernel(#[from] KernelError),
+    #[error(
+        "the driver ended loops of {0} paths before their end: the picture would be wrong. \
+         Try another driver, or --device cpu-f32"
+    )]
+    Loops(u64),
 }
 
 impl RenderError {
@@ -100,23 +140,17 @@ impl RenderError {
 /// Renders the job, calling `progress` after each slice of samples. Once `stop` is set, finishes the sample
 /// index under way in every pixel and returns what is there.
 pub fn render(
-    _job: &Job,
+    job: &Job,
     target: &Target,
-    _stop: &AtomicBool,
-    _progress: &mut dyn FnMut(Progress),
+    stop: &AtomicBool,
+    progress: &mut dyn FnMut(Progress),
 ) -> Result<Outcome, RenderError> {
-    if let Target::Vulkan(selector) = target {
-        Device::open(selector)?;
+    match target {
+        Target::Vulkan(selector) => {
+            let device = Device::open(selector)?;
+            vulkan::render(job, &device, stop, progress)
+        }
+        Target::CpuF32 => Ok(cpu::render::<f32>(job, "cpu-f32", stop, progress)),
+        Target::CpuF64 => Ok(cpu::render::<f64>(job, "cpu-f64", stop, progress)),
     }
-    Err(RenderError::NotYet)
-}
-
-/// The path of sample `index` of the pixel at column and row `pixel`, vertex by vertex, to be printed.
-pub fn trace(
-    _job: &Job,
-    _target: &Target,
-    _pixel: [u32; 2],
-    _index: u32,
-) -> Result<String, RenderError> {
-    Err(RenderError::NotYet)
 }

@@ -3,6 +3,11 @@
 //! `VKPT_TEST_DEVICE` picks it (part of a name, or an index; default: the best). A test that finds no device fails,
 //! unless `VKPT_TEST_NO_GPU=1` says outright that the run goes without.
 
+#![allow(dead_code, reason = "each test program uses a part of it")]
+
+pub mod render;
+pub mod stats;
+
 use std::sync::OnceLock;
 
 use vkpt::gpu::{Device, GpuError, Options, Selector};

@@ -1,0 +1,29 @@
+//! How many samples a dispatch should take: few at first, then as many as fit the time wanted.
+
+use std::time::Duration;
+
+/// Long enough to keep the device busy, short enough for ctrl-c, a progress bar and any watchdog.
+const WANTED: Duration = Duration::from_millis(75);
+
+/// The size of the next slice of samples, learnt from the last. The picture does not depend on it.
+#[derive(Debug)]
+pub struct Slices {
+    samples: u64,
+}
+
+impl Slices {
+    pub fn new() -> Self {
+        Self { samples: 1 }
+    }
+
+    /// Samples of the next slice, at most `left`.
+    pub fn next(&self, left: u64) -> u64 {
+        self.samples.min(left)
+    }
+
+    /// Learns that a slice of `samples` took `time`; at most doubles, so that one quick slice misleads little.
+    pub fn took(&mut self, samples: u64, time: Duration) {
+        let wanted = samples as f64 * WANTED.as_secs_f64() / time.as_secs_f64().max(1e-6);
+        self.samples = (wanted as u64).clamp(1, 2 * self.samples);
+    }
+}

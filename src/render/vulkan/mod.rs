@@ -1,0 +1,148 @@
+//! Rendering on a Vulkan device: tiles × slices of samples, until every pixel has its samples.
+
+mod run;
+mod scene_buffers;
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use super::slices::Slices;
+use super::{Dropped, Job, Outcome, Progress, RenderError, Stats};
+use crate::features::Features;
+use crate::film::Film;
+use crate::gpu::Device;
+use crate::layout::{FilmPixel, Record};
+use crate::reference::film::{PixelSum, film_mean};
+use crate::reference::math::{Vec3, vec3};
+use run::Run;
+
+/// Renders on `device`; ends early, with whole samples in every pixel, once `stop` is set.
+pub fn render(
+    job: &Job,
+    device: &Device,
+    stop: &AtomicBool,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Outcome, RenderError> {
+    let start = Instant::now();
+    let features = Features::of(job.prepared, &job.settings);
+    let mut run = Run::new(job, device, &features, None)?;
+    let compose_s = start.elapsed().as_secs_f64();
+    let compile_s = run.compile()?.as_secs_f64();
+
+    let start = Instant::now();
+    let done = sample(&mut run, job, stop, progress)?;
+    let render_s = start.elapsed().as_secs_f64();
+
+    let (film, counts) = develop(&run, job, done)?;
+    if counts.dropped.loops > 0 {
+        return Err(RenderError::Loops(counts.dropped.loops));
+    }
+    let stats = Stats {
+        device: device.info().name.clone(),
+        driver: device.info().driver.clone(),
+        compose_s,
+        compile_s,
+        render_s,
+        samples: done * u64::from(job.area().pixels()),
+        rays: counts.rays,
+        dropped: counts.dropped,
+        long_paths: counts.long_paths,
+        features: features.names(),
+    };
+    Ok(Outcome {
+        film,
+        spp: done,
+        interrupted: done < job.spp,
+        stats,
+    })
+}
+
+/// Slices of samples over all tiles; returns how many samples each pixel has.
+fn sample(
+    run: &mut Run,
+    job: &Job,
+    stop: &AtomicBool,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<u64, RenderError> {
+    let (mut done, mut slices) = (0, Slices::new());
+    while done < job.spp && !stop.load(Ordering::Relaxed) {
+        let slice = slices.next(job.spp - done);
+        let mut longest = Duration::ZERO;
+        for tile in 0..run.tiles.len() {
+            longest = longest.max(run.advance(tile, (done + slice) as u32)?);
+        }
+        slices.took(slice, longest);
+        done += slice;
+        progress(Progress::new(done, job.spp));
+    }
+    Ok(done)
+}
+
+/// The events of one path: sample `index` of the pixel at column and row `pixel`.
+pub fn records(
+    job: &Job,
+    device: &Device,
+    [column, row]: [u32; 2],
+    index: u32,
+) -> Result<Vec<Record>, RenderError> {
+    /// Some thousand bounces; the rest of a longer path is left out.
+    const CAPACITY: u32 = 8192;
+    let job = Job {
+        crop: Some([column, row, column + 1, row + 1]),
+        ..*job
+    };
+    let features = Features::of(job.prepared, &job.settings);
+    let mut run = Run::new(&job, device, &features, Some(CAPACITY))?;
+    run.sample_begin = index;
+    run.advance(0, 1)?;
+    run.records()
+}
+
+/// Sums over the pixels.
+#[derive(Default)]
+struct Counts {
+    rays: u64,
+    long_paths: u64,
+    dropped: Dropped,
+}
+
+impl Counts {
+    fn add(&mut self, p: &FilmPixel) {
+        self.rays += u64::from(p.rays);
+        self.long_paths += u64::from(p.long_paths);
+        self.dropped.nan += u64::from(p.nan);
+        self.dropped.infinite += u64::from(p.infinite);
+        self.dropped.loops += u64::from(p.loops);
+    }
+}
+
+/// The picture of `spp` samples a pixel, and the sums of what was counted.
+fn develop(run: &Run, job: &Job, spp: u64) -> Result<(Film, Counts), RenderError> {
+    let area = job.area();
+    let mut rgb = vec![[0.0; 3]; area.pixels() as usize];
+    let mut counts = Counts::default();
+    for (i, (tile, _)) in run.tiles.iter().enumerate() {
+        for (k, p) in run.film(i)?.iter().enumerate() {
+            let x = tile.x - area.x + k as u32 % tile.width;
+            let y = tile.y - area.y + k as u32 / tile.width;
+            rgb[(y * area.width + x) as usize] = mean(p, spp);
+            counts.add(p);
+        }
+    }
+    let film = Film {
+        width: area.width,
+        height: area.height,
+        rgb,
+    };
+    Ok((film, counts))
+}
+
+fn mean(p: &FilmPixel, spp: u64) -> [f32; 3] {
+    let rgb = |[r, g, b]: [f32; 3]| -> Vec3<f32> { vec3(r, g, b) };
+    let sum = PixelSum {
+        sum: rgb(p.sum),
+        comp: rgb(p.comp),
+    };
+    let mean = film_mean(sum, spp as u32);
+    [mean.x, mean.y, mean.z]
+}

@@ -1,0 +1,165 @@
+//! What a rendering keeps on the device, and one dispatch of it.
+
+use std::time::{Duration, Instant};
+
+use super::scene_buffers::SceneBuffers;
+use crate::features::Features;
+use crate::gpu::{Buffer, BufferUse, Device, DeviceKind, Pipeline};
+use crate::kernel;
+use crate::layout::{FilmPixel, PathState, Record, Slice};
+use crate::render::tiles::{Tile, tiles};
+use crate::render::{Job, RenderError};
+
+/// Threads of a workgroup; `local_size_x` of `shaders/path_trace.comp`.
+const WORKGROUP: u32 = 64;
+
+/// Loop steps a dispatch where the driver sets no limit: enough for some thousand bounces, short of any watchdog.
+const UNLIMITED_BUDGET: u32 = 1 << 20;
+
+/// A scene's kernel, its buffers, and the films of all tiles.
+pub struct Run<'a> {
+    job: &'a Job<'a>,
+    device: &'a Device,
+    pipeline: Pipeline,
+    scene: SceneBuffers,
+    paths: Buffer,
+    records: Option<Buffer>,
+    /// Each tile and its film.
+    pub tiles: Vec<(Tile, Buffer)>,
+    budget: u32,
+    /// Index of the first sample.
+    pub sample_begin: u32,
+}
+
+impl<'a> Run<'a> {
+    /// `records`: how many events of paths to write down.
+    pub fn new(
+        job: &'a Job,
+        device: &'a Device,
+        features: &Features,
+        records: Option<u32>,
+    ) -> Result<Self, RenderError> {
+        let scene = SceneBuffers::new(device, job.prepared, features, job.seed)?;
+        let kernel = kernel::scene::compose(features, &scene.parameters(job, records))?;
+        let spirv = kernel::compile(&kernel)?;
+        let mut uses = scene.uses();
+        uses.extend([BufferUse::Storage; 2]);
+        uses.extend(records.map(|_| BufferUse::Storage));
+        let pipeline = device.pipeline(&spirv, &uses, size_of::<Slice>() as u32)?;
+        let most = tile_pixels(device);
+        let mut films = Vec::new();
+        for tile in tiles(job.area(), most) {
+            films.push((tile, array::<FilmPixel>(device, "film", tile.pixels())?));
+        }
+        let largest = films.iter().map(|(t, _)| t.pixels()).max().unwrap_or(1);
+        Ok(Self {
+            job,
+            device,
+            pipeline,
+            scene,
+            paths: array::<PathState>(device, "paths", largest)?,
+            records: records
+                .map(|n| array::<Record>(device, "records", n))
+                .transpose()?,
+            tiles: films,
+            budget: budget(device)?,
+            sample_begin: 0,
+        })
+    }
+
+    /// The first dispatch, on which drivers compile: asks for no sample.
+    pub fn compile(&mut self) -> Result<Duration, RenderError> {
+        let start = Instant::now();
+        self.dispatch(0, 0)?;
+        Ok(start.elapsed())
+    }
+
+    /// Brings every pixel of a tile to `sample_end` samples; returns the longest dispatch.
+    pub fn advance(&mut self, tile: usize, sample_end: u32) -> Result<Duration, RenderError> {
+        if self.tiles.len() > 1 {
+            self.continue_from_film(tile)?;
+        }
+        let mut longest = Duration::ZERO;
+        loop {
+            longest = longest.max(self.dispatch(tile, sample_end)?);
+            let film = self.film(tile)?;
+            let failed = film.iter().any(|p| p.loops > 0);
+            if failed || film.iter().all(|p| p.samples == sample_end) {
+                return Ok(longest);
+            }
+        }
+    }
+
+    /// No path of the tile is under way: its threads need to know only how many samples they have begun.
+    fn continue_from_film(&mut self, tile: usize) -> Result<(), RenderError> {
+        let fresh = |p: &FilmPixel| PathState {
+            index: p.samples,
+            ..PathState::default()
+        };
+        let paths: Vec<PathState> = self.film(tile)?.iter().map(fresh).collect();
+        Ok(self.paths.write(bytemuck::cast_slice(&paths))?)
+    }
+
+    fn dispatch(&mut self, tile: usize, sample_end: u32) -> Result<Duration, RenderError> {
+        let (tile, film) = &self.tiles[tile];
+        let slice = Slice {
+            tile_x: tile.x,
+            tile_y: tile.y,
+            tile_width: tile.width,
+            tile_height: tile.height,
+            sample_begin: self.sample_begin,
+            sample_end,
+            budget: self.budget,
+            eye_medium: self.job.prepared.eye_medium,
+        };
+        let mut buffers = self.scene.buffers();
+        buffers.extend([&self.paths, film]);
+        buffers.extend(&self.records);
+        let groups = [tile.pixels().div_ceil(WORKGROUP), 1, 1];
+        let push = bytemuck::bytes_of(&slice);
+        Ok(self
+            .device
+            .dispatch(&self.pipeline, &buffers, push, groups)?)
+    }
+
+    /// The film of a tile, row by row.
+    pub fn film(&self, tile: usize) -> Result<Vec<FilmPixel>, RenderError> {
+        Ok(bytemuck::pod_collect_to_vec(&self.tiles[tile].1.read()?))
+    }
+
+    /// The events written down, in order.
+    pub fn records(&self) -> Result<Vec<Record>, RenderError> {
+        let paths: Vec<PathState> = bytemuck::pod_collect_to_vec(&self.paths.read()?);
+        let Some(buffer) = &self.records else {
+            return Ok(Vec::new());
+        };
+        let mut records: Vec<Record> = bytemuck::pod_collect_to_vec(&buffer.read()?);
+        records.truncate(paths[0].recorded as usize);
+        Ok(records)
+    }
+}
+
+fn array<T>(device: &Device, name: &str, count: u32) -> Result<Buffer, RenderError> {
+    let bytes = u64::from(count) * size_of::<T>() as u64;
+    Ok(device.buffer(name, BufferUse::Storage, bytes)?)
+}
+
+/// Pixels under way at once: a CPU gains from more samples a dispatch, a GPU from more threads; their paths
+/// must fit one buffer.
+fn tile_pixels(device: &Device) -> u32 {
+    let wanted = match device.info().kind {
+        DeviceKind::Cpu => 1 << 16,
+        _ => 1 << 20,
+    };
+    let fit = device.limits().storage_buffer / size_of::<PathState>() as u64;
+    wanted.min(fit as u32)
+}
+
+/// Loop steps of a thread after which it hands over. A driver's limit counts the steps of a whole subgroup, whose
+/// threads may in the worst case take turns; half is kept back for the bounce that crosses the line.
+fn budget(device: &Device) -> Result<u32, RenderError> {
+    Ok(match device.loop_limit()? {
+        Some(limit) => limit / device.limits().subgroup / 2,
+        None => UNLIMITED_BUDGET,
+    })
+}

@@ -1,0 +1,43 @@
+//! Statistics that several tests share.
+
+use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
+
+/// The level of each of `n` tests that makes a family's level `alpha`: 1 − (1 − α)^(1/n) (Šidák 1967).
+pub fn sidak(alpha: f64, n: usize) -> f64 {
+    1.0 - (1.0 - alpha).powf(1.0 / n as f64)
+}
+
+/// Mean and standard error of the mean.
+pub fn mean_and_error(samples: &[f64]) -> (f64, f64) {
+    let n = samples.len() as f64;
+    let mean = samples.iter().sum::<f64>() / n;
+    let variance = samples.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0);
+    (mean, (variance / n).sqrt())
+}
+
+/// Two-sided p-value of `samples` having the mean `expected` (Student's t).
+///
+/// Samples that are all equal have no error: they must equal the expectation within `rounding`.
+pub fn p_of_mean(samples: &[f64], expected: f64, rounding: f64) -> f64 {
+    let (mean, error) = mean_and_error(samples);
+    let off = (mean - expected).abs();
+    if off <= rounding {
+        return 1.0;
+    }
+    if error == 0.0 {
+        return 0.0;
+    }
+    let t = StudentsT::new(0.0, 1.0, samples.len() as f64 - 1.0).expect("two samples or more");
+    2.0 * (1.0 - t.cdf(off / error))
+}
+
+/// Two-sided p-value of two independent sets of samples having the same mean (Welch, normal approximation:
+/// for sets of twenty or more).
+pub fn p_of_difference(a: &[f64], b: &[f64]) -> f64 {
+    let ((mean_a, error_a), (mean_b, error_b)) = (mean_and_error(a), mean_and_error(b));
+    let error = error_a.hypot(error_b);
+    if error == 0.0 {
+        return if mean_a == mean_b { 1.0 } else { 0.0 };
+    }
+    2.0 * (1.0 - Normal::standard().cdf((mean_a - mean_b).abs() / error))
+}
