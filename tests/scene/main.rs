@@ -5,6 +5,7 @@ mod checks;
 mod course;
 mod fuzz;
 mod good;
+mod own;
 mod ply;
 mod ply_writer;
 mod rendering;
