@@ -2,7 +2,9 @@
 
 mod cli {
     mod help;
+    mod interrupt;
     pub mod program;
     mod readme;
     mod refusals;
+    mod rendering;
 }

@@ -1,0 +1,205 @@
+//! Whole renderings on the reference renderer: which files they leave, what these hold, how they end.
+
+use std::fs;
+use std::path::Path;
+
+use exr::prelude::{ReadChannels, ReadLayers, Text, Vec2};
+use serde_json::Value;
+
+use super::program::{SCENE, folder, names, run};
+
+/// A picture's corner in the full picture, its size, and its pixels, row by row.
+#[derive(Debug, PartialEq)]
+pub struct Picture {
+    pub origin: [i32; 2],
+    pub size: [usize; 2],
+    pub full: [usize; 2],
+    pub comments: String,
+    pub rgb: Vec<[f32; 3]>,
+}
+
+pub fn read_exr(path: &Path) -> Picture {
+    let image = exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .rgb_channels(
+            |size, _| (size.width(), vec![[0f32; 3]; size.area()]),
+            |(width, pixels), Vec2(x, y), (r, g, b): (f32, f32, f32)| {
+                pixels[y * *width + x] = [r, g, b]
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .from_file(path)
+        .expect("an EXR");
+    let layer = image.layer_data;
+    let full = image.attributes.display_window.size;
+    Picture {
+        origin: [
+            layer.attributes.layer_position.x(),
+            layer.attributes.layer_position.y(),
+        ],
+        size: [layer.size.width(), layer.size.height()],
+        full: [full.width(), full.height()],
+        comments: layer
+            .attributes
+            .comments
+            .as_ref()
+            .map_or(String::new(), Text::to_string),
+        rgb: layer.channel_data.pixels.1,
+    }
+}
+
+/// Renders `scene.scn` with the arguments and expects success.
+fn rendered(folder: &Path, arguments: &[&str]) -> String {
+    let all: Vec<&str> = ["scene.scn", "--device", "cpu-f32"]
+        .iter()
+        .chain(arguments)
+        .copied()
+        .collect();
+    let run = run(folder, &all);
+    assert_eq!(run.code, Some(0), "{arguments:?}: {}", run.err);
+    assert_eq!(run.err, "", "{arguments:?}");
+    run.out
+}
+
+#[test]
+fn the_default_is_two_pictures_named_like_the_scene() {
+    let folder = folder(SCENE);
+    let out = rendered(folder.path(), &["--spp", "2"]);
+    assert_eq!(
+        names(folder.path()),
+        ["scene.exr", "scene.png", "scene.scn"]
+    );
+    assert!(
+        out.starts_with("scene.scn: 8×6, 2 samples per pixel, seed 0\n"),
+        "{out}"
+    );
+    assert!(out.ends_with("wrote   scene.png, scene.exr\n"), "{out}");
+
+    // The emitter's radiance is 1 where it fills a pixel, and there is nothing around it.
+    let picture = read_exr(&folder.path().join("scene.exr"));
+    assert_eq!(
+        (picture.size, picture.full, picture.origin),
+        ([8, 6], [8, 6], [0, 0])
+    );
+    assert_eq!(
+        (picture.rgb[3 * 8 + 4], picture.rgb[0]),
+        ([1.0; 3], [0.0; 3])
+    );
+    assert!(
+        picture.comments.contains("scene: scene.scn\nsize: 8x6\n"),
+        "{}",
+        picture.comments
+    );
+    assert!(
+        picture.comments.contains("spp: 2\nseed: 0\n"),
+        "{}",
+        picture.comments
+    );
+}
+
+#[test]
+fn the_same_command_leaves_the_same_bytes() {
+    let arguments = ["--spp", "3", "--seed", "7", "--crop", "1,1,6,5"];
+    let bytes = || {
+        let folder = folder(LIT);
+        rendered(folder.path(), &arguments);
+        ["scene.png", "scene.exr"]
+            .map(|name| fs::read(folder.path().join(name)).expect("a picture"))
+    };
+    assert_eq!(bytes(), bytes());
+}
+
+#[test]
+fn seeds_differ() {
+    let pixels = |seed| {
+        let folder = folder(LIT);
+        rendered(
+            folder.path(),
+            &["-o", "a.exr", "--spp", "1", "--seed", seed],
+        );
+        read_exr(&folder.path().join("a.exr")).rgb
+    };
+    assert_ne!(pixels("1"), pixels("2"));
+}
+
+#[test]
+fn a_crop_is_a_piece_of_the_picture() {
+    let folder = folder(LIT);
+    rendered(folder.path(), &["-o", "full.exr", "--spp", "2"]);
+    rendered(
+        folder.path(),
+        &["-o", "crop.exr", "--spp", "2", "--crop", "2,1,7,4"],
+    );
+    let [full, crop] = ["full.exr", "crop.exr"].map(|name| read_exr(&folder.path().join(name)));
+    assert_eq!(
+        (crop.origin, crop.size, crop.full),
+        ([2, 1], [5, 3], [8, 6])
+    );
+    let piece: Vec<_> = (1..4)
+        .flat_map(|y| full.rgb[8 * y + 2..8 * y + 7].to_vec())
+        .collect();
+    assert_eq!(crop.rgb, piece);
+}
+
+#[test]
+fn quiet_says_nothing_and_json_says_all() {
+    let folder = folder(LIT);
+    let out = rendered(
+        folder.path(),
+        &[
+            "-o", "a.png", "--quiet", "--json", "a.json", "--size", "5x4", "--spp", "3", "--model",
+            "handout",
+        ],
+    );
+    assert_eq!(out, "");
+    assert_eq!(names(folder.path()), ["a.json", "a.png", "scene.scn"]);
+    let text = fs::read_to_string(folder.path().join("a.json")).expect("a report");
+    let json: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(json["samples"], 5 * 4 * 3);
+    assert!(json["rays"].as_u64() >= json["samples"].as_u64(), "{text}");
+    assert_eq!(
+        json["dropped"],
+        serde_json::json!({ "nan": 0, "infinite": 0, "loop": 0 })
+    );
+    assert_eq!(json["settings"]["roulette"], "0.8");
+    assert_eq!(json["files"], serde_json::json!(["a.png"]));
+    for stage in ["read", "prepare", "compose", "compile", "render", "write"] {
+        assert!(
+            json["seconds"][stage].as_f64().is_some_and(|s| s >= 0.0),
+            "{stage}: {text}"
+        );
+    }
+}
+
+#[test]
+fn a_flag_beats_a_word_and_a_word_beats_the_preset() {
+    let fresnel = |arguments: &[&str]| {
+        let folder = folder(&format!("{GLASS}fresnel exact\n{BALL}"));
+        rendered(
+            folder.path(),
+            &[&["-o", "a.exr", "--spp", "4"], arguments].concat(),
+        );
+        read_exr(&folder.path().join("a.exr")).rgb
+    };
+    let word = fresnel(&[]);
+    assert_eq!(fresnel(&["--fresnel", "exact"]), word);
+    assert_ne!(fresnel(&["--fresnel", "schlick"]), word);
+    let preset = fresnel(&["--model", "handout"]);
+    assert_eq!(
+        fresnel(&["--model", "handout", "--fresnel", "exact"]),
+        preset
+    );
+    assert_ne!(
+        fresnel(&["--model", "handout", "--fresnel", "schlick"]),
+        preset
+    );
+}
+
+/// A diffuse floor under a small light.
+const LIT: &str = "screen 8 6\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 3 1 0.5\n\
+    brdf .5 .6 .7 0 0 0 1\nbox -9 -9 -2 18 18 1\n";
+
+const GLASS: &str = "screen 8 6\ncamera 0 0 5 0.3\nbackground 1 2 3\n";
+const BALL: &str = "brdf 0 0 0 .1 .1 .1 .3 .9 .5 .2 1.5\nsphere 0 0 0 1\n";
