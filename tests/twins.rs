@@ -1,6 +1,5 @@
 //! Every GLSL function against its Rust twin: equal bits in `f32` on a CPU driver. See `twins/harness.rs`.
 
-#[allow(dead_code, reason = "a toolbox: each test file uses what it needs")]
 mod common;
 #[path = "twins/harness.rs"]
 #[allow(dead_code, reason = "a toolbox: rows use what they need")]
