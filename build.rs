@@ -9,7 +9,8 @@ fn main() -> io::Result<()> {
     let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR").unwrap_or_default()).join("shaders");
     let mut paths = Vec::new();
     collect(&root, &mut paths)?;
-    paths.sort();
+    // By name, as they are looked up: `a` before `a/b`, which a path would put after `a.glsl`.
+    paths.sort_by_key(|path| name(path, &root));
     let mut table = String::from("&[\n");
     for path in paths {
         let _ = writeln!(

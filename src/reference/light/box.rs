@@ -6,7 +6,7 @@ use crate::reference::math::{Real, Vec3, vec3};
 
 /// How many faces across each axis are sampled from `p`, 0 to 2: from outside those that show their
 /// front, at most one an axis; from inside, or from a point on the box that sees none, all six.
-fn faces_seen<F: Real>(p: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>) -> Vec3<F> {
+pub fn faces_seen<F: Real>(p: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>) -> Vec3<F> {
     let seen = |p: F, lo: F, hi: F| {
         if p < lo || hi < p {
             F::one()
@@ -27,8 +27,18 @@ fn faces_seen<F: Real>(p: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>) -> Vec3<F> {
 }
 
 /// The area of one face across each axis.
-fn face_areas<F: Real>(e: Vec3<F>) -> Vec3<F> {
+pub fn face_areas<F: Real>(e: Vec3<F>) -> Vec3<F> {
     vec3(e.y * e.z, e.z * e.x, e.x * e.y)
+}
+
+/// Whether the upper face across an axis is meant: the one that shows its front, or of both the one that the
+/// second half of the choice falls on.
+pub fn upper_face<F: Real>(p: F, lo: F, faces: F, area: F, choice: F) -> bool {
+    if faces == F::one() {
+        lo <= p
+    } else {
+        area <= choice
+    }
 }
 
 /// A point uniform over the faces that `p` sees; the face is chosen by `u24` < 2²⁴.
@@ -48,35 +58,24 @@ pub fn box_light_sample<F: Real>(
     let x = choice < area.x;
     let y = !x && choice < area.x + area.y;
     let z = !x && !y;
-    // Of two faces across an axis the upper one has the second half of the choice.
-    let half_x = if faces.x == F::one() {
-        lo.x <= p.x
-    } else {
-        face.x <= choice
-    };
-    let half_y = if faces.y == F::one() {
-        lo.y <= p.y
-    } else {
-        face.y <= choice - area.x
-    };
-    let half_z = if faces.z == F::one() {
-        lo.z <= p.z
-    } else {
-        face.z <= choice - (area.x + area.y)
-    };
     let unit = |on: bool| if on { F::one() } else { F::zero() };
-    let s = if x { unit(half_x) } else { u[0] };
-    let t = if y {
-        unit(half_y)
-    } else if x {
-        u[0]
-    } else {
-        u[1]
-    };
-    let r = if z { unit(half_z) } else { u[1] };
-    let point = lo + e * vec3(s, t, r);
+    let upper_x = unit(upper_face(p.x, lo.x, faces.x, face.x, choice));
+    let upper_y = unit(upper_face(p.y, lo.y, faces.y, face.y, choice - area.x));
+    let upper_z = unit(upper_face(
+        p.z,
+        lo.z,
+        faces.z,
+        face.z,
+        choice - (area.x + area.y),
+    ));
+    let across = if x { u[0] } else { u[1] };
+    let at = vec3(
+        if x { upper_x } else { u[0] },
+        if y { upper_y } else { across },
+        if z { upper_z } else { u[1] },
+    );
     area_sample(
-        point - p,
+        lo + e * at - p,
         vec3(unit(x), unit(y), unit(z)),
         area_density(total),
         NONE,

@@ -10,28 +10,28 @@ const PI: f64 = std::f64::consts::PI;
 
 /// The areas that are sampled from a point, given in the cylinder's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct CylinderArea<F> {
-    side: F,
-    base: F,
-    top: F,
+pub struct CylinderArea<F> {
+    pub side: F,
+    pub base: F,
+    pub top: F,
     /// The point sees no part from outside: it is inside, or on the surface.
-    inside: bool,
+    pub inside: bool,
 }
 
 /// From outside the caps that show their front, and beside the cylinder the half of the side that is
 /// turned to the point; from inside everything.
-fn cylinder_area<F: Real>(p: Vec3<F>, radius: F, height: F) -> CylinderArea<F> {
+pub fn cylinder_area<F: Real>(p: Vec3<F>, radius: F, height: F) -> CylinderArea<F> {
     let beside = radius < (p.x * p.x + p.y * p.y).sqrt();
     let below = p.z < F::zero();
     let above = height < p.z;
     let inside = !beside && !below && !above;
-    let half = F::new(PI) * radius * height;
+    let half_side = F::new(PI) * radius * height;
     let cap = F::new(PI) * radius * radius;
     CylinderArea {
         side: if inside {
-            half + half
+            half_side + half_side
         } else if beside {
-            half
+            half_side
         } else {
             F::zero()
         },
@@ -43,7 +43,7 @@ fn cylinder_area<F: Real>(p: Vec3<F>, radius: F, height: F) -> CylinderArea<F> {
 
 /// A point uniform over the areas of `cylinder_area`; the part is chosen by `u24` < 2²⁴.
 ///
-/// Beside the cylinder a point of the half that is turned away yields no sample: pdf 0.
+/// Beside the cylinder a point of the half that does not show its front after all yields no sample: pdf 0.
 pub fn cylinder_light_sample<F: Real>(
     p: Vec3<F>,
     cylinder: &Cylinder<F>,
@@ -56,13 +56,17 @@ pub fn cylinder_light_sample<F: Real>(
     let total = area.side + area.base + area.top;
     let choice = choice_below(u24, total);
     let on_side = choice < area.side;
-    let on_base = !on_side && choice < area.side + area.base;
-    let half = on_side && !area.inside;
-    let (sin, cos) = F::sincos_2pi(if half { u[0] * F::new(0.5) } else { u[0] });
+    let on_base = choice < area.side + area.base;
+    let half_turn = on_side && !area.inside;
+    let (sin, cos) = F::sincos_2pi(if half_turn { u[0] * F::new(0.5) } else { u[0] });
     // Half a turn about the direction to p, or a whole turn.
-    let rho = (pl.x * pl.x + pl.y * pl.y).sqrt();
-    let ex = if half { pl.x / rho } else { F::one() };
-    let ey = if half { pl.y / rho } else { F::zero() };
+    let rho = if half_turn {
+        (pl.x * pl.x + pl.y * pl.y).sqrt()
+    } else {
+        F::one()
+    };
+    let ex = if half_turn { pl.x / rho } else { F::one() };
+    let ey = if half_turn { pl.y / rho } else { F::zero() };
     let x = ex * sin - ey * cos;
     let y = ey * sin + ex * cos;
     let r = if on_side {
@@ -82,7 +86,7 @@ pub fn cylinder_light_sample<F: Real>(
         vec3(F::zero(), F::zero(), F::one())
     };
     let to = vec3(x * r, y * r, z) - pl;
-    let turned_away = half && dot3(to, n) >= F::zero();
+    let turned_away = half_turn && dot3(to, n) >= F::zero();
     let density = if turned_away {
         F::zero()
     } else {

@@ -4,8 +4,7 @@ use super::choice::{cdf_choice, cdf_probability};
 use super::sample::{LightSample, area_density, area_sample, solid_angle_pdf};
 use crate::reference::math::{Real, Vec3};
 use crate::reference::shape::Triangle;
-use crate::reference::shape::triangle::area::triangle_area;
-use crate::reference::shape::triangle::triangle_point;
+use crate::reference::shape::triangle::area::{triangle_area, triangle_point};
 
 /// A point of a mesh: the triangle by `u24` < 2²⁴ from the mesh's own n + 1 entries `cdf`, then a point
 /// uniform in it. `first` is the mesh's first triangle among all, `triangles`.

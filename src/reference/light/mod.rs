@@ -5,13 +5,13 @@
 //! has hit. Densities per area become densities per solid angle by p_ω = p_A·r²/|N_L·w|, with one
 //! cosine (model page, section 10).
 
-mod background;
-mod r#box;
-mod choice;
-mod cylinder;
-mod mesh;
-mod sample;
-mod sphere;
+pub mod background;
+pub mod r#box;
+pub mod choice;
+pub mod cylinder;
+pub mod mesh;
+pub mod sample;
+pub mod sphere;
 
 pub use background::{background_light_pdf, background_light_sample};
 pub use r#box::{box_light_pdf, box_light_sample};

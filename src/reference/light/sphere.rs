@@ -56,12 +56,12 @@ pub fn sphere_light_pdf<F: Real>(
 }
 
 /// 1/(4πr²)
-fn sphere_density<F: Real>(radius: F) -> F {
+pub fn sphere_density<F: Real>(radius: F) -> F {
     area_density(F::new(FOUR_PI) * (radius * radius))
 }
 
 /// 1/(2π(1 − cos θ_max)); 0 where a sphere is so small that f32 has no number for it.
-fn cone_pdf<F: Real>(height: F) -> F {
+pub fn cone_pdf<F: Real>(height: F) -> F {
     let lost = height < F::new(1e-37);
     let pdf = F::new(INV_2PI) / if lost { F::one() } else { height };
     if lost { F::zero() } else { pdf }
@@ -71,7 +71,7 @@ fn cone_pdf<F: Real>(height: F) -> F {
 ///
 /// The distance to the near side is (d² − r²)/(d cos θ + √(r² − d² sin²θ)), where the root is
 /// d √((h_max − h)(2 − h_max − h)), since r = d sin θ_max.
-fn cone_sample<F: Real>(axis: Vec3<F>, d: F, radius: F, u: [F; 2]) -> LightSample<F> {
+pub fn cone_sample<F: Real>(axis: Vec3<F>, d: F, radius: F, u: [F; 2]) -> LightSample<F> {
     let one = F::one();
     let two = F::new(2.0);
     let height = cone_height(radius, d);

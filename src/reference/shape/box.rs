@@ -1,7 +1,7 @@
 //! Axis-aligned boxes; twin of `shaders/shape/box.glsl`.
 
-use super::ray::{Hit, Ray, START_ELSEWHERE, START_INSIDE, Surface};
-use super::slab::slab;
+use super::ray::{Hit, Ray, Surface};
+use super::slab::{Slab, enters, first_of, slab};
 use crate::prepared;
 use crate::reference::math::{Real, Vec3, max2, min2, vec3};
 
@@ -30,6 +30,18 @@ pub struct BoxHit<F> {
     pub face: u32,
 }
 
+/// The face on the side of `d` across axis `x`, else `y`, else z.
+pub fn box_face<F: Real>(x: bool, y: bool, d: Vec3<F>) -> u32 {
+    let (axis, along) = if x {
+        (0, d.x)
+    } else if y {
+        (1, d.y)
+    } else {
+        (2, d.z)
+    };
+    2 * axis + u32::from(along > F::zero())
+}
+
 /// The first hit with a box along the unit vector `d`, or t = −1.
 ///
 /// `start` is the ray's relation to this very box. To its outside: never. To its inside: where it leaves,
@@ -41,65 +53,38 @@ pub fn box_hit<F: Real>(o: Vec3<F>, d: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>, start:
     let z = slab(o.z, d.z, lo.z, hi.z, start);
     let near = max2(max2(x.near, y.near), z.near);
     let far = min2(min2(x.far, y.far), z.far);
-    let enters = near > F::zero() && start == START_ELSEWHERE;
-    let found = near <= far && far > F::zero() && start == START_ELSEWHERE;
-    let t = if enters { near } else { far };
+    let stretch = Slab { near, far };
     BoxHit {
-        t: if start == START_INSIDE {
-            max2(far, F::zero())
-        } else if found {
-            t
+        t: first_of(stretch, start),
+        face: if enters(stretch, start) {
+            box_face(x.near == near, y.near == near, -d)
         } else {
-            -F::one()
-        },
-        face: if enters {
-            face_towards(vec3(x.near == near, y.near == near, z.near == near), -d)
-        } else {
-            face_towards(vec3(x.far == far, y.far == far, z.far == far), d)
+            box_face(x.far == far, y.far == far, d)
         },
     }
 }
 
-/// The face on the side of `d`, of the first axis that is marked.
-fn face_towards<F: Real>(axis: Vec3<bool>, d: Vec3<F>) -> u32 {
-    let upper = |c: F| u32::from(c > F::zero());
-    if axis.x {
-        upper(d.x)
-    } else if axis.y {
-        2 + upper(d.y)
-    } else {
-        4 + upper(d.z)
-    }
+/// The coordinate of a point of a face: of the face's plane along the axis `across` it, clamped to the face
+/// elsewhere.
+pub fn box_snap<F: Real>(across: bool, upper: bool, p: F, lo: F, hi: F) -> F {
+    let plane = if upper { hi } else { lo };
+    if across { plane } else { min2(max2(p, lo), hi) }
 }
 
 /// The point that was hit, exactly on the face's plane and within the face.
 pub fn box_surface<F: Real>(ray: Ray<F>, hit: Hit<F>, cuboid: &Cuboid<F>) -> Surface<F> {
     let (lo, hi) = (cuboid.lo, cuboid.hi);
     let p = ray.o + ray.d * hit.t;
+    let axis = hit.prim / 2;
     let upper = hit.prim % 2 == 1;
     let sign = if upper { F::one() } else { -F::one() };
-    let snap = |axis: u32, p: F, lo: F, hi: F| {
-        if hit.prim / 2 != axis {
-            min2(max2(p, lo), hi)
-        } else if upper {
-            hi
-        } else {
-            lo
-        }
-    };
-    let along = |axis: u32| {
-        if hit.prim / 2 == axis {
-            sign
-        } else {
-            F::zero()
-        }
-    };
+    let along = |k: u32| if axis == k { sign } else { F::zero() };
     let n = vec3(along(0), along(1), along(2));
     Surface {
         p: vec3(
-            snap(0, p.x, lo.x, hi.x),
-            snap(1, p.y, lo.y, hi.y),
-            snap(2, p.z, lo.z, hi.z),
+            box_snap(axis == 0, upper, p.x, lo.x, hi.x),
+            box_snap(axis == 1, upper, p.y, lo.y, hi.y),
+            box_snap(axis == 2, upper, p.z, lo.z, hi.z),
         ),
         ng: n,
         ns: n,

@@ -1,10 +1,10 @@
 //! Capped cylinders; twin of `shaders/shape/cylinder.glsl`.
 
-use super::ray::{FAR, Hit, Ray, START_ELSEWHERE, START_INSIDE, Surface};
-use super::slab::{PARALLEL, Slab, slab};
+use super::ray::{FAR, Hit, Ray, START_INSIDE, Surface};
+use super::slab::{PARALLEL, Slab, enters, first_of, slab};
 use crate::prepared;
-use crate::reference::math::frame::{Frame, to_local, to_world};
-use crate::reference::math::{Real, Vec3, max2, min2, vec3};
+use crate::reference::math::frame::{Frame, to_local};
+use crate::reference::math::{Real, Vec3, max2, min2};
 
 /// The solid { base + x u + y v + z w : x² + y² ≤ radius², 0 ≤ z ≤ height }, (u, v, w) orthonormal.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,38 +61,28 @@ pub struct CylinderHit<F> {
 /// discriminant b² − a c cancels; it equals a r² − (ox dy − oy dx)², which does not. A ray that starts on the
 /// side to the inside has the roots 0 and 2b/a.
 pub fn side_stretch<F: Real>(o: Vec3<F>, d: Vec3<F>, radius: F, start: u32, part: u32) -> Slab<F> {
+    let zero = F::zero();
     let inside = start == START_INSIDE;
     let a = d.x * d.x + d.y * d.y;
     let parallel = a < F::new(PARALLEL);
+    let divisor = if parallel { F::one() } else { a };
     let b = -(o.x * d.x + o.y * d.y);
     let rho = (o.x * o.x + o.y * o.y).sqrt();
     let c = (rho - radius) * (rho + radius);
     let cross = o.x * d.y - o.y * d.x;
     let disc = a * (radius * radius) - cross * cross;
-    let root = max2(disc, F::zero()).sqrt();
-    let q = if b < F::zero() { b - root } else { b + root };
-    let by_q = q / if parallel { F::one() } else { a };
-    let by_c = if q == F::zero() { F::zero() } else { c / q };
+    let root = max2(disc, zero).sqrt();
+    let q = if b < zero { b - root } else { b + root };
     let on_side = inside && part == CYLINDER_SIDE;
-    let t0 = if on_side { F::zero() } else { by_c };
-    let t1 = if on_side {
-        (b + b) / if parallel { F::one() } else { a }
-    } else {
-        by_q
-    };
-    let within = inside || (rho < radius && parallel) || (disc >= F::zero() && !parallel);
+    let t0 = if on_side || q == zero { zero } else { c / q };
+    let t1 = if on_side { b + b } else { q } / divisor;
+    let crosses = if parallel { rho < radius } else { disc >= zero };
+    let within = inside || crosses;
     let far = if within { F::new(FAR) } else { -F::new(FAR) };
+    let bounded = within && !parallel;
     Slab {
-        near: if parallel || !within {
-            -far
-        } else {
-            min2(t0, t1)
-        },
-        far: if parallel || !within {
-            far
-        } else {
-            max2(t0, t1)
-        },
+        near: if bounded { min2(t0, t1) } else { -far },
+        far: if bounded { max2(t0, t1) } else { far },
     }
 }
 
@@ -100,7 +90,8 @@ pub fn side_stretch<F: Real>(o: Vec3<F>, d: Vec3<F>, radius: F, start: u32, part
 ///
 /// `start` is the ray's relation to this very cylinder, `part` the part that it starts on. To its
 /// outside: never. To its inside: where it leaves, t ≥ 0, always found. From elsewhere: the least t > 0.
-/// The solid is a stretch between two planes within an infinite cylinder; a ray meets it where both do.
+/// The solid is what an infinite cylinder and the space between two planes have in common, and so are the
+/// stretches.
 pub fn cylinder_hit<F: Real>(
     o: Vec3<F>,
     d: Vec3<F>,
@@ -113,29 +104,22 @@ pub fn cylinder_hit<F: Real>(
     let dl = to_local(frame, d);
     let side = side_stretch(ol, dl, cylinder.radius, start, part);
     let caps = slab(ol.z, dl.z, F::zero(), cylinder.height, start);
-    let near = max2(side.near, caps.near);
-    let far = min2(side.far, caps.far);
-    let enters = near > F::zero() && start == START_ELSEWHERE;
-    let found = near <= far && far > F::zero() && start == START_ELSEWHERE;
-    let by_side = if enters {
+    let stretch = Slab {
+        near: max2(side.near, caps.near),
+        far: min2(side.far, caps.far),
+    };
+    let entering = enters(stretch, start);
+    let by_side = if entering {
         side.near > caps.near
     } else {
         side.far < caps.far
     };
     let upwards = dl.z > F::zero();
     CylinderHit {
-        t: if start == START_INSIDE {
-            max2(far, F::zero())
-        } else if !found {
-            -F::one()
-        } else if enters {
-            near
-        } else {
-            far
-        },
+        t: first_of(stretch, start),
         part: if by_side {
             CYLINDER_SIDE
-        } else if upwards == enters {
+        } else if upwards == entering {
             CYLINDER_BASE
         } else {
             CYLINDER_TOP
@@ -152,8 +136,9 @@ pub fn cylinder_surface<F: Real>(ray: Ray<F>, hit: Hit<F>, cylinder: &Cylinder<F
     let rho = (p.x * p.x + p.y * p.y).sqrt();
     // Where the radius is below the resolution of the coordinates, any direction will do.
     let on_axis = rho == F::zero();
-    let x = if on_axis { F::one() } else { p.x / rho };
-    let y = if on_axis { F::zero() } else { p.y / rho };
+    let divisor = if on_axis { F::one() } else { rho };
+    let x = if on_axis { F::one() } else { p.x / divisor };
+    let y = p.y / divisor;
     let r = if on_side {
         cylinder.radius
     } else {
@@ -165,7 +150,7 @@ pub fn cylinder_surface<F: Real>(ray: Ray<F>, hit: Hit<F>, cylinder: &Cylinder<F
     } else {
         cap
     };
-    let side = to_world(frame, vec3(x, y, F::zero()));
+    let side = frame.t * x + frame.b * y;
     let n = if on_side {
         side
     } else if on_base {
@@ -174,7 +159,7 @@ pub fn cylinder_surface<F: Real>(ray: Ray<F>, hit: Hit<F>, cylinder: &Cylinder<F
         cylinder.w
     };
     Surface {
-        p: cylinder.base + to_world(frame, vec3(x * r, y * r, z)),
+        p: cylinder.base + (side * r + frame.n * z),
         ng: n,
         ns: n,
     }

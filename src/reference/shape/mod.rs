@@ -5,16 +5,16 @@
 //! triangle of a mesh is told from the one that the ray starts on by planes and orientation
 //! ([`triangle::nearer`]). No constant here has a unit of length.
 
-mod r#box;
-mod cylinder;
+pub mod r#box;
+pub mod cylinder;
 pub mod linear;
 pub mod normal;
 pub mod ray;
 pub mod slab;
-mod sphere;
+pub mod sphere;
 pub mod triangle;
 
-pub use r#box::{BoxHit, Cuboid, box_hit, box_surface};
+pub use r#box::{BoxHit, Cuboid, box_face, box_hit, box_snap, box_surface};
 pub use cylinder::{
     CYLINDER_BASE, CYLINDER_SIDE, CYLINDER_TOP, Cylinder, CylinderHit, cylinder_frame,
     cylinder_hit, cylinder_surface,

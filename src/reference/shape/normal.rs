@@ -1,14 +1,9 @@
-//! Shading normals of meshes; twin of `shaders/shape/normal/`.
+//! Shading normals of meshes that give any; twin of `shaders/shape/normal/smooth.glsl`.
 
-use crate::reference::math::{Real, Vec3, dot3};
-
-/// No mesh gives shading normals.
-pub fn shading_normal_flat<F: Real>(ng: Vec3<F>) -> Vec3<F> {
-    ng
-}
+use crate::reference::math::{Real, Vec3, dot3, length3};
 
 /// The corners' normals by the hit's weights, turned to the side of `ng`; `ng` where they are 0.
-pub fn shading_normal_smooth<F: Real>(
+pub fn interpolated_normal<F: Real>(
     n0: Vec3<F>,
     n1: Vec3<F>,
     n2: Vec3<F>,
@@ -16,9 +11,9 @@ pub fn shading_normal_smooth<F: Real>(
     ng: Vec3<F>,
 ) -> Vec3<F> {
     let n = n0 * (F::one() - uv[0] - uv[1]) + n1 * uv[0] + n2 * uv[1];
-    let length = dot3(n, n).sqrt();
+    let length = length3(n);
     let flat = length == F::zero();
-    let unit = n * (F::one() / if flat { F::one() } else { length });
+    let unit = n / if flat { F::one() } else { length };
     if flat {
         ng
     } else if dot3(unit, ng) < F::zero() {

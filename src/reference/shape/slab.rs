@@ -1,9 +1,9 @@
 //! The part of a ray between two parallel planes; twin of `shaders/shape/slab.glsl`.
 
-use super::ray::{FAR, START_INSIDE};
+use super::ray::{FAR, START_ELSEWHERE, START_INSIDE};
 use crate::reference::math::{Real, max2, min2};
 
-/// The stretch of a ray between two parallel planes; empty where near > far.
+/// A stretch of a ray; empty where near > far.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slab<F> {
     pub near: F,
@@ -26,5 +26,23 @@ pub fn slab<F: Real>(o: F, d: F, lo: F, hi: F, start: u32) -> Slab<F> {
     Slab {
         near: if parallel { -far } else { min2(t_lo, t_hi) },
         far: if parallel { far } else { max2(t_lo, t_hi) },
+    }
+}
+
+/// Whether a ray meets a convex solid, which it crosses along the stretch `s`, where it enters.
+pub fn enters<F: Real>(s: Slab<F>, start: u32) -> bool {
+    s.near > F::zero() && start == START_ELSEWHERE
+}
+
+/// Where a ray first meets a convex solid that it crosses along the stretch `s`, or −1. To its outside: never. To its
+/// inside: where it leaves, t ≥ 0, always found. From elsewhere: the least t > 0.
+pub fn first_of<F: Real>(s: Slab<F>, start: u32) -> F {
+    let found = s.near <= s.far && s.far > F::zero() && start == START_ELSEWHERE;
+    let t = if enters(s, start) { s.near } else { s.far };
+    let elsewhere = if found { t } else { -F::one() };
+    if start == START_INSIDE {
+        max2(s.far, F::zero())
+    } else {
+        elsewhere
     }
 }

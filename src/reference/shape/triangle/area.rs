@@ -1,4 +1,4 @@
-//! Normal and area of a triangle; twin of `shaders/shape/triangle/area.glsl`.
+//! Points, normal and area of a triangle; twin of `shaders/shape/triangle/area.glsl`.
 
 use crate::reference::math::{Real, Vec3, cross3, length3, max_component, max2, vec3};
 
@@ -14,14 +14,18 @@ pub fn abs3<F: Real>(v: Vec3<F>) -> Vec3<F> {
     vec3(v.x.abs(), v.y.abs(), v.z.abs())
 }
 
+/// v₀ + (u e₁ + v e₂): what is rounded at the size of the coordinates is rounded once.
+pub fn triangle_point<F: Real>(v0: Vec3<F>, v1: Vec3<F>, v2: Vec3<F>, uv: [F; 2]) -> Vec3<F> {
+    v0 + ((v1 - v0) * uv[0] + (v2 - v0) * uv[1])
+}
+
 /// e₁ × e₂ = 2·area·ng, of edges scaled to a size of 1, so that neither small nor large ones leave the
 /// range of `F`. A triangle without area gets area 0 and the normal (0, 0, 1).
 pub fn triangle_area<F: Real>(v0: Vec3<F>, v1: Vec3<F>, v2: Vec3<F>) -> TriangleArea<F> {
     let e1 = v1 - v0;
     let e2 = v2 - v0;
     let size = max2(max_component(abs3(e1)), max_component(abs3(e2)));
-    let flat = size == F::zero();
-    let scale = F::one() / if flat { F::one() } else { size };
+    let scale = F::one() / if size == F::zero() { F::one() } else { size };
     let n = cross3(e1 * scale, e2 * scale);
     let length = length3(n);
     let empty = length == F::zero();

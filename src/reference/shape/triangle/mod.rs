@@ -3,14 +3,16 @@
 pub mod area;
 pub mod hit;
 pub mod nearer;
+pub mod origin;
 
-use super::normal::{shading_normal_flat, shading_normal_smooth};
+use super::normal::interpolated_normal;
 use super::ray::{Hit, Surface};
 use crate::prepared;
 use crate::reference::math::{Real, Vec3};
-use area::triangle_area;
+use area::{triangle_area, triangle_point};
 pub use hit::{RayShear, TriangleHit, ray_shear, triangle_hit};
-pub use nearer::{nearer_triangle, triangle_self_distance};
+pub use nearer::nearer_triangle;
+pub use origin::triangle_self_distance;
 
 /// Three corners, counter-clockwise as seen from outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,11 +30,6 @@ impl<F: Real> Triangle<F> {
     }
 }
 
-/// v₀ + (u e₁ + v e₂): what is rounded at the size of the coordinates is rounded once.
-pub fn triangle_point<F: Real>(v0: Vec3<F>, v1: Vec3<F>, v2: Vec3<F>, uv: [F; 2]) -> Vec3<F> {
-    v0 + ((v1 - v0) * uv[0] + (v2 - v0) * uv[1])
-}
-
 /// The point that was hit, by its weights; the normal from the edges, the shading normal from `normals`,
 /// those of the corners, where the mesh gives any.
 pub fn triangle_surface<F: Real>(
@@ -46,8 +43,8 @@ pub fn triangle_surface<F: Real>(
         p: triangle_point(v0, v1, v2, hit.uv),
         ng,
         ns: match normals {
-            Some(n) => shading_normal_smooth(n[0], n[1], n[2], hit.uv, ng),
-            None => shading_normal_flat(ng),
+            Some(n) => interpolated_normal(n[0], n[1], n[2], hit.uv, ng),
+            None => ng,
         },
     }
 }
