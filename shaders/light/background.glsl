@@ -1,0 +1,14 @@
+// The constant background as a light.
+// Twin of src/reference/light/background.rs.
+
+// uses: light/sample
+
+// 1/4pi
+float background_light_pdf() {
+    return 0.07957747154594767;
+}
+
+// A direction uniform over the sphere.
+LightSample background_light_sample(vec2 u) {
+    return LightSample(unit_sphere(u), -1.0, background_light_pdf(), NONE);
+}

@@ -1,0 +1,47 @@
+// Meshes as lights. A mesh of `count` triangles from number `first` has count + 1 entries of triangle_cdf from `cdf`.
+// Twin of src/reference/light/mesh.rs.
+
+// uses: math/vec, math/steps, shape/triangle/area, light/sample, <triangles>
+
+// The triangle, from 0, with triangle_cdf[cdf + i] <= u24 < triangle_cdf[cdf + i + 1], for u24 < 2^24.
+uint triangle_choice(uint cdf, uint count, uint u24) {
+    uint low = 0u;
+    uint high = count;
+    while (high - low > 1u) {
+        loop_steps += 1u;
+        uint middle = (low + high) / 2u;
+        bool below = triangle_cdf[cdf + middle] <= u24;
+        low = below ? middle : low;
+        high = below ? high : middle;
+    }
+    return low;
+}
+
+// The probability of that choice, exact.
+float triangle_pmf(uint cdf, uint i) {
+    return float(triangle_cdf[cdf + i + 1u] - triangle_cdf[cdf + i]) * 5.9604644775390625e-8;
+}
+
+// A point of a mesh: the triangle by u24 < 2^24, then a point uniform in it.
+//
+// Both faces of a triangle shine. Whether another part of the mesh stands before the point is the shadow ray's affair, so
+// no triangle is left out for facing away.
+LightSample mesh_light_sample(vec3 p, uint first, uint count, uint cdf, uint u24, vec2 u) {
+    uint i = triangle_choice(cdf, count, u24);
+    vec3 v0 = triangle_vertex(first + i, 0u);
+    vec3 v1 = triangle_vertex(first + i, 1u);
+    vec3 v2 = triangle_vertex(first + i, 2u);
+    TriangleArea surface = triangle_area(v0, v1, v2);
+    // The square folded onto the triangle: sqrt(u1) is the part of the way from v0 to its opposite edge.
+    float s = sqrt(u.x);
+    vec3 point = triangle_point(v0, v1, v2, vec2(s * (1.0 - u.y), s * u.y));
+    float density = triangle_pmf(cdf, i) * area_density(surface.area);
+    return area_sample(point - p, surface.ng, density, first + i);
+}
+
+// Density of mesh_light_sample at a point of triangle `prim` that a path has hit `distance` away under the cosine |N_L.w|.
+float mesh_light_pdf(uint first, uint cdf, uint prim, float distance, float cosine) {
+    float area = triangle_area(triangle_vertex(prim, 0u), triangle_vertex(prim, 1u), triangle_vertex(prim, 2u)).area;
+    float density = triangle_pmf(cdf, prim - first) * area_density(area);
+    return solid_angle_pdf(density, distance, cosine);
+}

@@ -1,0 +1,74 @@
+// Rays, hits, surfaces, and the order among hits.
+// Twin of src/reference/shape/ray.rs.
+
+// uses:
+
+// Farther than anything: the limit of a ray that has none.
+const float FAR = 3.0e38;
+
+// The ray does not start on a surface, or not on that of the shape in question.
+const uint START_ELSEWHERE = 0u;
+// The ray starts on the shape's surface and leaves to its outside.
+const uint START_OUTSIDE = 1u;
+// The ray starts on the shape's surface and leaves to its inside.
+const uint START_INSIDE = 2u;
+
+// The half-line o + t d, t > 0, and what it starts on.
+struct Ray {
+    vec3 o;
+    // Unit length.
+    vec3 d;
+    // The shape that it starts on, or NONE.
+    uint shape;
+    // The primitive that it starts on, as in Hit, or NONE.
+    uint prim;
+    // Which side of its shape it leaves to: START_…
+    uint start;
+    // How far the origin's rounding error reaches along the ray, where it starts on a mesh; else 0.
+    float t_self;
+};
+
+// What a shadow ray leads to and must not be stopped by: a solid (prim NONE), or one triangle of a mesh.
+struct Target {
+    uint shape;
+    uint prim;
+};
+
+// Where a ray meets a shape.
+struct Hit {
+    // Distance; the limit of the search where nothing is hit.
+    float t;
+    // NONE: nothing is hit.
+    uint shape;
+    // Triangle (index among all), face of a box, part of a cylinder, 0 for a sphere.
+    uint prim;
+    // Weights of a triangle's second and third corner.
+    vec2 uv;
+};
+
+// A point of a surface.
+struct Surface {
+    // On the surface as exactly as a float allows.
+    vec3 p;
+    // Outward geometric normal, unit length.
+    vec3 ng;
+    // Shading normal on the side of ng, unit length.
+    vec3 ns;
+};
+
+// Nothing is hit before t_max.
+Hit no_hit(float t_max) {
+    return Hit(t_max, NONE, NONE, vec2(0.0));
+}
+
+// Whether a hit comes before `best`: the least (t, shape, prim), in lexicographic order (model page, section 13).
+// Where nothing was hit yet it must come before the limit, best.t, itself.
+bool closer(float t, uint shape, uint prim, Hit best) {
+    bool before = shape < best.shape || (shape == best.shape && prim < best.prim);
+    return t < best.t || (t == best.t && best.shape != NONE && before);
+}
+
+// How the ray starts as `shape` sees it.
+uint start_on(Ray ray, uint shape) {
+    return shape == ray.shape ? ray.start : START_ELSEWHERE;
+}
