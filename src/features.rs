@@ -29,6 +29,8 @@ pub struct Features {
     pub in_bvh: BTreeSet<ShapeKind>,
     /// Kinds of the materials that shapes have.
     pub materials: BTreeSet<MaterialKind>,
+    /// A material has a diffuse lobe beside a specular one.
+    pub diffuse_beside: bool,
     /// Of rough materials.
     pub distributions: BTreeSet<Distribution>,
     /// Of materials that reflect specularly.
@@ -65,6 +67,7 @@ impl Features {
             in_bvh: shapes.iter().copied().filter(in_bvh).collect(),
             shapes,
             materials: used.iter().map(|m| m.kind).collect(),
+            diffuse_beside: used.iter().any(|m| is_specular(m.kind) && m.kd_mean > 0.0),
             distributions: used
                 .iter()
                 .filter(|m| is_rough(m.kind))

@@ -5,3 +5,6 @@
 // uses:
 
 uint loop_steps = 0u;
+
+// Set where a loop was ended before its own end condition held: what came of it must not be used.
+bool loop_failed = false;

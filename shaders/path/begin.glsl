@@ -1,5 +1,5 @@
 // The start of a path: a camera ray through a point of the pixel.
-// uses: shape/ray, camera/pinhole, sampler/dimensions, <sampler>
+// uses: shape/ray, camera/pinhole, sampler/dimensions, sampler/unit_float, <sampler>
 
 void begin_path(inout PathState s, uint column, uint row) {
     uint sample_index = job.sample_begin + s.index;

@@ -1,6 +1,6 @@
 // Explicit connection of a vertex to a point on a light. Comes before roulette, which scales only the extension
 // (model page, section 10).
-// uses: math/finite, path/vertex, sampler/dimensions, <sampler>, <self_distance>, <light_choice>, <light>, <bsdf>, <connect>, <medium>
+// uses: math/finite, path/vertex, sampler/dimensions, sampler/unit_float, <sampler>, <self_distance>, <light_choice>, <light>, <bsdf>, <connect>, <medium>
 
 void connect(inout PathState s, Vertex v, uint pixel_index) {
     uvec4 u = sampler_block(pixel_index, job.sample_begin + s.index - 1u, light_block(s.bounce), camera.seed);

@@ -13,6 +13,7 @@ pub fn texts(features: &Features) -> Vec<(&'static str, String)> {
         ("distribution", distribution(features)),
         ("fresnel", fresnel(features)),
         ("light", light(features)),
+        ("triangles", triangles(features)),
         ("nearest", nearest(features)),
     ];
     if !features.in_bvh.is_empty() {
@@ -220,7 +221,75 @@ fn light_file(kind: LightKind) -> &'static str {
     }
 }
 
+/// Explicit sampling: `light_sample`, and `light_pdf` for what a path hits.
 fn light(features: &Features) -> String {
-    let _ = (features, light_file);
-    String::new()
+    let first = "lights[light].first";
+    let (sphere, cuboid) = (format!("spheres[{first}]"), format!("boxes[{first}]"));
+    let cylinder = format!("cylinders[{first}]");
+    let cosine = "abs(dot3(d, v.ng))";
+    let sample = |kind: LightKind| match kind {
+        LightKind::Sphere => {
+            format!("sphere_light_sample(p, {sphere}.centre, {sphere}.radius, u)")
+        }
+        LightKind::Box => format!("box_light_sample(p, {cuboid}.lo, {cuboid}.hi, u24, u)"),
+        LightKind::Cylinder => format!("cylinder_light_sample(p, {cylinder}, u24, u)"),
+        LightKind::Mesh => {
+            format!("mesh_light_sample(p, {first}, lights[light].count, lights[light].cdf, u24, u)")
+        }
+        LightKind::Background => "background_light_sample(u)".into(),
+    };
+    let pdf = |kind: LightKind| match kind {
+        LightKind::Sphere => {
+            format!("sphere_light_pdf(p, {sphere}.centre, {sphere}.radius, distance, {cosine})")
+        }
+        LightKind::Box => {
+            format!("box_light_pdf(p, {cuboid}.lo, {cuboid}.hi, distance, {cosine})")
+        }
+        LightKind::Cylinder => format!("cylinder_light_pdf(p, {cylinder}, distance, {cosine})"),
+        LightKind::Mesh => {
+            format!("mesh_light_pdf({first}, lights[light].cdf, v.prim, distance, {cosine})")
+        }
+        LightKind::Background => "background_light_pdf()".into(),
+    };
+    let members = |call: &dyn Fn(LightKind) -> String| -> Vec<(u32, String)> {
+        features
+            .lights
+            .iter()
+            .map(|&k| (k as u32, call(k)))
+            .collect()
+    };
+    let function = |result, name, arguments| Dispatch {
+        result,
+        name,
+        arguments,
+        selector: "lights[light].kind",
+    };
+    let sample_arguments = [
+        ("uint", "light"),
+        ("vec3", "p"),
+        ("uint", "u24"),
+        ("vec2", "u"),
+    ];
+    let pdf_arguments = [
+        ("uint", "light"),
+        ("vec3", "p"),
+        ("Vertex", "v"),
+        ("vec3", "d"),
+        ("float", "distance"),
+    ];
+    let none = "LightSample(vec3(0.0), -1.0, 0.0, NONE)";
+    let files = features.lights.iter().map(|&k| light_file(k));
+    uses("math/vec, light/sample, path/vertex", "light", files)
+        + &function("LightSample", "light_sample", &sample_arguments).text(&members(&sample), none)
+        + &function("float", "light_pdf", &pdf_arguments).text(&members(&pdf), "0.0")
+}
+
+/// Access to the buffers of triangles.
+fn triangles(features: &Features) -> String {
+    let normals = if features.shading_normals {
+        ", shape/triangle/corner_normals"
+    } else {
+        ""
+    };
+    format!("// uses: shape/triangle/corners{normals}\n")
 }

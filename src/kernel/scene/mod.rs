@@ -65,6 +65,13 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
             },
         ),
         (
+            "diffuse",
+            match features.diffuse_beside {
+                true => "bsdf/diffuse/mixed",
+                false => "bsdf/diffuse/absent",
+            },
+        ),
+        (
             "scaling",
             match features.radiance_scaling {
                 true => "bsdf/scaling/radiance",
