@@ -1,5 +1,5 @@
 // A vertex of the path: what it emits, its connection to a light, and where the path goes on.
-// uses: math/finite, path/vertex, path/flight, sampler/dimensions, sampler/unit_float, <sampler>, <self_distance>, <background>, <emission>, <direct>, <bsdf>, <roulette>, <depth>, <medium>, <record>
+// uses: math/finite, path/vertex, path/flight, sampler/dimensions, sampler/unit_float, <sampler>, <self_distance>, <background>, <emission>, <direct>, <bsdf>, <scaling>, <roulette>, <depth>, <medium>, <record>
 
 void end_path(inout PathState s) {
     s.alive = 0u;
