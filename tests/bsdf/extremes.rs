@@ -51,7 +51,7 @@ fn materials(distribution: Distribution, width: f64) -> Vec<prepared::Material> 
     ];
     for ior in IORS {
         let mut m = dielectric(distribution, alpha, ior);
-        all.push(m.clone());
+        all.push(m);
         m.kd = kd;
         m.kd_mean = (kd.x + kd.y + kd.z) / 3.0;
         m.p_d = 0.4;
@@ -60,7 +60,7 @@ fn materials(distribution: Distribution, width: f64) -> Vec<prepared::Material> 
         all.push(m);
     }
     for i in 0..all.len() {
-        let mut m = all[i].clone();
+        let mut m = all[i];
         m.kind = match m.kind {
             MaterialKind::Mirror => MaterialKind::Opaque,
             MaterialKind::Glass if width * (1.0 - m.eta[0]).abs() < 1e-5 => MaterialKind::Weak,

@@ -65,7 +65,8 @@ fn failures<F: Real>(table: &Table, tolerance: f64, planted: f64) -> Vec<String>
     for (i, row) in table.rows().enumerate() {
         for (name, value) in computed::<F>(&row) {
             let (value, expected) = (value * planted, row.number(name));
-            if !((value - expected).abs() <= tolerance * expected.abs()) {
+            let near = (value - expected).abs() <= tolerance * expected.abs();
+            if !near {
                 found.push(format!("row {i}, {name}: {value:e}, not {expected:e}"));
             }
         }

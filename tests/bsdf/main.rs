@@ -3,6 +3,10 @@
 //! Section 11 of the model page numbers the checks. Statistical ones have fixed seeds, state their
 //! significance over the whole family of a test (Šidák), and each comparator is shown to fail on a planted error.
 
+mod albedo;
+mod densities;
 mod extremes;
 mod golden;
+mod identities;
+mod precision;
 mod support;

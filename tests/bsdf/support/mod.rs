@@ -1,4 +1,9 @@
-//! Materials, tables and statistics for the tests of the surface model.
+//! Materials, tables, random numbers, quadrature and statistics for the tests of the surface model.
 
+pub mod chi_square;
+pub mod quadrature;
+pub mod random;
+pub mod rqmc;
+pub mod statistics;
 pub mod surface;
 pub mod table;

@@ -1,0 +1,225 @@
+//! Checks 1 and 2: samples follow the density that they claim, and ∫density + P(invalid) = 1.
+
+use glam::DVec3;
+use vkpt::prepared;
+use vkpt::reference::bsdf::{Interaction, LOBE_NONE, bsdf_eval, bsdf_sample};
+use vkpt::reference::math::{Vec3, dot3};
+use vkpt::settings::{Distribution, LobeChoice, Normals, Settings};
+
+use crate::support::chi_square::{Verdict, compare, expectation, histogram};
+use crate::support::random::Random;
+use crate::support::statistics::sidak;
+use crate::support::surface::{
+    DISTRIBUTIONS, ESTIMATORS, dielectric, direction, estimator, opaque, parameter, seen,
+};
+
+const WIDTHS: [f64; 4] = [0.05, 0.1, 0.3, 1.0];
+const IORS: [f64; 4] = [1.1, 1.5, 2.5, 1.0 / 1.5];
+const COSINES: [f64; 3] = [0.95, 0.6, 0.15];
+/// Of a whole family: a truth is rejected once in a hundred suites with other seeds.
+const LEVEL: f64 = 0.01;
+
+struct Case {
+    name: String,
+    settings: Settings,
+    at: Interaction<f64>,
+    width: f64,
+}
+
+/// Every distribution, width, ior (or opaque), side, angle and estimator.
+fn cases() -> Vec<Case> {
+    let mut all = Vec::new();
+    for distribution in DISTRIBUTIONS {
+        for width in WIDTHS {
+            for (m, outside) in materials(distribution, width) {
+                for cosine in COSINES {
+                    for (lobe, normals) in ESTIMATORS {
+                        let azimuth = 0.4 + all.len() as f64;
+                        all.push(Case {
+                            name: format!(
+                                "{distribution:?} {width}, eta {:.3}, Kd {:.1}, cos {cosine}, {lobe:?}, {normals:?}",
+                                m.eta[usize::from(!outside)], m.kd_mean
+                            ),
+                            settings: estimator(lobe, normals),
+                            at: seen(&m, outside, direction(cosine, azimuth)),
+                            width,
+                        });
+                    }
+                }
+            }
+        }
+    }
+    all
+}
+
+/// An opaque one, and each ior from both sides; every other one has a diffuse lobe too.
+fn materials(distribution: Distribution, width: f64) -> Vec<(prepared::Material, bool)> {
+    let alpha = parameter(distribution, width);
+    let plastic = opaque(distribution, alpha, DVec3::splat(0.4), DVec3::splat(0.3));
+    let mut all = vec![(plastic, true)];
+    for (i, ior) in IORS.into_iter().enumerate() {
+        for outside in [true, false] {
+            let mut m = dielectric(distribution, alpha, ior);
+            // enough of either lobe, by norms
+            m.p_r = 0.4;
+            if i % 2 == 1 {
+                m.kd = DVec3::splat(0.5);
+                m.kd_mean = 0.5;
+                m.p_d = 0.3;
+            }
+            all.push((m, outside));
+        }
+    }
+    all
+}
+
+fn verdict(case: &Case, samples: u64, seed: u64) -> Verdict {
+    let mut r = Random::new(seed);
+    let found = histogram(samples, || {
+        let (lobe, reflect, m, d) = (r.unit(), r.unit(), r.pair(), r.pair());
+        let s = bsdf_sample(&case.settings, &case.at, lobe, reflect, m, d);
+        (s.lobe != LOBE_NONE).then_some(s.wi)
+    });
+    let density = |wi| bsdf_eval(&case.settings, &case.at, wi).pdf;
+    compare(&found, &expectation(cuts(case.width), density))
+}
+
+/// Narrow lobes need more cells to be seen: 40 × 40 nodes a bin, 16 × 16 for wide ones.
+fn cuts(width: f64) -> usize {
+    if width < 0.2 { 5 } else { 2 }
+}
+
+/// Every `stride`-th case, on all cores; a failure lists all that were rejected.
+fn all_fit(stride: usize, samples: u64) {
+    let chosen: Vec<_> = cases().into_iter().enumerate().step_by(stride).collect();
+    let least = sidak(LEVEL, 2 * chosen.len());
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let rejected = |part: &[(usize, Case)]| -> Vec<String> {
+        part.iter()
+            .map(|(i, case)| (case, verdict(case, samples, *i as u64)))
+            .filter(|(_, v)| v.p() < least)
+            .map(|(case, v)| format!("{}: {v:?}", case.name))
+            .collect()
+    };
+    let bad: Vec<String> = std::thread::scope(|scope| {
+        let parts = chosen.chunks(chosen.len().div_ceil(cores));
+        let threads: Vec<_> = parts.map(|p| scope.spawn(move || rejected(p))).collect();
+        threads
+            .into_iter()
+            .flat_map(|t| t.join().expect("a part"))
+            .collect()
+    });
+    assert!(
+        bad.is_empty(),
+        "{} of {} at significance {least:e}:\n{}",
+        bad.len(),
+        chosen.len(),
+        bad.join("\n")
+    );
+}
+
+#[test]
+fn samples_fit_their_density() {
+    // 43 has no factor in common with the numbers of values of any factor, so each meets each
+    all_fit(43, 200_000);
+}
+
+#[test]
+#[ignore = "minutes: every combination, a million samples each"]
+fn samples_fit_their_density_everywhere() {
+    all_fit(1, 1_000_000);
+}
+
+// ---- planted errors
+
+/// The verdict on `density` for a rough glass with ior 1/1.5, or on `sample`.
+struct Planted {
+    settings: Settings,
+    at: Interaction<f64>,
+}
+
+impl Planted {
+    fn new() -> Self {
+        let m = dielectric(Distribution::Ggx, 0.3, 1.0 / 1.5);
+        Self {
+            settings: estimator(LobeChoice::Fresnel, Normals::Visible),
+            at: seen(&m, true, direction(0.6, 0.4)),
+        }
+    }
+    fn verdict(&self, density: impl Fn(Vec3<f64>) -> f64) -> Verdict {
+        let mut r = Random::new(5);
+        let found = histogram(200_000, || {
+            let s = bsdf_sample(
+                &self.settings,
+                &self.at,
+                r.unit(),
+                r.unit(),
+                r.pair(),
+                r.pair(),
+            );
+            (s.lobe != LOBE_NONE).then_some(s.wi)
+        });
+        compare(&found, &expectation(2, density))
+    }
+    fn pdf(&self, wi: Vec3<f64>) -> f64 {
+        bsdf_eval(&self.settings, &self.at, wi).pdf
+    }
+}
+
+const REJECTED: f64 = 1e-9;
+
+#[test]
+fn a_density_one_percent_off_is_rejected() {
+    let p = Planted::new();
+    assert!(p.verdict(|wi| p.pdf(wi)).p() > 1e-3);
+    assert!(p.verdict(|wi| 1.01 * p.pdf(wi)).p() < REJECTED);
+    assert!(p.verdict(|wi| 0.99 * p.pdf(wi)).p() < REJECTED);
+}
+
+#[test]
+fn swapped_lobes_are_rejected() {
+    let p = Planted::new();
+    let mut other = p.settings;
+    other.estimator.lobe = LobeChoice::Norms;
+    assert!(p.verdict(|wi| bsdf_eval(&other, &p.at, wi).pdf).fit < REJECTED);
+    other.estimator.lobe = LobeChoice::Fresnel;
+    other.estimator.normals = Normals::Distribution;
+    assert!(p.verdict(|wi| bsdf_eval(&other, &p.at, wi).pdf).fit < REJECTED);
+}
+
+#[test]
+fn the_handouts_half_vector_is_rejected() {
+    // m = −normalize(eta wo + wi) whatever the ior: below N' for ior < 1, where D = 0
+    let p = Planted::new();
+    let handout = |wi: Vec3<f64>| if wi.z < 0.0 { 0.0 } else { p.pdf(wi) };
+    assert!(p.verdict(handout).p() < REJECTED);
+    // and its η by the prose: the two sides exchanged
+    let mut prose = Planted::new();
+    (prose.at.eta, prose.at.one_minus_eta2, prose.at.d) = {
+        let m = prose.at.material;
+        (m.eta[1], m.one_minus_eta2[1], m.d[1])
+    };
+    assert!(p.verdict(|wi| prose.pdf(wi)).p() < REJECTED);
+}
+
+#[test]
+fn the_handouts_phong_is_rejected() {
+    // cos θ = u^(1/(α_p + 1)) against D(m)·(m·N), whose exponent is α_p + 2
+    let m = opaque(Distribution::Phong, 10.0, DVec3::ZERO, DVec3::ONE);
+    let settings = estimator(LobeChoice::Fresnel, Normals::Distribution);
+    let at = seen(&m, true, direction(0.9, 0.4));
+    let expected = expectation(2, |wi| bsdf_eval(&settings, &at, wi).pdf);
+    let fit = |exponent: f64| {
+        let mut r = Random::new(6);
+        let found = histogram(200_000, || {
+            let z = (1.0 - r.unit()).powf(1.0 / exponent);
+            let m = direction(z, std::f64::consts::TAU * r.unit());
+            let c = dot3(at.wo, m);
+            let wi = m * (2.0 * c) - at.wo;
+            (c > 0.0 && wi.z > 0.0).then_some(wi)
+        });
+        compare(&found, &expected).p()
+    };
+    assert!(fit(12.0) > 1e-3);
+    assert!(fit(11.0) < REJECTED);
+}
