@@ -16,6 +16,7 @@ use crate::prepared::Prepared;
 use crate::settings::Settings;
 use tiles::Tile;
 pub use trace::{Trace, trace};
+pub use vulkan::DispatchLimits;
 
 /// What renders.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -148,9 +149,20 @@ pub fn render(
     match target {
         Target::Vulkan(selector) => {
             let device = Device::open(selector)?;
-            vulkan::render(job, &device, stop, progress)
+            render_on(job, &device, DispatchLimits::of(&device)?, stop, progress)
         }
         Target::CpuF32 => Ok(cpu::render::<f32>(job, "cpu-f32", stop, progress)),
         Target::CpuF64 => Ok(cpu::render::<f64>(job, "cpu-f64", stop, progress)),
     }
+}
+
+/// Renders as [`render`] does, on a device that is open already; `limits` have no influence on the picture.
+pub fn render_on(
+    job: &Job,
+    device: &Device,
+    limits: DispatchLimits,
+    stop: &AtomicBool,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Outcome, RenderError> {
+    vulkan::render(job, device, limits, stop, progress)
 }

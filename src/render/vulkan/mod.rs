@@ -1,5 +1,6 @@
 //! Rendering on a Vulkan device: tiles × slices of samples, until every pixel has its samples.
 
+mod limits;
 mod run;
 mod scene_buffers;
 
@@ -14,18 +15,20 @@ use crate::gpu::Device;
 use crate::layout::{FilmPixel, Record};
 use crate::reference::film::{PixelSum, film_mean};
 use crate::reference::math::{Vec3, vec3};
+pub use limits::DispatchLimits;
 use run::Run;
 
 /// Renders on `device`; ends early, with whole samples in every pixel, once `stop` is set.
 pub fn render(
     job: &Job,
     device: &Device,
+    limits: DispatchLimits,
     stop: &AtomicBool,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Outcome, RenderError> {
     let start = Instant::now();
     let features = Features::of(job.prepared, &job.settings);
-    let mut run = Run::new(job, device, &features, None)?;
+    let mut run = Run::new(job, device, &features, limits, None)?;
     let compose_s = start.elapsed().as_secs_f64();
     let compile_s = run.compile()?.as_secs_f64();
 
@@ -92,7 +95,8 @@ pub fn records(
         ..*job
     };
     let features = Features::of(job.prepared, &job.settings);
-    let mut run = Run::new(&job, device, &features, Some(CAPACITY))?;
+    let limits = DispatchLimits::of(device)?;
+    let mut run = Run::new(&job, device, &features, limits, Some(CAPACITY))?;
     run.sample_begin = index;
     run.advance(0, 1)?;
     run.records()

@@ -2,9 +2,10 @@
 
 use std::time::{Duration, Instant};
 
+use super::limits::DispatchLimits;
 use super::scene_buffers::SceneBuffers;
 use crate::features::Features;
-use crate::gpu::{Buffer, BufferUse, Device, DeviceKind, Pipeline};
+use crate::gpu::{Buffer, BufferUse, Device, Pipeline};
 use crate::kernel;
 use crate::layout::{FilmPixel, PathState, Record, Slice};
 use crate::render::tiles::{Tile, tiles};
@@ -12,9 +13,6 @@ use crate::render::{Job, RenderError};
 
 /// Threads of a workgroup; `local_size_x` of `shaders/path_trace.comp`.
 const WORKGROUP: u32 = 64;
-
-/// Loop steps a dispatch where the driver sets no limit: enough for some thousand bounces, short of any watchdog.
-const UNLIMITED_BUDGET: u32 = 1 << 20;
 
 /// A scene's kernel, its buffers, and the films of all tiles.
 pub struct Run<'a> {
@@ -37,6 +35,7 @@ impl<'a> Run<'a> {
         job: &'a Job,
         device: &'a Device,
         features: &Features,
+        limits: DispatchLimits,
         records: Option<u32>,
     ) -> Result<Self, RenderError> {
         let scene = SceneBuffers::new(device, job.prepared, features, job.seed)?;
@@ -46,9 +45,8 @@ impl<'a> Run<'a> {
         uses.extend([BufferUse::Storage; 2]);
         uses.extend(records.map(|_| BufferUse::Storage));
         let pipeline = device.pipeline(&spirv, &uses, size_of::<Slice>() as u32)?;
-        let most = tile_pixels(device);
         let mut films = Vec::new();
-        for tile in tiles(job.area(), most) {
+        for tile in tiles(job.area(), limits.tile_pixels.max(1)) {
             films.push((tile, array::<FilmPixel>(device, "film", tile.pixels())?));
         }
         let largest = films.iter().map(|(t, _)| t.pixels()).max().unwrap_or(1);
@@ -62,7 +60,7 @@ impl<'a> Run<'a> {
                 .map(|n| array::<Record>(device, "records", n))
                 .transpose()?,
             tiles: films,
-            budget: budget(device)?,
+            budget: limits.budget.max(1),
             sample_begin: 0,
         })
     }
@@ -142,24 +140,4 @@ impl<'a> Run<'a> {
 fn array<T>(device: &Device, name: &str, count: u32) -> Result<Buffer, RenderError> {
     let bytes = u64::from(count) * size_of::<T>() as u64;
     Ok(device.buffer(name, BufferUse::Storage, bytes)?)
-}
-
-/// Pixels under way at once: a CPU gains from more samples a dispatch, a GPU from more threads; their paths
-/// must fit one buffer.
-fn tile_pixels(device: &Device) -> u32 {
-    let wanted = match device.info().kind {
-        DeviceKind::Cpu => 1 << 16,
-        _ => 1 << 20,
-    };
-    let fit = device.limits().storage_buffer / size_of::<PathState>() as u64;
-    wanted.min(fit as u32)
-}
-
-/// Loop steps of a thread after which it hands over. A driver's limit counts the steps of a whole subgroup, whose
-/// threads may in the worst case take turns; half is kept back for the bounce that crosses the line.
-fn budget(device: &Device) -> Result<u32, RenderError> {
-    Ok(match device.loop_limit()? {
-        Some(limit) => limit / device.limits().subgroup / 2,
-        None => UNLIMITED_BUDGET,
-    })
 }

@@ -1,0 +1,49 @@
+//! How much one dispatch takes on. The picture does not depend on it.
+
+use crate::gpu::{Device, DeviceKind};
+use crate::layout::PathState;
+use crate::render::RenderError;
+
+/// Loop steps a dispatch where the driver sets no limit: enough for some thousand bounces, short of any watchdog.
+const UNLIMITED_BUDGET: u32 = 1 << 20;
+
+/// The most that one dispatch takes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DispatchLimits {
+    /// Pixels under way at once; 0 counts as 1.
+    pub tile_pixels: u32,
+    /// Loop steps of a thread after which it hands its path over to the next dispatch; 0 counts as 1.
+    pub budget: u32,
+}
+
+impl DispatchLimits {
+    /// What suits the device.
+    ///
+    /// # Errors
+    /// Of the probe for its limit on loops, which runs once a device.
+    pub fn of(device: &Device) -> Result<Self, RenderError> {
+        Ok(Self {
+            tile_pixels: tile_pixels(device),
+            budget: budget(device)?,
+        })
+    }
+}
+
+/// A CPU gains from more samples a dispatch, a GPU from more threads; the paths under way must fit one buffer.
+fn tile_pixels(device: &Device) -> u32 {
+    let wanted = match device.info().kind {
+        DeviceKind::Cpu => 1 << 16,
+        _ => 1 << 20,
+    };
+    let fit = device.limits().storage_buffer / size_of::<PathState>() as u64;
+    wanted.min(fit as u32)
+}
+
+/// A driver's limit counts the steps of a whole subgroup, whose threads may in the worst case take turns; half is
+/// kept back for the bounce that crosses the line.
+fn budget(device: &Device) -> Result<u32, RenderError> {
+    Ok(match device.loop_limit()? {
+        Some(limit) => limit / device.limits().subgroup / 2,
+        None => UNLIMITED_BUDGET,
+    })
+}
