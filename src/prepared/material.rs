@@ -126,23 +126,29 @@ fn is_smooth(distribution: Distribution, alpha: f64) -> bool {
 fn kind(brdf: &Brdf, distribution: Distribution, alpha: f64) -> MaterialKind {
     let smooth = is_smooth(distribution, alpha);
     if brdf.kt != DVec3::ZERO {
-        let bend = (brdf.ior - 1.0).abs();
-        match () {
-            () if bend < NOTHING_IOR => MaterialKind::Nothing,
-            () if smooth => MaterialKind::Glass,
-            () if width(distribution, alpha) * bend < WEAK_REFRACTION => MaterialKind::Weak,
-            () => MaterialKind::Dielectric,
-        }
+        transmissive_kind(smooth, width(distribution, alpha), brdf.ior)
     } else if brdf.ks != DVec3::ZERO {
-        if smooth {
-            MaterialKind::Mirror
-        } else {
-            MaterialKind::Opaque
+        match smooth {
+            true => MaterialKind::Mirror,
+            false => MaterialKind::Opaque,
         }
     } else if brdf.kd != DVec3::ZERO {
         MaterialKind::Diffuse
     } else {
         MaterialKind::Black
+    }
+}
+
+fn transmissive_kind(smooth: bool, width: f64, ior: f64) -> MaterialKind {
+    let contrast = (ior - 1.0).abs();
+    if contrast < NOTHING_IOR {
+        MaterialKind::Nothing
+    } else if smooth {
+        MaterialKind::Glass
+    } else if width * contrast < WEAK_REFRACTION {
+        MaterialKind::Weak
+    } else {
+        MaterialKind::Dielectric
     }
 }
 

@@ -2,6 +2,8 @@
 
 #[path = "bsdf/inputs.rs"]
 mod inputs;
+#[path = "bsdf/kernel.rs"]
+mod kernel;
 #[path = "bsdf/kinds.rs"]
 mod kinds;
 #[path = "bsdf/lobes.rs"]

@@ -1,5 +1,6 @@
 //! Materials, tables, random numbers, quadrature and statistics for the tests of the surface model.
 
+pub mod albedo;
 pub mod chi_square;
 pub mod quadrature;
 pub mod random;

@@ -8,9 +8,9 @@ use vkpt::reference::bsdf::{bsdf_eval, bsdf_sample};
 use vkpt::settings::Settings;
 
 use super::inputs::{
-    OUT_SAMPLE, OUT_VALUE, columns, out_sample, out_value, put, surface_of, take, twin, uniform,
-    uniform2,
+    OUT_SAMPLE, OUT_VALUE, out_sample, out_value, put, surface_of, take, uniform, uniform2,
 };
+use super::kernel::{columns, twin};
 use crate::harness::{Rng, Row, Twin};
 
 /// Name of sampling, of evaluation, file, kind.

@@ -16,9 +16,8 @@ use vkpt::reference::bsdf::transmission::{
 use vkpt::reference::math::{dot3, vec3};
 use vkpt::settings::Settings;
 
-use super::inputs::{
-    OUT_SAMPLE, OUT_VALUE, columns, out_sample, out_value, put, surface, take, twin, uniform2,
-};
+use super::inputs::{OUT_SAMPLE, OUT_VALUE, out_sample, out_value, put, surface, take, uniform2};
+use super::kernel::{columns, twin};
 use crate::harness::{Rng, Row, Twin};
 
 pub fn twins() -> Vec<Twin> {

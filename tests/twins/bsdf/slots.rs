@@ -10,7 +10,8 @@ use vkpt::reference::bsdf::snell::{reflected_share, snell_radicand, total_reflec
 use vkpt::reference::bsdf::transmission_scale;
 use vkpt::settings::Settings;
 
-use super::inputs::{OUT_VALUE, columns, out_value, put, surface, take, twin, uniform, uniform2};
+use super::inputs::{OUT_VALUE, out_value, put, surface, take, uniform, uniform2};
+use super::kernel::{columns, twin};
 use crate::harness::{Rng, Row, Twin};
 
 pub fn twins() -> Vec<Twin> {
