@@ -8,7 +8,9 @@
 // `start` is the ray's relation to this very sphere. To its outside: never. To its inside: |oc| = r makes the roots 0 and
 // -2 oc.d, and the second is the way out, at least 0. From elsewhere: the least t > 0. Haines, Günther, Akenine-Möller,
 // Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems (2019), chapter 7: the discriminant from the
-// ray's distance to the centre, r² - |oc - (oc.d) d|², and the smaller root as c/q.
+// ray's distance to the centre, r² - |oc - (oc.d) d|², and the smaller root as c/q. Where both q and c are but rounding
+// errors, of a ray that starts on the sphere and along it, c/q is anything; so it is kept within a distance of sqrt(disc)
+// from where it must be.
 float sphere_hit(vec3 o, vec3 d, vec3 centre, float radius, uint start) {
     vec3 oc = o - centre;
     float b = -dot3(oc, d);
@@ -19,7 +21,8 @@ float sphere_hit(vec3 o, vec3 d, vec3 centre, float radius, uint start) {
     float distance = length3(oc);
     // The product of the roots is c = |oc|² - r², without the cancellation.
     float c = (distance - radius) * (distance + radius);
-    float other = q == 0.0 ? 0.0 : c / q;
+    float quotient = q == 0.0 ? 0.0 : c / q;
+    float other = min2(max2(quotient, b - (root + root)), b + (root + root));
     float near = b < 0.0 ? q : other;
     float far = b < 0.0 ? other : q;
     float ahead = near > 0.0 ? near : far;

@@ -1,6 +1,7 @@
 //! Twins of `shaders/math/`.
 
 use vkpt::reference::math::frame::{Frame, frame_about, to_local, to_world};
+use vkpt::reference::math::products::{difference_of_products, halves, product_error};
 use vkpt::reference::math::{
     Vec3, cross3, dot3, length3, max_component, max2, mean3, min2, normalize3, vec3,
 };
@@ -10,6 +11,7 @@ use super::harness::{Out, Rng, Row, Twin};
 pub fn twins() -> Vec<Twin> {
     let mut twins = vectors();
     twins.extend(frames());
+    twins.extend(products());
     twins
 }
 
@@ -128,5 +130,51 @@ fn frames() -> Vec<Twin> {
         about_and_vector(Twin::new("to_world", "math/frame"))
             .glsl("Frame f = frame_about(in_vec3()); out_vec3(to_world(f, in_vec3()));")
             .rust(|i, o| o.vec3(to_world(frame_about(i.vec3()), i.vec3()))),
+    ]
+}
+
+fn products() -> Vec<Twin> {
+    // Factors of nearly equal products too: where it matters.
+    let four = |t: Twin| {
+        t.edges(
+            [
+                [1.0, 3.0, 3.0, 1.0],
+                [0.0, 5.0, -0.0, 1e-30],
+                [1e12, 1e-12, -1.0, 1.0],
+            ]
+            .map(Row::from),
+        )
+        .seeded(2000, |r| {
+            let (a, b) = (r.range(1.0, 2.0), r.range(-2.0, 2.0));
+            let k = r.log_range(1e-3, 1e3);
+            Row::from([a, b, a * k, b / k])
+        })
+        .seeded(500, |r| {
+            Row::from([(); 4].map(|()| r.range(-1.0, 1.0) * r.log_range(1e-6, 1e6)))
+        })
+    };
+    vec![
+        Twin::new("halves", "math/products")
+            .glsl("Halves h = halves(in_f()); out_f(h.hi); out_f(h.lo);")
+            .rust(|i, o| {
+                let h = halves(i.f());
+                o.f(h.hi);
+                o.f(h.lo);
+            })
+            .edges([0.0, -0.0, 1.0, 4097.0, 1.000_000_1, -3.0e30].map(|x| Row::from([x])))
+            .seeded(500, |r| Row::from([r.range(-1.0, 1.0) * r.log_range(1e-12, 1e12)])),
+        Twin::new("product_error", "math/products")
+            .glsl("float a = in_f(); float b = in_f(); out_f(product_error(halves(a), halves(b), a * b));")
+            .rust(|i, o| {
+                let (a, b) = (i.f(), i.f());
+                o.f(product_error(halves(a), halves(b), a * b));
+            })
+            .edges([[1.000_000_1, 0.999_999_94], [-0.0, 7.0], [3.0, 3.0]].map(Row::from))
+            .seeded(2000, |r| Row::from([r.range(-2.0, 2.0), r.range(-2.0, 2.0)])),
+        four(
+            Twin::new("difference_of_products", "math/products")
+                .glsl("float a = in_f(); float b = in_f(); float c = in_f(); out_f(difference_of_products(a, b, c, in_f()));")
+                .rust(|i, o| o.f(difference_of_products(i.f(), i.f(), i.f(), i.f()))),
+        ),
     ]
 }

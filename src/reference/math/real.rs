@@ -31,6 +31,8 @@ pub trait Real:
 {
     /// Half the distance from 1 to the next larger number: 2⁻²⁴ or 2⁻⁵³.
     const ULP: Self;
+    /// 2^⌈p/2⌉ + 1, which splits a number of p bits into halves: see `products`.
+    const SPLIT: Self;
     /// The nearest scalar to `x`.
     fn new(x: f64) -> Self;
     /// The exact value.
@@ -105,6 +107,7 @@ macro_rules! common {
 
 impl Real for f32 {
     const ULP: Self = f32::EPSILON / 2.0;
+    const SPLIT: Self = 4097.0;
     common!(f32);
     fn sincos_2pi(u: Self) -> (Self, Self) {
         elementary::sincos_2pi(u)
@@ -122,6 +125,7 @@ impl Real for f32 {
 
 impl Real for f64 {
     const ULP: Self = f64::EPSILON / 2.0;
+    const SPLIT: Self = 134_217_729.0;
     common!(f64);
     fn sincos_2pi(u: Self) -> (Self, Self) {
         let (k, r) = elementary::quadrant(u);

@@ -2,7 +2,7 @@
 
 use super::ray::{Hit, Ray, START_ELSEWHERE, START_INSIDE, Surface};
 use crate::prepared;
-use crate::reference::math::{Real, Vec3, dot3, length3, max2};
+use crate::reference::math::{Real, Vec3, dot3, length3, max2, min2};
 
 /// The ball { p : |p − centre| ≤ radius }.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +28,8 @@ impl<F: Real> Sphere<F> {
 /// the roots 0 and −2 oc·d, and the second is the way out, at least 0. From elsewhere: the least t > 0.
 /// Haines, Günther, Akenine-Möller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems
 /// (2019), chapter 7: the discriminant from the ray's distance to the centre, r² − |oc − (oc·d)d|², and
-/// the smaller root as c/q.
+/// the smaller root as c/q. Where both q and c are but rounding errors, of a ray that starts on the sphere
+/// and along it, c/q is anything; so it is kept within a distance of √disc from where it must be.
 pub fn sphere_hit<F: Real>(o: Vec3<F>, d: Vec3<F>, centre: Vec3<F>, radius: F, start: u32) -> F {
     let none = -F::one();
     let oc = o - centre;
@@ -40,7 +41,8 @@ pub fn sphere_hit<F: Real>(o: Vec3<F>, d: Vec3<F>, centre: Vec3<F>, radius: F, s
     let distance = length3(oc);
     // t₀ t₁ = c = |oc|² − r², without the cancellation.
     let c = (distance - radius) * (distance + radius);
-    let other = if q == F::zero() { F::zero() } else { c / q };
+    let quotient = if q == F::zero() { F::zero() } else { c / q };
+    let other = min2(max2(quotient, b - (root + root)), b + (root + root));
     let near = if b < F::zero() { q } else { other };
     let far = if b < F::zero() { other } else { q };
     let ahead = if near > F::zero() { near } else { far };

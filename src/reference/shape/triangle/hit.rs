@@ -1,6 +1,6 @@
 //! The watertight ray/triangle test; twin of `shaders/shape/triangle/hit.glsl`.
 
-use crate::reference::math::{Real, Vec3, vec3};
+use crate::reference::math::{Real, Vec3, difference_of_products, vec3};
 
 /// What a ray's direction alone decides: the axis along which it is longest becomes z, and the shear
 /// x − sx z, y − sy z lays the ray along it.
@@ -57,9 +57,13 @@ pub fn ray_shear<F: Real>(d: Vec3<F>) -> RayShear<F> {
 ///
 /// Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013. A corner is sheared in the
 /// same way whatever triangle it belongs to, and swapping two corners changes only the sign of an edge
-/// function, exactly. Rounding is monotonic, so an edge function never has the wrong sign: it may be 0
-/// instead, and 0 counts as inside. So no ray passes between triangles that share an edge or a corner.
-/// A triangle with two equal corners has the sum 0 and is never hit.
+/// function, exactly. An edge function has the sign of the exact one of the sheared corners, and 0 counts as
+/// inside. So no ray passes between triangles that share an edge or a corner. A triangle whose sheared
+/// corners lie on a line has the sum 0 and is never hit.
+///
+/// The edge functions must be accurate relative to themselves, not only to the products they are made of:
+/// otherwise a needle, or a triangle that is far smaller than its distance to the ray, is hit by rays that
+/// miss it by more than its size, and t is as wrong as its weights are.
 pub fn triangle_hit<F: Real>(
     o: Vec3<F>,
     shear: RayShear<F>,
@@ -78,9 +82,9 @@ pub fn triangle_hit<F: Real>(
     let cx = c.x - shear.sx * c.z;
     let cy = c.y - shear.sy * c.z;
     // Twice the areas that the ray spans with the edges opposite v0, v1, v2.
-    let w0 = bx * cy - by * cx;
-    let w1 = cx * ay - cy * ax;
-    let w2 = ax * by - ay * bx;
+    let w0 = difference_of_products(bx, cy, by, cx);
+    let w1 = difference_of_products(cx, ay, cy, ax);
+    let w2 = difference_of_products(ax, by, ay, bx);
     let positive = w0 >= zero && w1 >= zero && w2 >= zero;
     let negative = w0 <= zero && w1 <= zero && w2 <= zero;
     let det = w0 + w1 + w2;
