@@ -2,6 +2,7 @@
 //!
 //! Same folders, file, function and argument names as `shaders/`. Reads `prepared`, never the GPU's buffers.
 
+pub mod accel;
 pub mod bsdf;
 pub mod camera;
 pub mod film;

@@ -21,6 +21,11 @@ impl Random {
         ((((s >> 18) ^ s) >> 27) as u32).rotate_right((s >> 59) as u32)
     }
 
+    /// An integer below `n`.
+    pub fn below(&mut self, n: usize) -> usize {
+        ((u64::from(self.bits()) * n as u64) >> 32) as usize
+    }
+
     /// Uniform in [0, 1).
     pub fn unit(&mut self) -> f64 {
         f64::from(self.bits()) * 2f64.powi(-32)

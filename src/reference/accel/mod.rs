@@ -1,0 +1,104 @@
+//! The reference's own acceleration structure: the nearest hit without trying every primitive, the same hit
+//! to the last bit.
+
+mod bounds;
+mod slabs;
+mod split;
+mod tree;
+
+use super::math::Real;
+use super::shape::linear::nearer_solid;
+use super::shape::{
+    Cuboid, Cylinder, Hit, Ray, Sphere, Target, Triangle, box_hit, cylinder_hit, nearer_triangle,
+    ray_shear, sphere_hit, start_on,
+};
+use bounds::Bounds;
+use tree::Tree;
+
+/// All primitives of a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Primitives<'a, F> {
+    pub spheres: &'a [Sphere<F>],
+    pub boxes: &'a [Cuboid<F>],
+    pub cylinders: &'a [Cylinder<F>],
+    pub triangles: &'a [Triangle<F>],
+}
+
+/// A hierarchy over the primitives of a scene, numbered through: spheres, boxes, cylinders, triangles.
+pub struct Accel<F> {
+    tree: Tree<F>,
+}
+
+impl<F: Real> Accel<F> {
+    pub fn build(primitives: Primitives<F>) -> Self {
+        let p = primitives;
+        let bounds: Vec<Bounds> = (p.spheres.iter().map(Bounds::of_sphere))
+            .chain(p.boxes.iter().map(Bounds::of_box))
+            .chain(p.cylinders.iter().map(Bounds::of_cylinder))
+            .chain(p.triangles.iter().map(Bounds::of_triangle))
+            .collect();
+        Self {
+            tree: Tree::new(&bounds),
+        }
+    }
+
+    /// The least of `best` and all hits with the primitives that the hierarchy was built over, by
+    /// (t, shape, prim); `skip` is passed over. A search for hits before `t_max` begins with
+    /// [`no_hit`](super::shape::no_hit).
+    pub fn nearest(
+        &self,
+        primitives: Primitives<F>,
+        ray: Ray<F>,
+        skip: Target,
+        mut best: Hit<F>,
+    ) -> Hit<F> {
+        let shear = ray_shear(ray.d);
+        let t_max = best.t;
+        self.tree.traverse(ray.o, ray.d, t_max, |number| {
+            best = match primitives.find(number as usize) {
+                Primitive::Sphere(s) => {
+                    let t = sphere_hit(ray.o, ray.d, s.centre, s.radius, start_on(ray, s.shape));
+                    nearer_solid(t, s.shape, 0, skip, best)
+                }
+                Primitive::Box(b) => {
+                    let hit = box_hit(ray.o, ray.d, b.lo, b.hi, start_on(ray, b.shape));
+                    nearer_solid(hit.t, b.shape, hit.face, skip, best)
+                }
+                Primitive::Cylinder(c) => {
+                    let hit = cylinder_hit(ray.o, ray.d, c, start_on(ray, c.shape), ray.prim);
+                    nearer_solid(hit.t, c.shape, hit.part, skip, best)
+                }
+                Primitive::Triangle(t, prim) => nearer_triangle(ray, shear, skip, best, t, prim),
+            };
+            best.t
+        });
+        best
+    }
+}
+
+/// A primitive; a triangle with its index among all.
+enum Primitive<'a, F> {
+    Sphere(&'a Sphere<F>),
+    Box(&'a Cuboid<F>),
+    Cylinder(&'a Cylinder<F>),
+    Triangle(&'a Triangle<F>, u32),
+}
+
+impl<'a, F> Primitives<'a, F> {
+    /// The primitive with the number that [`Accel::build`] gave it.
+    fn find(&self, number: usize) -> Primitive<'a, F> {
+        let boxes = self.spheres.len();
+        let cylinders = boxes + self.boxes.len();
+        let triangles = cylinders + self.cylinders.len();
+        if number >= triangles {
+            let prim = number - triangles;
+            Primitive::Triangle(&self.triangles[prim], prim as u32)
+        } else if number >= cylinders {
+            Primitive::Cylinder(&self.cylinders[number - cylinders])
+        } else if number >= boxes {
+            Primitive::Box(&self.boxes[number - boxes])
+        } else {
+            Primitive::Sphere(&self.spheres[number])
+        }
+    }
+}
