@@ -136,7 +136,7 @@ fn an_empty_tree_has_one_node_without_children() {
     let bvh = bvh::build(&scenes::cube(), &[ShapeKind::Sphere]);
     assert_eq!(
         (bvh.nodes.len(), bvh.references.len(), bvh.stack),
-        (1, 0, 0)
+        (1, 0, 1)
     );
     assert_eq!(bvh.nodes[0], [0; bvh::NODE_WORDS]);
 }

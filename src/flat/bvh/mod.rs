@@ -4,6 +4,7 @@
 //! Twin: `shaders/shape/bvh/`, which reads these words.
 
 pub mod bounds;
+mod leaf;
 mod quantise;
 pub mod reference;
 mod topology;
@@ -12,6 +13,7 @@ use obvhs::cwbvh::node::CwBvhNode;
 
 use crate::prepared::{Prepared, ShapeKind};
 use bounds::Bounds;
+pub use leaf::leaf_text;
 use quantise::{Grid, Planes};
 
 /// Words of 32 bits in a node.
@@ -28,7 +30,7 @@ pub struct Bvh {
     pub nodes: Vec<[u32; NODE_WORDS]>,
     /// What leaves refer to, see [`reference::encode`].
     pub references: Vec<u32>,
-    /// Entries that a traversal's stack can come to hold at once.
+    /// Entries that a traversal's stack can come to hold at once, 1 at least (an array in GLSL has that many).
     pub stack: u32,
     /// The largest absolute coordinate of any primitive.
     pub reach: f32,
@@ -56,7 +58,7 @@ fn over(references: &[u32], bounds: &[Bounds]) -> Bvh {
         return Bvh {
             nodes: vec![[0; NODE_WORDS]],
             references: Vec::new(),
-            stack: 0,
+            stack: 1,
             reach: 0.0,
         };
     }
@@ -71,7 +73,7 @@ fn over(references: &[u32], bounds: &[Bounds]) -> Bvh {
     Bvh {
         nodes: tree.nodes.iter().enumerate().map(node).collect(),
         references: order.iter().map(|&i| references[i as usize]).collect(),
-        stack: stack_bound(&tree.nodes),
+        stack: stack_bound(&tree.nodes).max(1),
         reach: (root.lo.iter().chain(&root.hi)).fold(0.0, |most, x| x.abs().max(most)),
     }
 }

@@ -1,10 +1,10 @@
-//! References of leaves to primitives, and the kernel's text that follows them.
+//! References of leaves to primitives.
 
 use crate::prepared::{Prepared, ShapeKind};
 
 /// Bits of a reference that hold the index; the two above hold the kind.
-const INDEX_BITS: u32 = 30;
-const INDEX_MASK: u32 = (1 << INDEX_BITS) - 1;
+pub const INDEX_BITS: u32 = 30;
+pub const INDEX_MASK: u32 = (1 << INDEX_BITS) - 1;
 
 /// Every primitive of a kind in `kinds`, in the order of `kinds`.
 pub fn references(prepared: &Prepared, kinds: &[ShapeKind]) -> Vec<u32> {

@@ -2,6 +2,7 @@
 
 use super::dispatch::Dispatch;
 use crate::features::Features;
+use crate::flat::bvh::leaf_text;
 use crate::prepared::{LightKind, MaterialKind, ShapeKind};
 use crate::settings::{Distribution, Fresnel};
 
@@ -17,7 +18,7 @@ pub fn texts(features: &Features) -> Vec<(&'static str, String)> {
         ("nearest", nearest(features)),
     ];
     if !features.in_bvh.is_empty() {
-        texts.push(("leaf", String::new()));
+        texts.push(("leaf", leaf_text(features.in_bvh.iter().copied())));
     }
     texts
 }

@@ -1,0 +1,55 @@
+// The nearest hit by way of the hierarchy that src/flat/bvh builds.
+//
+// Ylitie, Karras, Laine, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, HPG 2017,
+// section 4. A group is the first inner child of a node and a word: in bits 24 ... 31 those that are still to be
+// visited, by priority, in bits 0 ... 7 which slots hold inner children.
+//
+// The composer declares the words of nodes, uvec4 bvh_words[], and uint bvh_references[]; STACK, the entries that the
+// build has found to suffice; REACH, the largest coordinate.
+
+// uses: math/steps, shape/ray, shape/bvh/bits, shape/bvh/slabs, <leaf>
+
+const uint WAITING = 0xff000000u;
+
+uvec2 bvh_stack[STACK];
+
+// The lesser of `best` and the nearest hit with any primitive in the hierarchy but `skip`, by (t, shape, prim).
+Hit nearest_bvh(Ray ray, Target skip, Hit best) {
+    Hit nearest = best;
+    Slabs slabs = slabs_of(ray.o, ray.d, REACH);
+    begin_leaves(ray);
+    uvec2 group = uvec2(0u, 0x80000000u);
+    uint depth = 0u;
+    while ((group.y & WAITING) != 0u) {
+        loop_steps += 1u;
+        uint priority = highest_bit(group.y >> 24u);
+        group.y ^= 0x01000000u << priority;
+        if ((group.y & WAITING) != 0u) {
+            bvh_stack[depth] = group;
+            depth += 1u;
+        }
+        // Inner children follow one another in the order of slots.
+        uint slot = priority ^ slabs.octant;
+        uint node = 5u * (group.x + uint(bitCount(group.y & ((1u << slot) - 1u))));
+        uvec4 head = bvh_words[node];
+        uvec4 children = bvh_words[node + 1u];
+        uint hits = node_hits(slabs, head, children.zw, bvh_words[node + 2u], bvh_words[node + 3u],
+                              bvh_words[node + 4u], nearest.t);
+        uint leaves = hits & ~WAITING;
+        while (leaves != 0u) {
+            loop_steps += 1u;
+            uint i = highest_bit(leaves);
+            leaves ^= 1u << i;
+            nearest = nearer_leaf(bvh_references[children.y + i], ray, skip, nearest);
+        }
+        loop_failed = loop_failed || leaves != 0u;
+        group = uvec2(children.x, (hits & WAITING) | (head.w >> 24u));
+        if ((group.y & WAITING) == 0u && depth != 0u) {
+            depth -= 1u;
+            group = bvh_stack[depth];
+        }
+    }
+    // A driver that ends loops by itself leaves something over.
+    loop_failed = loop_failed || depth != 0u || (group.y & WAITING) != 0u;
+    return nearest;
+}
