@@ -1,6 +1,7 @@
 //! A prepared scene in the scalar of the reference: what the kernels read from buffers, and the dispatch that
 //! they have generated.
 
+use super::accel::{Accel, Primitives};
 use super::bsdf::Material;
 use super::camera::Camera;
 use super::light::{
@@ -46,7 +47,12 @@ pub struct World<F> {
     pub background_light: Option<usize>,
     light_cdf: Vec<u32>,
     triangle_cdf: Vec<u32>,
+    /// Over all primitives, where a loop over them would be slower.
+    accel: Option<Accel<F>>,
 }
+
+/// Up to so many primitives are searched one by one.
+const LINEAR_PRIMITIVES: usize = 16;
 
 impl<F: Real> World<F> {
     /// Each number of `prepared` rounded to the scalar.
@@ -61,7 +67,7 @@ impl<F: Real> World<F> {
                 cdf: (first, first + l.count as usize + 1),
             }
         };
-        Self {
+        let mut world = Self {
             width: prepared.width,
             camera: Camera::new(prepared),
             eye_medium: prepared.eye_medium,
@@ -79,12 +85,30 @@ impl<F: Real> World<F> {
                 .position(|l| l.kind == LightKind::Background),
             light_cdf: prepared.light_cdf.clone(),
             triangle_cdf: prepared.triangle_cdf.clone(),
+            accel: None,
+        };
+        let primitives = world.primitives();
+        if primitives.len() > LINEAR_PRIMITIVES {
+            world.accel = Some(Accel::build(primitives));
+        }
+        world
+    }
+
+    fn primitives(&self) -> Primitives<'_, F> {
+        Primitives {
+            spheres: &self.spheres,
+            boxes: &self.boxes,
+            cylinders: &self.cylinders,
+            triangles: &self.triangles,
         }
     }
 
     /// The least (t, shape, prim) with t < `t_max`, `skip` passed over.
     pub fn nearest(&self, ray: Ray<F>, t_max: F, skip: Target) -> Hit<F> {
         let mut best = no_hit(t_max);
+        if let Some(accel) = &self.accel {
+            return accel.nearest(self.primitives(), ray, skip, best);
+        }
         best = nearest_spheres(&self.spheres, ray, skip, best);
         best = nearest_boxes(&self.boxes, ray, skip, best);
         best = nearest_cylinders(&self.cylinders, ray, skip, best);

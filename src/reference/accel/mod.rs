@@ -85,6 +85,15 @@ enum Primitive<'a, F> {
 }
 
 impl<'a, F> Primitives<'a, F> {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.spheres.len() + self.boxes.len() + self.cylinders.len() + self.triangles.len()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
     /// The primitive with the number that [`Accel::build`] gave it.
     fn find(&self, number: usize) -> Primitive<'a, F> {
         let boxes = self.spheres.len();
