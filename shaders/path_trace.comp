@@ -12,12 +12,16 @@
 // uses: math/steps, film/film, path/begin, path/flight, path/shade
 layout(local_size_x = 64) in;
 
+bool unfinished(PathState s) {
+    return s.alive != 0u || s.ended != 0u || s.index < job.sample_end;
+}
+
 void trace_pixel(uint lane) {
     uint column = job.tile_x + lane % job.tile_width;
     uint row = job.tile_y + lane / job.tile_width;
     PathState s = paths[lane];
     FilmPixel pixel = film[lane];
-    while ((s.alive != 0u || s.ended != 0u || s.index < job.sample_end) && loop_steps < job.budget) {
+    while (unfinished(s) && loop_steps < job.budget) {
         loop_steps += 1u;
         if (s.alive == 0u && s.index < job.sample_end) {
             begin_path(s, column, row);
@@ -32,7 +36,8 @@ void trace_pixel(uint lane) {
             shade(s, flight, pixel, row * camera.width + column);
         }
     }
-    if (loop_failed) {
+    // A driver that ends loops by itself (Mesa 22) leaves their end conditions unmet: the picture would be wrong.
+    if (loop_failed || (unfinished(s) && loop_steps < job.budget)) {
         pixel.loops += 1u;
     }
     paths[lane] = s;

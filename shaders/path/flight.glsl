@@ -1,5 +1,5 @@
 // The rays of one bounce: the pending shadow ray, then the extension ray.
-// uses: shape/ray, <nearest>, <medium>, <straight>, <record>
+// uses: math/steps, shape/ray, <nearest>, <medium>, <straight>, <record>
 
 // Where the extension ray ended, how far it went from the last vertex, and that vertex.
 struct Flight {
@@ -69,5 +69,6 @@ Flight fly(inout PathState s, inout FilmPixel pixel) {
             phase = PHASE_DONE;
         }
     }
+    loop_failed = loop_failed || phase != PHASE_DONE;
     return flight;
 }

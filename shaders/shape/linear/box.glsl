@@ -13,5 +13,6 @@ Hit nearest_boxes(Ray ray, Target skip, Hit best) {
         nearest = nearer_solid(hit.t, shape, hit.face, skip, nearest);
         i += 1u;
     }
+    loop_failed = loop_failed || i < BOXES;
     return nearest;
 }

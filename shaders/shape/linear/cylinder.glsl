@@ -13,5 +13,6 @@ Hit nearest_cylinders(Ray ray, Target skip, Hit best) {
         nearest = nearer_solid(hit.t, shape, hit.part, skip, nearest);
         i += 1u;
     }
+    loop_failed = loop_failed || i < CYLINDERS;
     return nearest;
 }

@@ -13,5 +13,6 @@ Hit nearest_spheres(Ray ray, Target skip, Hit best) {
         nearest = nearer_solid(t, shape, 0u, skip, nearest);
         i += 1u;
     }
+    loop_failed = loop_failed || i < SPHERES;
     return nearest;
 }

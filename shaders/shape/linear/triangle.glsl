@@ -12,5 +12,6 @@ Hit nearest_triangles(Ray ray, Target skip, Hit best) {
         nearest = nearer_triangle(ray, shear, skip, nearest, i);
         i += 1u;
     }
+    loop_failed = loop_failed || i < TRIANGLES;
     return nearest;
 }

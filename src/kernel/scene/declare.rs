@@ -114,7 +114,7 @@ fn constants(parameters: &Parameters) -> String {
         uint("RECORDS", n);
     }
     if let Some((stack, _)) = parameters.bvh {
-        uint("STACK", stack);
+        uint("STACK", stack.max(1));
     }
     if let Some((_, reach)) = parameters.bvh {
         text += &format!("const float REACH = {reach:?};\n");
