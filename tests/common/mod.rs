@@ -6,6 +6,8 @@
 #![allow(dead_code, reason = "each test program uses a part of it")]
 
 pub mod render;
+pub mod scenes;
+pub mod settings;
 pub mod stats;
 
 use std::sync::OnceLock;

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use vkpt::film::Film;
 use vkpt::prepared::{Prepared, prepare};
-use vkpt::render::{Job, Outcome, Target, render};
+use vkpt::render::{DispatchLimits, Job, Outcome, Target, render, render_on};
 use vkpt::settings::Settings;
 
 /// A scene from text, prepared.
@@ -38,6 +38,19 @@ pub fn outcome(job: &Job, target: &Target) -> Outcome {
     render(job, target, &AtomicBool::new(false), &mut |_| {}).expect("a rendering")
 }
 
+/// Renders on the tests' device, which the validation layer watches; `None` where the run goes without.
+pub fn on_device(job: &Job) -> Option<Outcome> {
+    let limits = DispatchLimits::of(super::device()?).expect("a probe");
+    on_device_within(job, limits)
+}
+
+/// The same within limits of a dispatch of one's own.
+pub fn on_device_within(job: &Job, limits: DispatchLimits) -> Option<Outcome> {
+    let stop = AtomicBool::new(false);
+    let outcome = render_on(job, super::device()?, limits, &stop, &mut |_| {});
+    Some(outcome.expect("a rendering"))
+}
+
 pub fn film(text: &str, settings: Settings, spp: u64, seed: u32, target: &Target) -> Film {
     let prepared = prepared(text, &settings);
     outcome(&job(&prepared, settings, spp, seed), target).film
@@ -49,4 +62,25 @@ pub fn pixel_means(film: &Film) -> Vec<f64> {
         .iter()
         .map(|p| p.iter().map(|&x| f64::from(x)).sum::<f64>() / 3.0)
         .collect()
+}
+
+/// Says where two pictures differ in a bit; `None` where they do not.
+pub fn difference(a: &Film, b: &Film) -> Option<String> {
+    if (a.width, a.height) != (b.width, b.height) {
+        return Some(format!(
+            "{}×{} and {}×{}",
+            a.width, a.height, b.width, b.height
+        ));
+    }
+    let differs = |i: &usize| a.rgb[*i].map(f32::to_bits) != b.rgb[*i].map(f32::to_bits);
+    let different: Vec<usize> = (0..a.rgb.len()).filter(differs).collect();
+    let first = *different.first()?;
+    let (column, row) = (first % a.width as usize, first / a.width as usize);
+    Some(format!(
+        "{} of {} pixels, first at {column},{row}: {:?} and {:?}",
+        different.len(),
+        a.rgb.len(),
+        a.rgb[first],
+        b.rgb[first]
+    ))
 }

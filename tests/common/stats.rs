@@ -1,6 +1,6 @@
 //! Statistics that several tests share.
 
-use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
+use statrs::distribution::{ContinuousCDF, StudentsT};
 
 /// The level of each of `n` tests that makes a family's level `alpha`: 1 − (1 − α)^(1/n) (Šidák 1967).
 pub fn sidak(alpha: f64, n: usize) -> f64 {
@@ -28,16 +28,19 @@ pub fn p_of_mean(samples: &[f64], expected: f64, rounding: f64) -> f64 {
         return 0.0;
     }
     let t = StudentsT::new(0.0, 1.0, samples.len() as f64 - 1.0).expect("two samples or more");
-    2.0 * (1.0 - t.cdf(off / error))
+    2.0 * t.sf(off / error)
 }
 
-/// Two-sided p-value of two independent sets of samples having the same mean (Welch, normal approximation:
-/// for sets of twenty or more).
+/// Two-sided p-value of two independent sets of samples having the same mean (Welch's t-test with the degrees of
+/// freedom of Satterthwaite 1946).
 pub fn p_of_difference(a: &[f64], b: &[f64]) -> f64 {
     let ((mean_a, error_a), (mean_b, error_b)) = (mean_and_error(a), mean_and_error(b));
     let error = error_a.hypot(error_b);
     if error == 0.0 {
         return if mean_a == mean_b { 1.0 } else { 0.0 };
     }
-    2.0 * (1.0 - Normal::standard().cdf((mean_a - mean_b).abs() / error))
+    let share = |error: f64, n: usize| error.powi(4) / (n as f64 - 1.0);
+    let freedom = error.powi(4) / (share(error_a, a.len()) + share(error_b, b.len()));
+    let t = StudentsT::new(0.0, 1.0, freedom).expect("two samples or more in each set");
+    2.0 * t.sf((mean_a - mean_b).abs() / error)
 }

@@ -1,0 +1,51 @@
+//! Small scenes that between them hold every part of the model; each fits a picture of 32 × 24.
+
+/// GGX: absorbing rough glass, a rough opaque block with Kd, a floor; a ball of light.
+pub const TABLE: &str = "screen 32 24
+camera 0 -6 3 .35 x 65
+light 6 5 4
+sphere 0 0 4 1
+brdf .6 .5 .4 0 0 0 1
+box -5 -5 -.1 10 10 .1
+distribution ggx
+brdf 0 0 0 .04 .04 .04 .3 .9 .5 .3 1.5
+sphere -1 0 .8 .8
+brdf .3 .3 .4 .3 .3 .2 .4
+box .4 -.5 .002 1.1 1.1 1.1
+";
+
+/// Everything smooth: glass with exact Fresnel and absorption, a mirror, a floor; a background and a box of light.
+pub const SMOOTH: &str = "screen 32 24
+camera 0 -6 2 .35 x 75
+background .4 .5 .6
+light 5 5 4
+box -1 -1 4 2 2 .5
+brdf .5 .5 .5 0 0 0 1
+box -5 -5 -.1 10 10 .1
+fresnel exact
+brdf 0 0 0 .04 .04 .04 0 .8 .9 .95 1.5
+sphere -.9 0 .8 .8
+brdf 0 0 0 .9 .8 .7 0
+cylinder .9 .2 .01 0 0 1.5 .6
+";
+
+/// Beckmann and Phong, glass and opaque, glass with Kd, a surface that is not there; two lights to choose from.
+pub const WIDE: &str = "screen 32 24
+camera 0 -6 2.5 .35 x 70
+light 4 4 5
+cylinder -3 0 3 6 0 0 .5
+light 3 2 1
+sphere 3.2 1 1.5 .6
+brdf .5 .5 .5 0 0 0 1
+box -5 -5 -.1 10 10 .1
+distribution beckmann
+brdf 0 0 0 .05 .05 .05 .4 .95 .9 .6 1.4
+cylinder -1.4 0 .01 0 0 1.2 .6
+brdf .2 .2 .3 .4 .3 .3 .5
+sphere 0 .8 .6 .6
+distribution phong
+brdf .2 .1 .1 .04 .04 .04 30 .9 .9 .6 1.3
+sphere 1.3 -.2 .6 .6
+brdf 0 0 0 0 0 0 1 .5 .7 .9 1
+box -.5 -1.2 .01 .8 .6 .7
+";
