@@ -1,0 +1,100 @@
+//! A thousand bounces in a deep hierarchy: more loop steps than Mesa 22 lets a subgroup take in one dispatch, which it
+//! ends in silence after 65,535. The picture is right because paths are handed over before that.
+//!
+//! The room is a closed mesh of perfect mirrors, bumpy at several scales, around a small light. It is chaotic: after a
+//! few dozen bounces one rounding done otherwise shows in every digit.
+
+mod common;
+#[path = "common/icosphere.rs"]
+mod icosphere;
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+use common::render::{difference, job, outcome, prepared};
+use icosphere::icosphere;
+use vkpt::gpu::DeviceKind;
+use vkpt::prepared::Prepared;
+use vkpt::render::{DispatchLimits, RenderError, Target, render_on};
+use vkpt::settings::{Roulette, Settings};
+
+fn settings() -> Settings {
+    let mut settings = Settings::default();
+    settings.estimator.roulette = Roulette::Off;
+    settings
+}
+
+/// 20·24² = 11,520 triangles of mirror around a camera and a light of radius 0.012: thousands of bounces lie between
+/// one visit to the light and the next.
+fn mirror_room() -> Prepared {
+    let file = tempfile::Builder::new()
+        .suffix(".ply")
+        .tempfile()
+        .expect("a temporary file");
+    write_ply(file.path(), 24);
+    let text = format!(
+        "screen 16 12\ncamera .2 .1 0 .5\nlight 3 2 1\nsphere -.3 .2 .1 .012\n\
+         brdf 0 0 0 1 1 1 0\nmesh {} 0 0 0 1\n",
+        file.path().display()
+    );
+    prepared(&text, &settings())
+}
+
+fn write_ply(path: &Path, n: u32) {
+    let triangles = icosphere(n, 7);
+    let mut text = format!(
+        "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n\
+         element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        3 * triangles.len(),
+        triangles.len()
+    );
+    for p in triangles.iter().flatten() {
+        writeln!(text, "{} {} {}", p.x, p.y, p.z).expect("a string");
+    }
+    for i in 0..triangles.len() {
+        writeln!(text, "3 {} {} {}", 3 * i, 3 * i + 1, 3 * i + 2).expect("a string");
+    }
+    std::fs::write(path, text).expect("a temporary file");
+}
+
+#[test]
+fn a_thousand_bounces_in_a_deep_hierarchy_make_the_picture_of_the_reference() {
+    let scene = mirror_room();
+    let job = job(&scene, settings(), 2, 1);
+    let reference = outcome(&job, &Target::CpuF32);
+    let samples = reference.stats.samples;
+    println!(
+        "{} of {samples} paths reached a thousand bounces, {} rays",
+        reference.stats.long_paths, reference.stats.rays
+    );
+    assert!(reference.stats.long_paths > samples / 2);
+    let Some(device) = common::device() else {
+        return;
+    };
+    let render = |limits| render_on(&job, device, limits, &AtomicBool::new(false), &mut |_| {});
+    let limits = DispatchLimits::of(device).expect("a probe");
+    let ours = render(limits).expect("a rendering");
+    assert_eq!(ours.stats.dropped, Default::default());
+    if device.info().kind == DeviceKind::Cpu {
+        assert_eq!(difference(&ours.film, &reference.film), None);
+        assert_eq!(ours.stats.rays, reference.stats.rays);
+        assert_eq!(ours.stats.long_paths, reference.stats.long_paths);
+    }
+
+    // Planted: no hand-over. A driver that ends loops must be caught at it; another makes the same picture.
+    let planted = render(DispatchLimits {
+        budget: u32::MAX,
+        ..limits
+    });
+    match device.loop_limit().expect("a probe") {
+        Some(limit) => {
+            println!("limit of {limit} loop steps, budget {}", limits.budget);
+            assert!(matches!(planted, Err(RenderError::Loops(1..))));
+        }
+        None => {
+            let film = planted.expect("a rendering").film;
+            assert_eq!(difference(&film, &ours.film), None);
+        }
+    }
+}
