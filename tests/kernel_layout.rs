@@ -1,7 +1,10 @@
 //! The structs that host and kernel share, against the offsets that naga gives them.
 
 use vkpt::kernel::{Composer, Member, StructLayout, struct_layouts};
-use vkpt::layout::{Camera, Cuboid, Cylinder, Field, GpuStruct, Light, Material, Shape, Sphere};
+use vkpt::layout::{
+    Camera, Cuboid, Cylinder, Field, FilmPixel, GpuStruct, Light, Material, PathState, Record,
+    Shape, Slice, Sphere,
+};
 
 /// Name, size and member offsets, as Rust has them.
 fn ours<T: GpuStruct>() -> StructLayout {
@@ -56,6 +59,10 @@ fn naga_lays_out_every_struct_as_rust_does() {
     check::<Shape>();
     check::<Light>();
     check::<Camera>();
+    check::<PathState>();
+    check::<FilmPixel>();
+    check::<Record>();
+    check::<Slice>();
 }
 
 /// Two fields swapped in the kernel leave the size as it was: the offsets must tell.

@@ -203,3 +203,11 @@ const LIT: &str = "screen 8 6\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 3 1 0.5\n
 
 const GLASS: &str = "screen 8 6\ncamera 0 0 5 0.3\nbackground 1 2 3\n";
 const BALL: &str = "brdf 0 0 0 .1 .1 .1 .3 .9 .5 .2 1.5\nsphere 0 0 0 1\n";
+
+#[test]
+fn a_trace_goes_to_stdout_and_leaves_no_file() {
+    let folder = folder(LIT);
+    let out = rendered(folder.path(), &["--trace", "4,3,5"]);
+    assert!(out.contains("vertex") && out.contains("cpu-f32"), "{out}");
+    assert_eq!(names(folder.path()), ["scene.scn"]);
+}

@@ -1,6 +1,7 @@
 //! Twins of `shaders/film/`.
 
-use vkpt::reference::film::{PixelSum, film_add, film_mean};
+use vkpt::layout::GpuStruct;
+use vkpt::reference::film::{FilmPixel, PixelSum, film_add, film_mean, film_sample};
 use vkpt::reference::math::{Vec3, vec3};
 
 use super::harness::{Rng, Row, Twin};
@@ -62,5 +63,34 @@ pub fn twins() -> Vec<Twin> {
             .edge(at_two_to_the_24().u((1 << 24) + 3))
             .edge(at_two_to_the_24().u(u32::MAX))
             .seeded(2000, |r| sum(r).u((r.u32() >> r.below(32)).max(1))),
+        dropping(),
     ]
+}
+
+/// Good samples, and broken ones, which count as 0.
+fn dropping() -> Twin {
+    let row = |x: f32| Row::new().vec3(vec3(1.0, x, 2.0));
+    Twin::new("film_sample", "film/film")
+        .also(&["has_nan"])
+        .prelude(vkpt::layout::FilmPixel::glsl())
+        .glsl(
+            "FilmPixel pixel = FilmPixel(vec3(1.0), 7u, vec3(0.0), 0u, 1u, 2u, 0u, 0u);
+             film_sample(pixel, in_vec3());
+             out_vec3(pixel.sum); out_vec3(pixel.comp); out_u(pixel.samples); out_u(pixel.nan); out_u(pixel.infinite);",
+        )
+        .rust(|i, o| {
+            let sum = PixelSum { sum: Vec3::one(), comp: Vec3::zero() };
+            let mut pixel = FilmPixel { sum, nan: 1, infinite: 2, ..FilmPixel::default() };
+            film_sample(&mut pixel, i.vec3());
+            o.vec3(pixel.sum.sum);
+            o.vec3(pixel.sum.comp);
+            // The reference counts its samples elsewhere.
+            o.u(8);
+            o.u(pixel.nan as u32);
+            o.u(pixel.infinite as u32);
+        })
+        .edges([0.0, 1e-45, f32::MAX, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, -f32::NAN].map(row))
+        .edge([f32::INFINITY, f32::NAN, f32::NEG_INFINITY])
+        .edge([f32::INFINITY, f32::NEG_INFINITY, 1.0])
+        .seeded(1000, |r| Row::new().u(r.u32()).u(r.u32()).u(r.u32()))
 }

@@ -13,7 +13,7 @@ mod rng;
 mod words;
 
 use vkpt::gpu::{BufferUse, Device, DeviceKind};
-use vkpt::kernel::{Composer, Slot, compile};
+use vkpt::kernel::{Composed, Composer, KernelError, Slot, compile};
 
 use report::Report;
 pub use rng::Rng;
@@ -110,11 +110,32 @@ impl Twin {
         self.rows.extend((0..count).map(|_| row(&mut rng)));
         self
     }
-    /// The functions that this row holds to account.
-    pub fn functions(&self) -> impl Iterator<Item = &'static str> {
-        std::iter::once(self.name).chain(self.also.iter().copied())
+    /// (file, function) for each function that this row holds to account: those named, in each file of its kernel,
+    /// because functions of one name may stand in several files for one slot.
+    pub fn holds(&self) -> Vec<(String, &'static str)> {
+        let kernel = self
+            .kernel(0, 0)
+            .unwrap_or_else(|e| panic!("{}: {e}", self.name));
+        let names = || std::iter::once(self.name).chain(self.also.iter().copied());
+        kernel
+            .files()
+            .flat_map(|file| names().map(move |name| (file.to_owned(), name)))
+            .collect()
+    }
+
+    fn kernel(&self, inputs: usize, outputs: usize) -> Result<Composed, KernelError> {
+        let composer = self
+            .composer
+            .clone()
+            .prelude(frame(inputs, outputs))
+            .add(BODY, body(&self.glsl));
+        let roots: Vec<&str> = self.files.iter().copied().chain([BODY]).collect();
+        composer.compose(&roots)
     }
 }
+
+/// The file that calls the function.
+const BODY: &str = "the twin's body";
 
 /// Checks all twins and panics with all that differ.
 pub fn check(twins: &[Twin]) {
@@ -175,18 +196,7 @@ fn run(
     inputs: usize,
     outputs: usize,
 ) -> Result<Vec<u32>, Box<dyn std::error::Error>> {
-    let kernel = twin
-        .composer
-        .clone()
-        .prelude(frame(inputs, outputs))
-        .add("the twin's body", body(&twin.glsl));
-    let roots: Vec<&str> = twin
-        .files
-        .iter()
-        .copied()
-        .chain(["the twin's body"])
-        .collect();
-    let kernel = compile(&kernel.compose(&roots)?)?;
+    let kernel = compile(&twin.kernel(inputs, outputs)?)?;
     let pipeline = device.pipeline(&kernel, &[BufferUse::Storage; 2], 0)?;
 
     let rows = twin.rows.len();

@@ -1,5 +1,6 @@
 //! Twins of `shaders/math/`.
 
+use vkpt::reference::math::finite::{is_black, is_finite, is_finite3};
 use vkpt::reference::math::frame::{Frame, frame_about, to_local, to_world};
 use vkpt::reference::math::products::{difference_of_products, halves, product_error};
 use vkpt::reference::math::{
@@ -11,6 +12,7 @@ use super::harness::{Out, Rng, Row, Twin};
 pub fn twins() -> Vec<Twin> {
     let mut twins = vectors();
     twins.extend(frames());
+    twins.push(finiteness());
     twins.extend(products());
     twins
 }
@@ -131,6 +133,24 @@ fn frames() -> Vec<Twin> {
             .glsl("Frame f = frame_about(in_vec3()); out_vec3(to_world(f, in_vec3()));")
             .rust(|i, o| o.vec3(to_world(frame_about(i.vec3()), i.vec3()))),
     ]
+}
+
+fn finiteness() -> Twin {
+    Twin::new("is_finite", "math/finite")
+        .also(&["is_finite3", "is_black"])
+        .glsl(
+            "vec3 v = in_vec3(); out_b(is_finite(v.x)); out_b(is_finite3(v)); out_b(is_black(v));",
+        )
+        .rust(|i, o| {
+            let v = i.vec3();
+            o.b(is_finite(v.x));
+            o.b(is_finite3(v));
+            o.b(is_black(v));
+        })
+        .edges(SPECIAL.iter().flat_map(|&x| {
+            [vec3(x, 0.0, 0.0), vec3(0.0, x, 1.0), vec3(-0.0, -1.0, x)].map(|v| Row::new().vec3(v))
+        }))
+        .seeded(1000, |r| Row::new().u(r.u32()).u(r.u32()).u(r.u32()))
 }
 
 fn products() -> Vec<Twin> {
