@@ -176,6 +176,23 @@ pub fn mixed() -> Prepared {
         .build()
 }
 
+/// The scene in another unit of length.
+pub fn scaled(mut scene: Prepared, k: f64) -> Prepared {
+    for s in &mut scene.spheres {
+        (s.centre, s.radius) = (s.centre * k, s.radius * k);
+    }
+    for b in &mut scene.boxes {
+        (b.lo, b.hi) = (b.lo * k, b.hi * k);
+    }
+    for c in &mut scene.cylinders {
+        (c.base, c.height, c.radius) = (c.base * k, c.height * k, c.radius * k);
+    }
+    for t in &mut scene.triangles {
+        t.v = t.v.map(|v| v * k);
+    }
+    scene
+}
+
 /// n spheres of many sizes.
 pub fn spheres(n: u32) -> Prepared {
     let mut random = Random::new(14);
@@ -233,6 +250,8 @@ pub fn all() -> Vec<(&'static str, Prepared)> {
         ("needles", needles()),
         ("zero area", zero_area()),
         ("mixed", mixed()),
-        ("spheres", spheres(2000)),
+        ("spheres", spheres(10_000)),
+        ("tiny", scaled(mixed(), 1e-5)),
+        ("large", scaled(mixed(), 1e5)),
     ]
 }

@@ -4,6 +4,9 @@
 // section 4. A group is the first inner child of a node and a word: in bits 24 ... 31 those that are still to be
 // visited, by priority, in bits 0 ... 7 which slots hold inner children.
 //
+// Both loops test at their end: a driver that runs lanes in lockstep goes through a loop's body once more, all lanes
+// masked off, to find that none goes on, if the test stands at its beginning (a tenth of the time on Mesa's llvmpipe).
+//
 // The composer declares the words of nodes, uvec4 bvh_words[], and uint bvh_references[]; STACK, the entries that the
 // build has found to suffice; REACH, the largest coordinate.
 
@@ -20,7 +23,7 @@ Hit nearest_bvh(Ray ray, Target skip, Hit best) {
     begin_leaves(ray);
     uvec2 group = uvec2(0u, 0x80000000u);
     uint depth = 0u;
-    while ((group.y & WAITING) != 0u) {
+    do {
         loop_steps += 1u;
         uint priority = highest_bit(group.y >> 24u);
         group.y ^= 0x01000000u << priority;
@@ -36,11 +39,13 @@ Hit nearest_bvh(Ray ray, Target skip, Hit best) {
         uint hits = node_hits(slabs, head, children.zw, bvh_words[node + 2u], bvh_words[node + 3u],
                               bvh_words[node + 4u], nearest.t);
         uint leaves = hits & ~WAITING;
-        while (leaves != 0u) {
-            loop_steps += 1u;
-            uint i = highest_bit(leaves);
-            leaves ^= 1u << i;
-            nearest = nearer_leaf(bvh_references[children.y + i], ray, skip, nearest);
+        if (leaves != 0u) {
+            do {
+                loop_steps += 1u;
+                uint i = highest_bit(leaves);
+                leaves ^= 1u << i;
+                nearest = nearer_leaf(bvh_references[children.y + i], ray, skip, nearest);
+            } while (leaves != 0u);
         }
         loop_failed = loop_failed || leaves != 0u;
         group = uvec2(children.x, (hits & WAITING) | (head.w >> 24u));
@@ -48,7 +53,7 @@ Hit nearest_bvh(Ray ray, Target skip, Hit best) {
             depth -= 1u;
             group = bvh_stack[depth];
         }
-    }
+    } while ((group.y & WAITING) != 0u);
     // A driver that ends loops by itself leaves something over.
     loop_failed = loop_failed || depth != 0u || (group.y & WAITING) != 0u;
     return nearest;
