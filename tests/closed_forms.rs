@@ -113,13 +113,12 @@ fn disc_light_over_a_lambert_plane() {
 #[test]
 fn camera_inside_glass_sees_the_furnace_scaled() {
     let glass = "background 1 1 1\nfresnel exact\nbrdf 0 0 0 .04 .04 .04 0 1 1 1 1.5\n";
-    let cube = std::env::temp_dir().join(format!("vkpt-cube-{}.ply", std::process::id()));
-    std::fs::write(&cube, CUBE).expect("a temporary file");
+    let cube = common::meshes::cube();
     let shapes = [
         "sphere 0 0 0 1".to_owned(),
         "box -1 -1 -1 2 2 2".to_owned(),
         "cylinder 0 0 -1 0 0 2 1".to_owned(),
-        format!("mesh {} 0 0 0 1", cube.display()),
+        format!("mesh {} 0 0 0 1", cube.path().display()),
     ];
     let mut cases = Vec::new();
     for shape in &shapes {
@@ -137,7 +136,6 @@ fn camera_inside_glass_sees_the_furnace_scaled() {
         }
     }
     check(&cases);
-    std::fs::remove_file(cube).expect("the temporary file");
 }
 
 /// Unit sphere of smooth glass (exact Fresnel, n = 1.5) in a unit furnace: means over its disc (check 11).
@@ -218,8 +216,3 @@ fn absorbing_slab() {
     }
     check(&cases);
 }
-
-const CUBE: &str = "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n\
-element face 6\nproperty list uchar int vertex_indices\nend_header\n\
--1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n\
-4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";

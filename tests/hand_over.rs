@@ -9,11 +9,11 @@ mod common;
 mod icosphere;
 
 use std::fmt::Write as _;
-use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use common::render::{difference, job, outcome, prepared};
 use icosphere::icosphere;
+use tempfile::NamedTempFile;
 use vkpt::gpu::DeviceKind;
 use vkpt::prepared::Prepared;
 use vkpt::render::{DispatchLimits, RenderError, Target, render_on};
@@ -28,11 +28,7 @@ fn settings() -> Settings {
 /// 20·24² = 11,520 triangles of mirror around a camera and a light of radius 0.012: thousands of bounces lie between
 /// one visit to the light and the next.
 fn mirror_room() -> Prepared {
-    let file = tempfile::Builder::new()
-        .suffix(".ply")
-        .tempfile()
-        .expect("a temporary file");
-    write_ply(file.path(), 24);
+    let file = bumpy_ball(24);
     let text = format!(
         "screen 16 12\ncamera .2 .1 0 .5\nlight 3 2 1\nsphere -.3 .2 .1 .012\n\
          brdf 0 0 0 1 1 1 0\nmesh {} 0 0 0 1\n",
@@ -41,10 +37,11 @@ fn mirror_room() -> Prepared {
     prepared(&text, &settings())
 }
 
-fn write_ply(path: &Path, n: u32) {
+/// The displaced sphere of 20·n² triangles.
+fn bumpy_ball(n: u32) -> NamedTempFile {
     let triangles = icosphere(n, 7);
     let mut text = format!(
-        "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n\
+        "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n\
          element face {}\nproperty list uchar int vertex_indices\nend_header\n",
         3 * triangles.len(),
         triangles.len()
@@ -55,7 +52,7 @@ fn write_ply(path: &Path, n: u32) {
     for i in 0..triangles.len() {
         writeln!(text, "3 {} {} {}", 3 * i, 3 * i + 1, 3 * i + 2).expect("a string");
     }
-    std::fs::write(path, text).expect("a temporary file");
+    common::meshes::ply(&text)
 }
 
 #[test]

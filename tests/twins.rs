@@ -2,7 +2,6 @@
 
 mod common;
 #[path = "twins/harness.rs"]
-#[allow(dead_code, reason = "a toolbox: rows use what they need")]
 mod harness;
 
 #[path = "twins/bsdf.rs"]

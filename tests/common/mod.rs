@@ -5,6 +5,7 @@
 
 #![allow(dead_code, reason = "each test program uses a part of it")]
 
+pub mod meshes;
 pub mod render;
 pub mod scenes;
 pub mod settings;
