@@ -13,6 +13,7 @@ fn record() -> Record {
         compose: 0.004,
         compile: 0.5,
         render: 7.5,
+        gpu: Some(7.25),
         write: 0.02,
     };
     Record {
@@ -64,7 +65,7 @@ fn json_holds_every_field_by_name() {
         "driver": "Mesa 22.3.6",
         "features": ["sphere", "ggx"],
         "seconds": {
-            "read": 0.012, "prepare": 0.0, "compose": 0.004, "compile": 0.5, "render": 7.5, "write": 0.02,
+            "read": 0.012, "prepare": 0.0, "compose": 0.004, "gpu": 7.25, "compile": 0.5, "render": 7.5, "write": 0.02,
         },
         "samples": 7_680_000,
         "rays": 40_000_000,
@@ -95,7 +96,7 @@ fn the_summary_reads_well() {
     let expected = "\
 scenes/a.scn: 400×300, 64 samples per pixel, seed 7
   on      llvmpipe, Mesa 22.3.6
-  time    read 12 ms, compose 4 ms, compile 500 ms, render 7.50 s, write 20 ms
+  time    read 12 ms, compose 4 ms, compile 500 ms, render 7.50 s (device 7.25 s), write 20 ms
   work    7.68 M samples (960 k/s), 40.0 M rays (5.00 M/s)
   wrote   a.png";
     assert_eq!(summary(&record()), expected);

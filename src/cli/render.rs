@@ -94,6 +94,7 @@ fn record(
         compose: stats.compose_s,
         compile: stats.compile_s,
         render: stats.render_s,
+        gpu: stats.gpu_s,
         write: 0.0,
     };
     let render::Dropped {

@@ -55,6 +55,7 @@ pub fn render<F: Real>(
         compose_s,
         compile_s: 0.0,
         render_s: start.elapsed().as_secs_f64(),
+        gpu_s: None,
         samples: done * u64::from(area.pixels()),
         rays: count(|p| p.rays),
         dropped: Dropped {

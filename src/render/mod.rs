@@ -102,8 +102,10 @@ pub struct Stats {
     pub compose_s: f64,
     /// Seconds of the first dispatch, which is when drivers compile.
     pub compile_s: f64,
-    /// Seconds of all other dispatches.
+    /// Seconds of all other dispatches, with all that the host does between them.
     pub render_s: f64,
+    /// The device's own seconds for them, by its timestamps; `None` for the reference.
+    pub gpu_s: Option<f64>,
     pub samples: u64,
     pub rays: u64,
     pub dropped: Dropped,

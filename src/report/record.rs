@@ -54,6 +54,8 @@ pub struct Seconds {
     pub compile: f64,
     /// All other dispatches.
     pub render: f64,
+    /// The device's own time for them, by its timestamps; `None` for the reference.
+    pub gpu: Option<f64>,
     pub write: f64,
 }
 

@@ -45,9 +45,15 @@ fn stages(record: &Record) -> String {
         ("write", s.write),
     ];
     let told = all.iter().filter(|(_, seconds)| *seconds >= 0.001);
-    told.map(|(stage, seconds)| format!("{stage} {}", duration(*seconds)))
-        .collect::<Vec<_>>()
-        .join(", ")
+    let told: Vec<String> = told
+        .map(|(stage, seconds)| match (*stage, s.gpu) {
+            ("render", Some(gpu)) => {
+                format!("render {} (device {})", duration(*seconds), duration(gpu))
+            }
+            _ => format!("{stage} {}", duration(*seconds)),
+        })
+        .collect();
+    told.join(", ")
 }
 
 fn work(record: &Record) -> String {

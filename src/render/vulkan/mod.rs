@@ -31,12 +31,13 @@ pub fn render(
     let mut run = Run::new(job, device, &features, limits, None)?;
     let compose_s = start.elapsed().as_secs_f64();
     let compile_s = run.compile()?.as_secs_f64();
+    run.gpu_time = Duration::ZERO;
 
     let start = Instant::now();
     let done = sample(&mut run, job, stop, progress)?;
     let render_s = start.elapsed().as_secs_f64();
 
-    let (film, counts) = develop(&run, job, done)?;
+    let (film, counts) = develop(&run, job, done);
     if counts.dropped.loops > 0 {
         return Err(RenderError::Loops(counts.dropped.loops));
     }
@@ -46,6 +47,7 @@ pub fn render(
         compose_s,
         compile_s,
         render_s,
+        gpu_s: Some(run.gpu_time.as_secs_f64()),
         samples: done * u64::from(job.area().pixels()),
         rays: counts.rays,
         dropped: counts.dropped,
@@ -73,10 +75,15 @@ fn sample(
         let mut longest = Duration::ZERO;
         for tile in 0..run.tiles.len() {
             longest = longest.max(run.advance(tile, (done + slice) as u32)?);
+            let part = (tile + 1) as f64 / run.tiles.len() as f64;
+            progress(Progress {
+                samples_done: if part == 1.0 { done + slice } else { done },
+                spp: job.spp,
+                fraction: (done as f64 + part * slice as f64) / job.spp as f64,
+            });
         }
         slices.took(slice, longest);
         done += slice;
-        progress(Progress::new(done, job.spp));
     }
     Ok(done)
 }
@@ -121,12 +128,12 @@ impl Counts {
 }
 
 /// The picture of `spp` samples a pixel, and the sums of what was counted.
-fn develop(run: &Run, job: &Job, spp: u64) -> Result<(Film, Counts), RenderError> {
+fn develop(run: &Run, job: &Job, spp: u64) -> (Film, Counts) {
     let area = job.area();
     let mut rgb = vec![[0.0; 3]; area.pixels() as usize];
     let mut counts = Counts::default();
-    for (i, (tile, _)) in run.tiles.iter().enumerate() {
-        for (k, p) in run.film(i)?.iter().enumerate() {
+    for (tile, pixels) in &run.tiles {
+        for (k, p) in pixels.iter().enumerate() {
             let x = tile.x - area.x + k as u32 % tile.width;
             let y = tile.y - area.y + k as u32 / tile.width;
             rgb[(y * area.width + x) as usize] = mean(p, spp);
@@ -138,7 +145,7 @@ fn develop(run: &Run, job: &Job, spp: u64) -> Result<(Film, Counts), RenderError
         height: area.height,
         rgb,
     };
-    Ok((film, counts))
+    (film, counts)
 }
 
 fn mean(p: &FilmPixel, spp: u64) -> [f32; 3] {

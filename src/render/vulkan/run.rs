@@ -15,15 +15,21 @@ use crate::render::{Job, RenderError};
 const WORKGROUP: u32 = 64;
 
 /// A scene's kernel, its buffers, and the films of all tiles.
+///
+/// The device holds the film of the tile under way, the host all of them: 8192 × 8192 pixels would not fit the
+/// memory of many a device.
 pub struct Run<'a> {
     job: &'a Job<'a>,
     device: &'a Device,
     pipeline: Pipeline,
     scene: SceneBuffers,
     paths: Buffer,
+    film: Buffer,
     records: Option<Buffer>,
-    /// Each tile and its film.
-    pub tiles: Vec<(Tile, Buffer)>,
+    /// Each tile and its film, row by row.
+    pub tiles: Vec<(Tile, Vec<FilmPixel>)>,
+    /// The device's own time for all dispatches.
+    pub gpu_time: Duration,
     budget: u32,
     /// Index of the first sample.
     pub sample_begin: u32,
@@ -45,21 +51,20 @@ impl<'a> Run<'a> {
         uses.extend([BufferUse::Storage; 2]);
         uses.extend(records.map(|_| BufferUse::Storage));
         let pipeline = device.pipeline(&spirv, &uses, size_of::<Slice>() as u32)?;
-        let mut films = Vec::new();
-        for tile in tiles(job.area(), limits.tile_pixels.max(1)) {
-            films.push((tile, array::<FilmPixel>(device, "film", tile.pixels())?));
-        }
-        let largest = films.iter().map(|(t, _)| t.pixels()).max().unwrap_or(1);
+        let tiles = tiles(job.area(), limits.tile_pixels.max(1));
+        let largest = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
         Ok(Self {
             job,
             device,
             pipeline,
             scene,
             paths: array::<PathState>(device, "paths", largest)?,
+            film: array::<FilmPixel>(device, "film", largest)?,
             records: records
                 .map(|n| array::<Record>(device, "records", n))
                 .transpose()?,
-            tiles: films,
+            tiles: tiles.into_iter().map(fresh_film).collect(),
+            gpu_time: Duration::ZERO,
             budget: limits.budget.max(1),
             sample_begin: 0,
         })
@@ -75,12 +80,13 @@ impl<'a> Run<'a> {
     /// Brings every pixel of a tile to `sample_end` samples; returns the longest dispatch.
     pub fn advance(&mut self, tile: usize, sample_end: u32) -> Result<Duration, RenderError> {
         if self.tiles.len() > 1 {
-            self.continue_from_film(tile)?;
+            self.upload(tile)?;
         }
         let mut longest = Duration::ZERO;
         loop {
             longest = longest.max(self.dispatch(tile, sample_end)?);
-            let film = self.film(tile)?;
+            let film = &mut self.tiles[tile].1;
+            self.film.read_into(bytemuck::cast_slice_mut(film))?;
             let failed = film.iter().any(|p| p.loops > 0);
             if failed || film.iter().all(|p| p.samples == sample_end) {
                 return Ok(longest);
@@ -88,18 +94,21 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// No path of the tile is under way: its threads need to know only how many samples they have begun.
-    fn continue_from_film(&mut self, tile: usize) -> Result<(), RenderError> {
+    /// Takes up a tile of which no path is under way: its threads need to know only how many samples they have
+    /// begun.
+    fn upload(&mut self, tile: usize) -> Result<(), RenderError> {
+        let film = &self.tiles[tile].1;
         let fresh = |p: &FilmPixel| PathState {
             index: p.samples,
             ..PathState::default()
         };
-        let paths: Vec<PathState> = self.film(tile)?.iter().map(fresh).collect();
+        let paths: Vec<PathState> = film.iter().map(fresh).collect();
+        self.film.write(bytemuck::cast_slice(film))?;
         Ok(self.paths.write(bytemuck::cast_slice(&paths))?)
     }
 
     fn dispatch(&mut self, tile: usize, sample_end: u32) -> Result<Duration, RenderError> {
-        let (tile, film) = &self.tiles[tile];
+        let tile = &self.tiles[tile].0;
         let slice = Slice {
             tile_x: tile.x,
             tile_y: tile.y,
@@ -111,18 +120,15 @@ impl<'a> Run<'a> {
             eye_medium: self.job.prepared.eye_medium,
         };
         let mut buffers = self.scene.buffers();
-        buffers.extend([&self.paths, film]);
+        buffers.extend([&self.paths, &self.film]);
         buffers.extend(&self.records);
         let groups = [tile.pixels().div_ceil(WORKGROUP), 1, 1];
         let push = bytemuck::bytes_of(&slice);
-        Ok(self
+        let time = self
             .device
-            .dispatch(&self.pipeline, &buffers, push, groups)?)
-    }
-
-    /// The film of a tile, row by row.
-    pub fn film(&self, tile: usize) -> Result<Vec<FilmPixel>, RenderError> {
-        Ok(bytemuck::pod_collect_to_vec(&self.tiles[tile].1.read()?))
+            .dispatch(&self.pipeline, &buffers, push, groups)?;
+        self.gpu_time += time;
+        Ok(time)
     }
 
     /// The events written down, in order.
@@ -135,6 +141,10 @@ impl<'a> Run<'a> {
         records.truncate(paths[0].recorded as usize);
         Ok(records)
     }
+}
+
+fn fresh_film(tile: Tile) -> (Tile, Vec<FilmPixel>) {
+    (tile, vec![FilmPixel::default(); tile.pixels() as usize])
 }
 
 fn array<T>(device: &Device, name: &str, count: u32) -> Result<Buffer, RenderError> {
