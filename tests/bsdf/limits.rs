@@ -1,4 +1,4 @@
-//! Check 8: what the model tends to for α → 0 and ior → 1, and the kinds that stand in there.
+//! Check 8: what the model tends to for α → 0 and ior → 1, and the kinds that stand in there; check 12: energy.
 
 use vkpt::reference::bsdf::bsdf_sample;
 use vkpt::reference::bsdf::distribution::distribution_g1;
@@ -57,4 +57,29 @@ fn ior_to_one() {
     }
     let bad = all.rejected(1.0);
     assert!(bad.is_empty(), "{}", bad.join("\n"));
+}
+
+/// Check 12: R + T ≤ 1 for GGX, and for Beckmann up to the 3.2e-3 of its rational G1.
+#[test]
+fn rough_interfaces_gain_no_energy() {
+    let mut least = 1.0f64;
+    for (d, excess) in [(Distribution::Ggx, 0.0), (Distribution::Beckmann, 3.2e-3)] {
+        for (i, alpha) in [0.05, 0.2, 0.5, 1.0].into_iter().enumerate() {
+            for ior in [1.1, 1.5, 2.5, 1.0 / 1.5] {
+                for (outside, cosine) in [true, false].into_iter().zip([0.05, 0.4]) {
+                    let m = dielectric(d, alpha, ior);
+                    let at = seen(&m, outside, direction(cosine, 0.3));
+                    let [r, t] = albedo(&usual(), &at, i as u64);
+                    let (sum, error) = (r.mean + t.mean, r.error + t.error);
+                    assert!(
+                        sum - 4.0 * error <= 1.0 + excess,
+                        "{d:?} {alpha} {ior}: {sum}"
+                    );
+                    least = least.min(sum);
+                }
+            }
+        }
+    }
+    // rough glass loses much to facets that hide each other
+    assert!(least < 0.7, "{least}");
 }
