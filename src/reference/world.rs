@@ -9,8 +9,7 @@ use super::light::{
     cdf_probability, cylinder_light_pdf, cylinder_light_sample, mesh_light_pdf, mesh_light_sample,
     sphere_light_pdf, sphere_light_sample,
 };
-use super::math::{Real, Vec3, dot3};
-use super::path::vertex::Vertex;
+use super::math::{Real, Vec3};
 use super::shape::{
     Cuboid, Cylinder, Hit, Ray, Sphere, Surface, Target, Triangle, box_surface, cylinder_surface,
     nearest_boxes, nearest_cylinders, nearest_spheres, nearest_triangles, no_hit, sphere_surface,
@@ -168,12 +167,11 @@ impl<F: Real> World<F> {
         }
     }
 
-    /// Density with which [`Self::light_sample`] from `p` would have drawn the vertex `v` of `light`, which the
-    /// ray along `d` has hit after `distance`.
-    pub fn light_pdf(&self, light: usize, p: Vec3<F>, v: &Vertex<F>, d: Vec3<F>, distance: F) -> F {
+    /// Density with which [`Self::light_sample`] from `p` would have drawn a point of primitive `prim` of `light`,
+    /// `distance` away under the cosine |N_L·w|.
+    pub fn light_pdf(&self, light: usize, p: Vec3<F>, prim: u32, cosine: F, distance: F) -> F {
         let l = &self.lights[light];
         let first = l.first as usize;
-        let cosine = dot3(d, v.ng).abs();
         match l.kind {
             LightKind::Sphere => {
                 let s = &self.spheres[first];
@@ -186,7 +184,7 @@ impl<F: Real> World<F> {
             LightKind::Cylinder => cylinder_light_pdf(p, &self.cylinders[first], distance, cosine),
             LightKind::Mesh => {
                 let cdf = &self.triangle_cdf[l.cdf.0..l.cdf.1];
-                mesh_light_pdf(&self.triangles, l.first, cdf, v.prim, distance, cosine)
+                mesh_light_pdf(&self.triangles, l.first, cdf, prim, distance, cosine)
             }
             LightKind::Background => super::light::background_light_pdf(),
         }

@@ -2,9 +2,8 @@
 
 use super::connect::connection_weight;
 use super::flight::{ShadowRay, shadow_ray};
-use super::medium::medium_beyond;
 use super::record::Recorder;
-use super::vertex::{Vertex, same_sides, spawn_ray};
+use super::vertex::{Vertex, medium_beyond, same_sides, spawn_ray};
 use super::{PathState, SampleId};
 use crate::reference::bsdf::bsdf_eval;
 use crate::reference::math::Real;

@@ -1,9 +1,8 @@
 //! Where a path goes on from a vertex; twin of `extend` in `shaders/path/shade.glsl`.
 
-use super::medium::medium_beyond;
 use super::record::Recorder;
 use super::roulette::roulette_survival;
-use super::vertex::{Vertex, same_sides, spawn_ray};
+use super::vertex::{Vertex, medium_beyond, same_sides, spawn_ray};
 use super::{PathState, SampleId};
 use crate::reference::bsdf::{LOBE_DELTA, LOBE_NONE, bsdf_sample, transmission_scale};
 use crate::reference::math::Real;

@@ -1,6 +1,5 @@
 //! Beer's law; twin of `shaders/path/medium/`.
 
-use super::vertex::Vertex;
 use crate::prepared::NONE;
 use crate::reference::math::{Real, Vec3, vec3};
 use crate::reference::world::World;
@@ -45,9 +44,4 @@ pub fn term_attenuation<F: Real>(
         Absorption::Term if !outside => beer3(world.materials[material as usize].sigma, t),
         _ => Vec3::one(),
     }
-}
-
-/// The medium behind the surface: the shape's own on entering, air on leaving. Every object stands in air.
-pub fn medium_beyond<F: Real>(v: &Vertex<F>) -> u32 {
-    if v.outside { v.material } else { NONE }
 }

@@ -13,7 +13,7 @@ pub mod roulette;
 pub mod vertex;
 
 use super::camera::camera_direction;
-use super::math::{Real, Vec3};
+use super::math::{Real, Vec3, dot3};
 use super::sampler::{camera_block, sampler_block, unit_float};
 use super::shape::Ray;
 use super::world::World;
@@ -132,7 +132,9 @@ fn emission_seen<F: Real>(
     match world.light_of(v.shape) {
         None => Vec3::zero(),
         Some(light) => {
-            let q = world.light_pmf(light) * world.light_pdf(light, origin, v, s.ray.d, distance);
+            let cosine = dot3(s.ray.d, v.ng).abs();
+            let q =
+                world.light_pmf(light) * world.light_pdf(light, origin, v.prim, cosine, distance);
             let connect = settings.estimator.connect;
             world.lights[light].radiance * hit_weight(connect, s.delta, s.pdf, q)
         }

@@ -2,7 +2,7 @@
 //! Twin of `shaders/path/vertex.glsl`.
 
 use super::medium::term_attenuation;
-use crate::prepared::ShapeKind;
+use crate::prepared::{NONE, ShapeKind};
 use crate::reference::bsdf::{Interaction, interaction};
 use crate::reference::math::frame::{Frame, frame_about, to_local};
 use crate::reference::math::{Real, Vec3, dot3};
@@ -98,4 +98,9 @@ pub fn self_distance<F: Real>(kind: ShapeKind, p: Vec3<F>, ng: Vec3<F>, d: Vec3<
         ShapeKind::Mesh => triangle_self_distance(p, ng, d),
         _ => F::zero(),
     }
+}
+
+/// The medium behind the surface: the shape's own on entering, air on leaving. Every object stands in air.
+pub fn medium_beyond<F: Real>(v: &Vertex<F>) -> u32 {
+    if v.outside { v.material } else { NONE }
 }

@@ -1,0 +1,33 @@
+//! Generated text: which of several functions a shape, a material or a light calls.
+
+mod geometry;
+mod light;
+mod scattering;
+
+use crate::features::Features;
+use crate::flat::bvh::leaf_text;
+
+/// Slots filled with generated text.
+pub fn texts(features: &Features) -> Vec<(&'static str, String)> {
+    let mut texts = vec![
+        ("surface", geometry::surface(features)),
+        ("bsdf", scattering::bsdf(features)),
+        ("distribution", scattering::distribution(features)),
+        ("fresnel", scattering::fresnel(features)),
+        ("light", light::light(features)),
+        ("triangles", geometry::triangles(features)),
+        ("nearest", geometry::nearest(features)),
+    ];
+    if !features.in_bvh.is_empty() {
+        texts.push(("leaf", leaf_text(features.in_bvh.iter().copied())));
+    }
+    texts
+}
+
+/// A `// uses:` line for files of one folder.
+fn uses(fixed: &str, folder: &str, files: impl Iterator<Item = &'static str>) -> String {
+    let all: Vec<String> = std::iter::once(fixed.to_owned())
+        .chain(files.map(|f| format!("{folder}/{f}")))
+        .collect();
+    format!("// uses: {}\n", all.join(", "))
+}

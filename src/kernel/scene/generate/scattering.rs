@@ -1,0 +1,131 @@
+//! What materials do with light.
+
+use super::uses;
+use crate::features::Features;
+use crate::kernel::scene::dispatch::Dispatch;
+use crate::prepared::MaterialKind;
+use crate::settings::{Distribution, Fresnel};
+
+/// File of `bsdf/kind/` and stem of its functions; `None` for what never scatters.
+fn kind_file(kind: MaterialKind) -> Option<&'static str> {
+    Some(match kind {
+        MaterialKind::Black | MaterialKind::Nothing => return None,
+        MaterialKind::Diffuse => "diffuse",
+        MaterialKind::Opaque => "opaque",
+        MaterialKind::Mirror => "mirror",
+        MaterialKind::Dielectric => "dielectric",
+        MaterialKind::Glass => "glass",
+        MaterialKind::Weak => "weak",
+    })
+}
+
+pub fn bsdf(features: &Features) -> String {
+    let kinds: Vec<_> = features
+        .materials
+        .iter()
+        .filter_map(|&k| Some((k as u32, kind_file(k)?)))
+        .collect();
+    let members = |suffix: &str| -> Vec<(u32, String)> {
+        kinds
+            .iter()
+            .map(|(k, stem)| (*k, format!("{stem}_{suffix}")))
+            .collect()
+    };
+    let sample = Dispatch {
+        result: "BsdfSample",
+        name: "bsdf_sample",
+        arguments: &[
+            ("Interaction", "at"),
+            ("float", "u_lobe"),
+            ("float", "u_reflect"),
+            ("vec2", "u_m"),
+            ("vec2", "u_d"),
+        ],
+        selector: "at.material.kind",
+    };
+    let eval = Dispatch {
+        result: "BsdfValue",
+        name: "bsdf_eval",
+        arguments: &[("Interaction", "at"), ("vec3", "wi")],
+        selector: "at.material.kind",
+    };
+    uses("bsdf/sample", "bsdf/kind", kinds.iter().map(|k| k.1))
+        + &sample.text(
+            &members("sample(at, u_lobe, u_reflect, u_m, u_d)"),
+            "no_sample()",
+        )
+        + &eval.text(&members("eval(at, wi)"), "no_value()")
+}
+
+pub fn distribution(features: &Features) -> String {
+    let stem = |d: Distribution| match d {
+        Distribution::Phong => "phong",
+        Distribution::Beckmann => "beckmann",
+        Distribution::Ggx => "ggx",
+    };
+    let members = |call: &dyn Fn(Distribution) -> String| -> Vec<(u32, String)> {
+        features
+            .distributions
+            .iter()
+            .map(|&d| (d as u32, call(d)))
+            .collect()
+    };
+    let function = |result, name, arguments| Dispatch {
+        result,
+        name,
+        arguments,
+        selector: "material.distribution",
+    };
+    let files = features.distributions.iter().map(|&d| stem(d));
+    uses("math/vec", "bsdf/distribution", files)
+        + &function(
+            "float",
+            "distribution_d",
+            &[("Material", "material"), ("vec3", "m")],
+        )
+        .text(
+            &members(&|d| format!("{}_d(m, material.alpha)", stem(d))),
+            "0.0",
+        )
+        + &function(
+            "float",
+            "distribution_g1",
+            &[("Material", "material"), ("vec3", "v")],
+        )
+        .text(
+            &members(&|d| format!("{}_g1(v, material.width)", stem(d))),
+            "1.0",
+        )
+        + &function(
+            "vec3",
+            "distribution_sample",
+            &[("Material", "material"), ("vec2", "u")],
+        )
+        .text(
+            &members(&|d| format!("{}_sample(material.alpha, u)", stem(d))),
+            "vec3(0.0, 0.0, 1.0)",
+        )
+}
+
+pub fn fresnel(features: &Features) -> String {
+    let stem = |f: Fresnel| match f {
+        Fresnel::Schlick => "schlick",
+        Fresnel::Exact => "exact",
+    };
+    let dispatch = Dispatch {
+        result: "vec3",
+        name: "fresnel",
+        arguments: &[("Interaction", "at"), ("float", "c")],
+        selector: "at.material.fresnel",
+    };
+    let members: Vec<_> = features
+        .fresnel
+        .iter()
+        .map(|&f| (f as u32, format!("fresnel_{}(at, c)", stem(f))))
+        .collect();
+    uses(
+        "bsdf/interaction",
+        "bsdf/fresnel",
+        features.fresnel.iter().map(|&f| stem(f)),
+    ) + &dispatch.text(&members, "vec3(0.0)")
+}
