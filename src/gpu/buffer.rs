@@ -8,15 +8,7 @@ use ash::vk;
 use super::device::{Device, Inner};
 use super::error::GpuError;
 use super::memory::{kinds_of_memory, stages};
-
-/// How a kernel sees a buffer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum BufferUse {
-    /// Small, read only, std140: `layout(std140) uniform`.
-    Uniform,
-    /// Read and written, std430: `layout(std430) buffer`.
-    Storage,
-}
+use crate::layout::BufferUse;
 
 /// Device memory with a name, zeros at first.
 pub struct Buffer {

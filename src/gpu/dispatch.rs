@@ -5,10 +5,11 @@ use std::time::Duration;
 
 use ash::vk;
 
-use super::buffer::{Buffer, BufferUse};
+use super::buffer::Buffer;
 use super::device::{Device, Inner};
 use super::error::GpuError;
 use super::pipeline::{Pipeline, descriptor};
+use crate::layout::BufferUse;
 
 impl Device {
     /// Runs `groups` workgroups and waits for them; the device's own time.

@@ -18,10 +18,12 @@ mod queue;
 mod selector;
 mod transfer;
 
-pub use buffer::{Buffer, BufferUse};
+pub use buffer::Buffer;
 pub use device::{Device, Options};
 pub use error::GpuError;
 pub use info::{DeviceInfo, DeviceKind, devices};
 pub use limits::Limits;
 pub use pipeline::Pipeline;
 pub use selector::Selector;
+
+pub use crate::layout::BufferUse;

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use ash::vk;
 
-use super::buffer::BufferUse;
 use super::device::{Device, Inner};
 use super::error::GpuError;
 use crate::kernel::Spirv;
+use crate::layout::BufferUse;
 
 /// A compute pipeline: binding i of set 0 is the i-th buffer.
 pub struct Pipeline {

@@ -1,9 +1,9 @@
 //! Does the driver finish its loops?
 
-use super::buffer::BufferUse;
 use super::device::Device;
 use super::error::GpuError;
 use crate::kernel::{Composer, compile};
+use crate::layout::BufferUse;
 
 /// Steps of the probe. Mesa 22's lavapipe ends all loops of a subgroup after 65,535 in one dispatch, in silence.
 const GOAL: u32 = 200_000;

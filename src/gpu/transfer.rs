@@ -2,8 +2,9 @@
 
 use ash::vk;
 
-use super::buffer::{Buffer, BufferUse};
+use super::buffer::Buffer;
 use super::error::GpuError;
+use crate::layout::BufferUse;
 
 /// Bytes staged at a time.
 const STAGE: u64 = 16 << 20;

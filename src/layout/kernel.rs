@@ -83,7 +83,7 @@ crate::gpu_struct! {
         p: vec3,
         /// Density of the next direction.
         pdf: float,
-        /// After the vertex; what the connection brought or would have brought.
+        /// After the vertex; what the connection brought, or as much of it as reached what blocks it.
         throughput: vec3,
         /// Material that the path goes on in.
         medium: uint,

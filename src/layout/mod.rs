@@ -2,11 +2,13 @@
 //!
 //! [`gpu_struct!`](crate::gpu_struct) is the macro, [`records`] holds the declarations, [`types`] the GLSL types they are made of.
 
+mod buffer_use;
 pub mod kernel;
 mod macros;
 pub mod records;
 pub mod types;
 
+pub use buffer_use::BufferUse;
 pub use kernel::{FilmPixel, PathState, Record, Slice};
 pub use records::{Camera, Cuboid, Cylinder, Light, Material, Shape, Sphere};
 

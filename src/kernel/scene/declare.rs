@@ -2,7 +2,7 @@
 
 use super::Parameters;
 use crate::features::Features;
-use crate::gpu::BufferUse;
+use crate::layout::BufferUse;
 use crate::layout::{self, GpuStruct};
 use crate::prepared::{MaterialKind, NONE, ShapeKind};
 use crate::settings::Roulette;
