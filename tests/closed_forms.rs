@@ -10,7 +10,7 @@ use std::path::Path;
 use common::render::film;
 use common::stats::{mean_and_error, p_of_mean, sidak};
 use vkpt::film::Film;
-use vkpt::render::{Selector, Target};
+use vkpt::render::Target;
 use vkpt::settings::{Absorption, Connect, Roulette, Settings};
 
 const ALPHA: f64 = 1e-3;
@@ -19,8 +19,8 @@ const ROUNDING: f64 = 1e-5;
 
 fn targets() -> Vec<Target> {
     let mut targets = vec![Target::CpuF64];
-    if std::env::var_os("VKPT_TEST_NO_GPU").is_none() {
-        targets.push(Target::Vulkan(Selector::Best));
+    if common::device().is_some() {
+        targets.push(Target::Vulkan(common::selector()));
     }
     targets
 }

@@ -1,9 +1,10 @@
 //! Composing and compiling kernels: order, errors in the original file, and what must hold for the SPIR-V words.
 
-use std::collections::BTreeSet;
-use std::io::Write as _;
-use std::process::Command;
+mod common;
 
+use std::collections::BTreeSet;
+
+use common::spirv_tools::{tool, try_tool};
 use vkpt::kernel::{Composed, Composer, KernelError, Slot, Spirv, compile, files};
 
 const HEADER: &str = "layout(local_size_x = 64) in;
@@ -320,24 +321,6 @@ fn the_roots_of_shaders_are_valid() {
                 println!("{root}: needs its composer")
             }
             Err(e) => panic!("{root}: {e}"),
-        }
-    }
-}
-
-/// Standard output of a SPIR-V tool that must succeed, or `None`, with a message, where it is not installed.
-fn tool(name: &str, args: &[&str], input: &[u8]) -> Option<String> {
-    try_tool(name, args, input).map(|r| r.unwrap_or_else(|e| panic!("{name}: {e}")))
-}
-
-fn try_tool(name: &str, args: &[&str], input: &[u8]) -> Option<Result<String, String>> {
-    let mut file = tempfile::NamedTempFile::new().expect("a temporary file");
-    file.write_all(input).expect("a temporary file");
-    match Command::new(name).args(args).arg(file.path()).output() {
-        Ok(o) if o.status.success() => Some(Ok(String::from_utf8_lossy(&o.stdout).into_owned())),
-        Ok(o) => Some(Err(String::from_utf8_lossy(&o.stderr).into_owned())),
-        Err(e) => {
-            println!("skipped: {name} (Debian: spirv-tools): {e}");
-            None
         }
     }
 }

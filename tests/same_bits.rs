@@ -4,13 +4,12 @@
 
 mod common;
 
-use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use common::render::{
     difference, job, on_device, on_device_within, outcome, prepared, prepared_file,
 };
-use common::scenes::{SMOOTH, TABLE, WIDE};
+use common::scenes::{SMOOTH, TABLE, WIDE, scene_files};
 use common::settings::{estimators, models};
 use vkpt::film::Film;
 use vkpt::gpu::DeviceKind;
@@ -186,12 +185,7 @@ fn the_device_equals_the_reference_on_every_scene() {
     if !cpu_driver() {
         return;
     }
-    let scenes: Vec<PathBuf> = ["scenes", "../shared/scenes"]
-        .iter()
-        .flat_map(|folder| scene_files(Path::new(folder)))
-        .collect();
-    assert!(scenes.len() >= 8);
-    for path in scenes {
+    for path in scene_files() {
         for settings in [Settings::default(), Settings::handout()] {
             let Some(scene) = prepared_file(&path, &settings, Some([40, 30])) else {
                 continue;
@@ -199,21 +193,6 @@ fn the_device_equals_the_reference_on_every_scene() {
             device_equals_reference(&job(&scene, settings, 4, 1), &path.display().to_string());
         }
     }
-}
-
-fn scene_files(folder: &Path) -> Vec<PathBuf> {
-    let Ok(entries) = std::fs::read_dir(folder) else {
-        println!("skipped: {} is not there", folder.display());
-        return Vec::new();
-    };
-    let is_scene = |p: &PathBuf| p.extension().is_some_and(|e| e == "txt" || e == "scn");
-    let mut files: Vec<PathBuf> = entries
-        .flatten()
-        .map(|e| e.path())
-        .filter(is_scene)
-        .collect();
-    files.sort();
-    files
 }
 
 /// 8192 × 8192 pixels: a gibibyte of film in tiles. A crop of it must be the same pixels.

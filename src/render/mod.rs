@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 use crate::film::Film;
 pub use crate::gpu::Selector;
 use crate::gpu::{Device, GpuError};
-use crate::kernel::KernelError;
+use crate::kernel::{KernelError, Spirv};
 use crate::prepared::Prepared;
 use crate::settings::Settings;
 use tiles::Tile;
@@ -167,4 +167,9 @@ pub fn render_on(
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Outcome, RenderError> {
     vulkan::render(job, device, limits, stop, progress)
+}
+
+/// The kernel that renders the job on `device`, composed and compiled for its scene and settings.
+pub fn kernel(job: &Job, device: &Device) -> Result<Spirv, RenderError> {
+    vulkan::kernel(job, device)
 }

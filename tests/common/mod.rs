@@ -9,6 +9,7 @@ pub mod meshes;
 pub mod render;
 pub mod scenes;
 pub mod settings;
+pub mod spirv_tools;
 pub mod stats;
 
 use std::sync::OnceLock;
@@ -21,14 +22,18 @@ pub fn device() -> Option<&'static Device> {
     DEVICE.get_or_init(|| open(Options::default())).as_ref()
 }
 
+/// The device that is asked for.
+pub fn selector() -> Selector {
+    std::env::var("VKPT_TEST_DEVICE").map_or(Selector::Best, |name| Selector::from(name.as_str()))
+}
+
 /// A device of one's own, opened with `options` and with validation where that is installed.
 pub fn open(options: Options) -> Option<Device> {
     if std::env::var_os("VKPT_TEST_NO_GPU").is_some_and(|v| v == "1") {
         println!("skipped: VKPT_TEST_NO_GPU=1");
         return None;
     }
-    let selector = std::env::var("VKPT_TEST_DEVICE")
-        .map_or(Selector::Best, |name| Selector::from(name.as_str()));
+    let selector = selector();
     let opened = match Device::open_with(
         &selector,
         Options {

@@ -1,4 +1,29 @@
-//! Small scenes that between them hold every part of the model; each fits a picture of 32 × 24.
+//! Scene files, and small scenes that between them hold every part of the model; each fits a picture of 32 × 24.
+
+use std::path::{Path, PathBuf};
+
+/// The scene files of the project, and the course's where they are.
+pub fn scene_files() -> Vec<PathBuf> {
+    let own = files(Path::new("scenes"));
+    assert!(own.len() >= 8, "{own:?}");
+    let course = files(Path::new("../shared/scenes"));
+    own.into_iter().chain(course).collect()
+}
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let Ok(entries) = std::fs::read_dir(folder) else {
+        println!("skipped: {} is not there", folder.display());
+        return Vec::new();
+    };
+    let is_scene = |p: &PathBuf| p.extension().is_some_and(|e| e == "txt" || e == "scn");
+    let mut files: Vec<PathBuf> = entries
+        .flatten()
+        .map(|entry| entry.path())
+        .filter(is_scene)
+        .collect();
+    files.sort();
+    files
+}
 
 /// GGX: absorbing rough glass, a rough opaque block with Kd, a floor; a ball of light.
 pub const TABLE: &str = "screen 32 24

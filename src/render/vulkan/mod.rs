@@ -12,6 +12,7 @@ use super::{Dropped, Job, Outcome, Progress, RenderError, Stats};
 use crate::features::Features;
 use crate::film::Film;
 use crate::gpu::Device;
+use crate::kernel::Spirv;
 use crate::layout::{FilmPixel, Record};
 use crate::reference::film::{PixelSum, film_mean};
 use crate::reference::math::{Vec3, vec3};
@@ -60,6 +61,12 @@ pub fn render(
         interrupted: done < job.spp,
         stats,
     })
+}
+
+/// The kernel that renders the job on `device`.
+pub fn kernel(job: &Job, device: &Device) -> Result<Spirv, RenderError> {
+    let features = Features::of(job.prepared, &job.settings);
+    Ok(run::scene_and_kernel(job, device, &features, None)?.1)
 }
 
 /// Slices of samples over all tiles; returns how many samples each pixel has.

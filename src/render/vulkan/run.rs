@@ -6,7 +6,7 @@ use super::limits::DispatchLimits;
 use super::scene_buffers::SceneBuffers;
 use crate::features::Features;
 use crate::gpu::{Buffer, BufferUse, Device, Pipeline};
-use crate::kernel;
+use crate::kernel::{self, Spirv};
 use crate::layout::{FilmPixel, PathState, Record, Slice};
 use crate::render::tiles::{Tile, tiles};
 use crate::render::{Job, RenderError};
@@ -44,9 +44,7 @@ impl<'a> Run<'a> {
         limits: DispatchLimits,
         records: Option<u32>,
     ) -> Result<Self, RenderError> {
-        let scene = SceneBuffers::new(device, job.prepared, features, job.seed)?;
-        let kernel = kernel::scene::compose(features, &scene.parameters(job, records))?;
-        let spirv = kernel::compile(&kernel)?;
+        let (scene, spirv) = scene_and_kernel(job, device, features, records)?;
         let mut uses = scene.uses();
         uses.extend([BufferUse::Storage; 2]);
         uses.extend(records.map(|_| BufferUse::Storage));
@@ -145,6 +143,18 @@ impl<'a> Run<'a> {
 
 fn fresh_film(tile: Tile) -> (Tile, Vec<FilmPixel>) {
     (tile, vec![FilmPixel::default(); tile.pixels() as usize])
+}
+
+/// The scene's buffers on the device, and the kernel that is composed for them.
+pub fn scene_and_kernel(
+    job: &Job,
+    device: &Device,
+    features: &Features,
+    records: Option<u32>,
+) -> Result<(SceneBuffers, Spirv), RenderError> {
+    let scene = SceneBuffers::new(device, job.prepared, features, job.seed)?;
+    let composed = kernel::scene::compose(features, &scene.parameters(job, records))?;
+    Ok((scene, kernel::compile(&composed)?))
 }
 
 fn array<T>(device: &Device, name: &str, count: u32) -> Result<Buffer, RenderError> {

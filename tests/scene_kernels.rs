@@ -1,0 +1,119 @@
+//! The kernels of whole scenes: valid, silent under the validation layer, and without what the scene does not need.
+
+mod common;
+
+use std::sync::atomic::AtomicBool;
+
+use common::render::{job, prepared, prepared_file};
+use common::scenes::{SMOOTH, TABLE, WIDE, scene_files};
+use common::settings::{estimators, models};
+use common::spirv_tools::tool;
+use vkpt::prepared::Prepared;
+use vkpt::render::{DispatchLimits, kernel, render_on};
+use vkpt::settings::Settings;
+
+/// Diffuse surfaces and a light.
+const DIFFUSE: &str = "screen 16 12
+camera 0 -6 3 .35 x 65
+light 6 5 4
+sphere 0 0 4 1
+brdf .6 .5 .4 0 0 0 1
+box -5 -5 -.1 10 10 .1
+sphere 0 0 1 1
+";
+
+#[test]
+fn spirv_val_passes_the_kernel_of_every_scene() {
+    let Some(device) = common::device() else {
+        return;
+    };
+    let check = |scene: &Prepared, settings| {
+        let kernel = kernel(&job(scene, settings, 1, 1), device).expect("a kernel");
+        tool("spirv-val", &["--target-env", "vulkan1.1"], kernel.bytes());
+    };
+    for path in scene_files() {
+        for settings in [Settings::default(), Settings::handout()] {
+            check(
+                &prepared_file(&path, &settings, None).expect("a scene"),
+                settings,
+            );
+        }
+    }
+    for (_, settings) in estimators().into_iter().chain(models()) {
+        for text in [TABLE, SMOOTH, WIDE] {
+            check(&prepared(text, &settings), settings);
+        }
+    }
+}
+
+/// A device of the test's own: messages of the shared one may be other tests'.
+#[test]
+fn the_validation_layer_is_silent() {
+    let Some(device) = common::open(Default::default()) else {
+        return;
+    };
+    if !device.is_validated() {
+        return;
+    }
+    // Small tiles and budgets, so that films move to and from the device and paths are handed over.
+    let limits = [
+        DispatchLimits::of(&device).expect("a probe"),
+        DispatchLimits {
+            tile_pixels: 100,
+            budget: 20,
+        },
+    ];
+    for text in [DIFFUSE, TABLE, SMOOTH, WIDE] {
+        for limits in limits {
+            let scene = prepared(text, &Settings::default());
+            let job = job(&scene, Settings::default(), 2, 1);
+            let stop = AtomicBool::new(false);
+            render_on(&job, &device, limits, &stop, &mut |_| {}).expect("a rendering");
+        }
+    }
+    let messages = device.validation_messages();
+    assert!(messages.is_empty(), "{}", messages.join("\n"));
+}
+
+/// Parts of the names of functions that only specular surfaces need.
+const SPECULAR: [&str; 14] = [
+    "ggx",
+    "beckmann",
+    "phong",
+    "fresnel",
+    "snell",
+    "total_reflection",
+    "normals_",
+    "facet",
+    "half_vector",
+    "jacobian",
+    "reflect",
+    "refract",
+    "log1p",
+    "beer",
+];
+
+#[test]
+fn the_kernel_of_a_diffuse_scene_holds_nothing_of_microfacets_and_refraction() {
+    let Some(device) = common::device() else {
+        return;
+    };
+    let functions = |text| {
+        let scene = prepared(text, &Settings::default());
+        let job = job(&scene, Settings::default(), 1, 1);
+        kernel(&job, device).expect("a kernel").functions
+    };
+    let (diffuse, wide, table) = (functions(DIFFUSE), functions(WIDE), functions(TABLE));
+    for part in SPECULAR {
+        let found = |functions: &[String]| functions.iter().any(|f| f.contains(part));
+        assert!(!found(&diffuse), "{part} in a diffuse kernel: {diffuse:?}");
+        assert!(found(&wide), "{part}: no such function any more");
+    }
+    // A kernel of GGX holds no other distribution.
+    for other in ["beckmann", "phong", "log1p"] {
+        assert!(
+            !table.iter().any(|f| f.contains(other)),
+            "{other}: {table:?}"
+        );
+    }
+}
