@@ -38,7 +38,13 @@ fn means(scene: &Prepared, settings: Settings, effort: Effort, first_seed: u32) 
     for k in 0..effort.seeds {
         let job = job(scene, settings, effort.spp, first_seed + k);
         let outcome = outcome(&job, &Target::CpuF32);
-        assert_eq!(outcome.stats.dropped, Default::default());
+        assert_eq!(
+            outcome.stats.dropped,
+            Default::default(),
+            "seed {}, {:?}",
+            job.seed,
+            settings.estimator
+        );
         for (all, mean) in means
             .iter_mut()
             .zip(block_means(&pixel_means(&outcome.film)))

@@ -5,7 +5,8 @@
 
 struct Interaction {
     Material material;
-    // To the path's previous vertex, of unit length, in the frame of N': wo.z > 0.
+    // To the path's previous vertex, of unit length, in the frame of N': wo.z > 0, but for rays that just graze a
+    // surface (0) and shading normals that turn away from them (below 0), where only Kd scatters.
     vec3 wo;
     // n_o / n_i
     float eta;

@@ -21,10 +21,10 @@ vec3 transmitted(Interaction at, Facet x) {
     return (vec3(1.0) - x.f) * at.attenuation * (x.dg * x.c * scale);
 }
 
-// value |N.wi| = D G (1 - F) c J/wo.z (eq. 21), density pm (1 - R) J; nothing unless c > 0, ci < 0 and wi.z < 0.
+// value |N.wi| = D G (1 - F) c J/wo.z (eq. 21), density pm (1 - R) J; nothing unless c, wo.z > 0 and ci, wi.z < 0.
 BsdfValue transmission_lobe(Interaction at, vec3 wi, Facet x) {
     float jacobian = transmission_jacobian(at, x.c);
     vec3 value = transmitted(at, x) * jacobian;
     float pdf = x.pm * (1.0 - x.p_reflect) * jacobian;
-    return value_if(x.c > 0.0 && x.ci < 0.0 && wi.z < 0.0, BsdfValue(value, pdf));
+    return value_if(x.c > 0.0 && x.ci < 0.0 && at.wo.z > 0.0 && wi.z < 0.0, BsdfValue(value, pdf));
 }

@@ -139,6 +139,39 @@ fn samples_are_sound_in_f64() {
     all_are_sound::<f64>(1e-14);
 }
 
+/// A ray that grazes a ball has wo.z = 0, one that meets a shading normal turned away wo.z < 0: micro-facets then give
+/// nothing, neither a NaN nor less than nothing.
+#[test]
+fn from_the_horizon_and_below_it_samples_are_sound() {
+    let mut found = Vec::new();
+    for distribution in DISTRIBUTIONS {
+        for m in WIDTHS.iter().flat_map(|&w| materials(distribution, w)) {
+            for (k, z) in [0.0, -0.0, -1e-7, -0.3].into_iter().enumerate() {
+                let (lobe, normals) = ESTIMATORS[k];
+                let wo = Vec3::<f32>::new(DVec3::new((1.0 - z * z).sqrt(), 0.0, z));
+                for outside in [true, false] {
+                    let at = seen(&m, outside, wo);
+                    let settings = estimator(lobe, normals);
+                    draw_all(&settings, &at, 1e-6, &mut found);
+                    for wi in [[0.6, 0.0, 0.8], [-0.8, 0.0, 0.6], [-0.6, 0.0, -0.8]] {
+                        let e = bsdf_eval(&settings, &at, Vec3::new(DVec3::from(wi)));
+                        if !(e.value.f64().min_element() >= 0.0 && e.value.f64().is_finite()) {
+                            found.push(format!("evaluated {e:?} at {at:?} for {wi:?}"));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    let shown = &found[..found.len().min(10)];
+    assert!(
+        found.is_empty(),
+        "{} of them:\n{}",
+        found.len(),
+        shown.join("\n")
+    );
+}
+
 #[test]
 fn unsound_samples_are_seen() {
     let m = dielectric(Distribution::Ggx, 0.3, 1.5);

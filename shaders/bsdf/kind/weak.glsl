@@ -18,7 +18,7 @@ BsdfSample weak_transmission(Interaction at, vec3 wi, vec3 m) {
     Facet x = facet(at, wi, m);
     float p_m = facet_probability(at);
     float pdf = p_m * x.pm * (1.0 - x.p_reflect);
-    bool valid = x.c > 0.0 && wi.z < 0.0;
+    bool valid = x.c > 0.0 && at.wo.z > 0.0 && wi.z < 0.0;
     return sample_or_none(valid, wi, BsdfValue(transmitted(at, x), pdf), LOBE_TRANSMISSION | LOBE_DELTA);
 }
 

@@ -7,7 +7,8 @@ use crate::reference::math::{Real, Vec3};
 #[derive(Clone, Copy, Debug)]
 pub struct Interaction<F> {
     pub material: Material<F>,
-    /// To the path's previous vertex, of unit length, in the frame of N': wo.z > 0.
+    /// To the path's previous vertex, of unit length, in the frame of N': wo.z > 0, but for rays that just graze a
+    /// surface (0) and shading normals that turn away from them (below 0), where only Kd scatters.
     pub wo: Vec3<F>,
     /// n_o / n_i.
     pub eta: F,

@@ -21,12 +21,12 @@ pub fn reflection_jacobian<F: Real>(c: F) -> F {
     F::one() / (F::new(4.0) * c)
 }
 
-/// value·|N·wi| = D G F/(4 wo.z) (eq. 20), density pm R/(4c); nothing unless c > 0 and wi.z > 0.
+/// value·|N·wi| = D G F/(4 wo.z) (eq. 20), density pm R/(4c); nothing unless c, wo.z and wi.z > 0.
 pub fn reflection_lobe<F: Real>(at: &Interaction<F>, wi: Vec3<F>, x: Facet<F>) -> BsdfValue<F> {
     let value = reflected_share(at, x.c, x.f) * (F::new(0.25) * x.dg);
     let pdf = x.pm * x.p_reflect * reflection_jacobian(x.c);
     value_if(
-        x.c > F::zero() && wi.z > F::zero(),
+        x.c > F::zero() && at.wo.z > F::zero() && wi.z > F::zero(),
         BsdfValue { value, pdf },
     )
 }

@@ -26,7 +26,7 @@ pub fn transmitted<F: Real>(settings: &Settings, at: &Interaction<F>, x: Facet<F
     (Vec3::one() - x.f) * at.attenuation * (x.dg * x.c * scale)
 }
 
-/// value·|N·wi| = D G (1 − F) c J/wo.z (eq. 21), density pm (1 − R) J; nothing unless c > 0, ci < 0 and wi.z < 0.
+/// value·|N·wi| = D G (1 − F) c J/wo.z (eq. 21), density pm (1 − R) J; nothing unless c, wo.z > 0 and ci, wi.z < 0.
 pub fn transmission_lobe<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
@@ -38,7 +38,7 @@ pub fn transmission_lobe<F: Real>(
     let pdf = x.pm * (F::one() - x.p_reflect) * jacobian;
     let zero = F::zero();
     value_if(
-        x.c > zero && x.ci < zero && wi.z < zero,
+        x.c > zero && x.ci < zero && at.wo.z > zero && wi.z < zero,
         BsdfValue { value, pdf },
     )
 }

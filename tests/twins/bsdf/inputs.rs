@@ -104,9 +104,12 @@ pub fn uniform2(r: &mut Rng) -> [f32; 2] {
     [uniform(r), uniform(r)]
 }
 
-/// A direction on wo's side: anywhere, grazing, along N', or an ulp about the critical angle of ior 1.5.
+/// A direction on wo's side: anywhere, grazing, along N', or an ulp about the critical angle of ior 1.5; a shading
+/// normal may also turn away from it.
 pub fn wo(r: &mut Rng) -> Vec3<f32> {
-    let z = match r.below(8) {
+    let z = match r.below(10) {
+        8 => 0.0,
+        9 => -r.log_range(1e-7, 0.5),
         0 => r.log_range(1e-7, 1e-2),
         1 => 1.0,
         2 => f32::from_bits(0.745_356f32.to_bits() + r.below(8) - 4),

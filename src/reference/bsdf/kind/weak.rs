@@ -46,7 +46,7 @@ pub fn weak_transmission<F: Real>(
         value: transmitted(settings, at, x),
         pdf: p_m * x.pm * (F::one() - x.p_reflect),
     };
-    let valid = x.c > F::zero() && wi.z < F::zero();
+    let valid = x.c > F::zero() && at.wo.z > F::zero() && wi.z < F::zero();
     sample_or_none(valid, wi, value, LOBE_TRANSMISSION | LOBE_DELTA)
 }
 
