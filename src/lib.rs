@@ -8,6 +8,7 @@ pub mod gpu;
 pub mod image;
 pub mod kernel;
 pub mod layout;
+pub mod metrics;
 pub mod prepared;
 pub mod reference;
 pub mod render;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// A room of `src/` and the rooms that it may name.
-const ROOMS: [(&str, &[&str]); 14] = [
+const ROOMS: [(&str, &[&str]); 15] = [
     ("settings", &[]),
     ("scene", &["settings"]),
     ("prepared", &["scene", "settings"]),
@@ -32,6 +32,7 @@ const ROOMS: [(&str, &[&str]); 14] = [
     ),
     ("film", &[]),
     ("image", &["film"]),
+    ("metrics", &["film", "image"]),
     ("report", &["settings"]),
     (
         "cli",

@@ -17,18 +17,19 @@ pub fn quantise(linear: f64) -> u8 {
     (255.0 * transfer(linear)).round() as u8
 }
 
+/// The linear value of an encoded one in [0, 1].
+pub fn linear(encoded: f64) -> f64 {
+    // L = C/12.92 for C ≤ 0.04045, ((C + 0.055)/1.055)^2.4 above
+    if encoded <= 0.04045 {
+        encoded / 12.92
+    } else {
+        ((encoded + 0.055) / 1.055).powf(2.4)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// The inverse, from the standard: L = C/12.92 for C ≤ 0.04045, ((C + 0.055)/1.055)^2.4 above.
-    fn linear(encoded: f64) -> f64 {
-        if encoded <= 0.04045 {
-            encoded / 12.92
-        } else {
-            ((encoded + 0.055) / 1.055).powf(2.4)
-        }
-    }
 
     #[test]
     fn every_code_comes_back_and_rounds_at_its_middle() {

@@ -1,0 +1,33 @@
+//! What cannot be compared.
+
+/// Why two pictures could not be compared. `picture` names the culprit: `test picture`, `reference` ….
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MetricsError {
+    #[error(
+        "the {picture} has {}×{} pixels, the {other} {}×{}",
+        size[0], size[1], other_size[0], other_size[1]
+    )]
+    Sizes {
+        picture: &'static str,
+        size: [u32; 2],
+        other: &'static str,
+        other_size: [u32; 2],
+    },
+    #[error("the {picture} has no pixels")]
+    Empty { picture: &'static str },
+    #[error("the {picture} is {width}×{height} pixels, but its film holds {pixels}")]
+    Film {
+        picture: &'static str,
+        width: u32,
+        height: u32,
+        pixels: usize,
+    },
+    #[error("the {picture} is {value} at column {x}, row {y}, channel {channel}")]
+    NotFinite {
+        picture: &'static str,
+        x: usize,
+        y: usize,
+        channel: char,
+        value: f32,
+    },
+}

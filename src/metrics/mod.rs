@@ -1,0 +1,74 @@
+//! How far a picture is from another: pure functions over films, every sum in f64.
+//!
+//! [`Pair`] checks two pictures once, so that no metric has to. [`Errors`] are single numbers.
+
+mod error;
+mod mse;
+mod pair;
+mod rel_mse;
+mod smape;
+mod trimmed;
+
+pub use error::MetricsError;
+pub use pair::Pair;
+pub use trimmed::{Trimmed, trimmed};
+
+use crate::film::Film;
+
+/// What [`Pair`]'s test picture is off by, as single numbers: each metric is a mean over pixels and channels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Errors {
+    /// Mean of (x − r)², in the square of radiance.
+    pub mse: Trimmed,
+    /// √ of `mse`, in radiance; without the worst pixels, √ of the MSE without them.
+    pub rmse: Trimmed,
+    /// Mean of (x − r)²/(r² + 0.01).
+    pub rel_mse: Trimmed,
+    /// Mean of |x − r|/(|x| + |r| + 0.01), in [0, 1).
+    pub smape: Trimmed,
+    /// Mean RGB of the test picture.
+    pub test_mean: [f64; 3],
+    /// Mean RGB of the reference.
+    pub reference_mean: [f64; 3],
+}
+
+impl Errors {
+    pub fn of(pair: &Pair) -> Self {
+        let mse = trimmed(&squared_errors(pair));
+        Self {
+            mse,
+            rmse: mse.map(f64::sqrt),
+            rel_mse: trimmed(&relative_squared_errors(pair)),
+            smape: trimmed(&symmetric_errors(pair)),
+            test_mean: mean(pair.test()),
+            reference_mean: mean(pair.reference()),
+        }
+    }
+}
+
+/// Each pixel's (x − r)², mean over its channels.
+pub fn squared_errors(pair: &Pair) -> Vec<f64> {
+    pair.per_pixel(mse::squared_error)
+}
+
+/// Each pixel's (x − r)²/(r² + 0.01), mean over its channels.
+pub fn relative_squared_errors(pair: &Pair) -> Vec<f64> {
+    pair.per_pixel(rel_mse::relative_squared_error)
+}
+
+/// Each pixel's |x − r|/(|x| + |r| + 0.01), mean over its channels.
+pub fn symmetric_errors(pair: &Pair) -> Vec<f64> {
+    pair.per_pixel(smape::symmetric_error)
+}
+
+/// Mean RGB; NaN of a film without pixels.
+pub fn mean(film: &Film) -> [f64; 3] {
+    let n = film.rgb.len() as f64;
+    [0, 1, 2].map(|c| {
+        film.rgb
+            .iter()
+            .map(|pixel| f64::from(pixel[c]))
+            .sum::<f64>()
+            / n
+    })
+}

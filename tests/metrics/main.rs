@@ -1,0 +1,5 @@
+//! The metrics against closed forms and other programs' numbers; each of them fails on a planted error.
+
+mod closed_forms;
+mod pictures;
+mod refusals;
