@@ -18,6 +18,7 @@ fn main() -> ExitCode {
     let ending = match cli::task() {
         Ok(Task::Render(arguments)) => cli::render(&arguments),
         Ok(Task::Trace(arguments, vertex)) => cli::trace(&arguments, vertex),
+        Ok(Task::Compare(arguments)) => cli::compare(&arguments),
         Ok(Task::Devices) => cli::devices(),
         Err(failure) => Err(failure),
     };

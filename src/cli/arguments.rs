@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
+use super::compare::CompareArguments;
 use super::exit::Failure;
+use super::job::Request;
 use super::values::{self, Output, Preset, SamplePath, choice};
 use crate::gpu::Selector;
 use crate::render::Target;
@@ -43,6 +45,8 @@ pub struct Arguments {
 enum Command {
     /// List what can render here, and what can't and why
     Devices,
+    /// Compare what several renderers make of a scene
+    Compare(Box<CompareArguments>),
 }
 
 /// What one rendering needs to know.
@@ -182,6 +186,7 @@ const ESTIMATOR: &str = "Estimator (how fast it converges)";
 pub enum Task {
     Render(RenderArguments),
     Trace(RenderArguments, SamplePath),
+    Compare(Box<CompareArguments>),
     Devices,
 }
 
@@ -190,6 +195,7 @@ pub fn task() -> Result<Task, Failure> {
     let Arguments { command, render } = Arguments::parse();
     match (command, render.trace) {
         (Some(Command::Devices), _) => Ok(Task::Devices),
+        (Some(Command::Compare(arguments)), _) => Ok(Task::Compare(arguments)),
         (None, Some(path)) => Ok(Task::Trace(render, path)),
         (None, None) => Ok(Task::Render(render)),
     }
@@ -201,6 +207,19 @@ pub fn usage(message: impl std::fmt::Display) -> Failure {
 }
 
 impl RenderArguments {
+    /// The scene and what is to be rendered of it.
+    pub fn request(&self) -> Result<Request<'_>, Failure> {
+        Ok(Request {
+            scene: self.scene()?,
+            settings: self.settings.settings(),
+            size: self.size,
+            crop: self.crop,
+            spp: self.spp,
+            seed: self.seed,
+            strict: self.strict,
+        })
+    }
+
     /// The scene file.
     pub fn scene(&self) -> Result<&PathBuf, Failure> {
         self.scene

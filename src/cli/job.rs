@@ -1,13 +1,25 @@
 //! From a command line to a scene that is ready to be rendered.
 
+use std::path::Path;
 use std::time::Instant;
 
-use super::arguments::{RenderArguments, usage};
+use super::arguments::usage;
 use super::exit::{Failure, point_out, warn};
 use crate::prepared::{self, Prepared};
 use crate::render::Job;
 use crate::scene;
 use crate::settings::Settings;
+
+/// What a command line asks to be rendered.
+pub struct Request<'a> {
+    pub scene: &'a Path,
+    pub settings: Settings,
+    pub size: Option<[u32; 2]>,
+    pub crop: Option<[u32; 4]>,
+    pub spp: u32,
+    pub seed: u32,
+    pub strict: bool,
+}
 
 /// A scene read, checked and prepared, its warnings told.
 pub struct Ready {
@@ -20,18 +32,18 @@ pub struct Ready {
 
 impl Ready {
     /// Reads and prepares the scene that the command line names.
-    pub fn new(arguments: &RenderArguments) -> Result<Self, Failure> {
-        let settings = arguments.settings.settings();
+    pub fn new(request: &Request) -> Result<Self, Failure> {
+        let settings = request.settings;
         let start = Instant::now();
-        let read = scene::read(arguments.scene()?, arguments.strict).map_err(Failure::Scene)?;
+        let read = scene::read(request.scene, request.strict).map_err(Failure::Scene)?;
         let read_s = start.elapsed().as_secs_f64();
         let mut warnings: Vec<String> = read.warnings.iter().map(ToString::to_string).collect();
         read.warnings.into_iter().for_each(point_out);
         let start = Instant::now();
         let prepared =
-            prepared::prepare(&read.scene, &settings, arguments.size).map_err(Failure::Prepare)?;
+            prepared::prepare(&read.scene, &settings, request.size).map_err(Failure::Prepare)?;
         let prepare_s = start.elapsed().as_secs_f64();
-        if arguments.strict && !prepared.warnings.is_empty() {
+        if request.strict && !prepared.warnings.is_empty() {
             return Err(Failure::Strict(prepared.warnings));
         }
         prepared.warnings.iter().for_each(|warning| warn(warning));
@@ -46,9 +58,9 @@ impl Ready {
     }
 
     /// The job that the command line describes.
-    pub fn job(&self, arguments: &RenderArguments) -> Result<Job<'_>, Failure> {
+    pub fn job(&self, request: &Request) -> Result<Job<'_>, Failure> {
         let Prepared { width, height, .. } = self.prepared;
-        if let Some([_, _, x1, y1]) = arguments
+        if let Some([_, _, x1, y1]) = request
             .crop
             .filter(|crop| crop[2] > width || crop[3] > height)
         {
@@ -59,9 +71,9 @@ impl Ready {
         Ok(Job {
             prepared: &self.prepared,
             settings: self.settings,
-            spp: arguments.spp.into(),
-            seed: arguments.seed,
-            crop: arguments.crop,
+            spp: request.spp.into(),
+            seed: request.seed,
+            crop: request.crop,
         })
     }
 }

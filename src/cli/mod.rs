@@ -1,6 +1,7 @@
 //! The command line: a file a command. Nothing below knows it, and nothing else prints.
 
 mod arguments;
+mod compare;
 mod devices;
 mod exit;
 mod interrupt;
@@ -12,6 +13,7 @@ mod trace;
 mod values;
 
 pub use arguments::{Arguments, RenderArguments, SettingArguments, Task, task};
+pub use compare::{CompareArguments, compare};
 pub use devices::devices;
 pub use exit::{Ending, Failure, exit};
 pub use render::render;

@@ -16,7 +16,7 @@ use crate::report::{self, Dropped, Job, Machine, Record, SOFTWARE, Seconds, Work
 /// Reads, prepares, renders, writes and reports.
 pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     let outputs = Outputs::check(arguments)?;
-    let ready = Ready::new(arguments)?;
+    let ready = Ready::new(&arguments.request()?)?;
     let outcome = develop(arguments, &ready)?;
     if outcome.spp == 0 {
         warn("interrupted before the first sample was done: nothing is written");
@@ -39,7 +39,7 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
 }
 
 fn develop(arguments: &RenderArguments, ready: &Ready) -> Result<Outcome, Failure> {
-    let job = ready.job(arguments)?;
+    let job = ready.job(&arguments.request()?)?;
     let stop = stop_flag();
     let mut display = Display::new(arguments.quiet);
     let outcome = render::render(&job, &arguments.target(), &stop, &mut |progress| {

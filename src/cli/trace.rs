@@ -10,8 +10,9 @@ use crate::render;
 
 /// Prints the path of one sample on stdout; writes no file.
 pub fn trace(arguments: &RenderArguments, path: SamplePath) -> Result<Ending, Failure> {
-    let ready = Ready::new(arguments)?;
-    let job = ready.job(arguments)?;
+    let request = arguments.request()?;
+    let ready = Ready::new(&request)?;
+    let job = ready.job(&request)?;
     let [x, y] = path.pixel;
     let (width, height) = (ready.prepared.width, ready.prepared.height);
     if x >= width || y >= height {

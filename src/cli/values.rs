@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
+use crate::gpu::Selector;
 use crate::image::Format;
 use crate::render::Target;
 use crate::report::names::Named;
@@ -115,6 +116,14 @@ pub fn device(text: &str) -> Result<Target, std::convert::Infallible> {
     })
 }
 
+/// A Vulkan device.
+pub fn vulkan_device(text: &str) -> Result<Selector, String> {
+    match device(text) {
+        Ok(Target::Vulkan(selector)) => Ok(selector),
+        _ => Err("must be a Vulkan device: the reference renderers are there anyway".to_owned()),
+    }
+}
+
 /// `throughput`, `off`, or a probability above 0 and up to 1.
 pub fn roulette(text: &str) -> Result<Roulette, String> {
     match text {
@@ -145,7 +154,6 @@ fn numbers<const N: usize>(text: &str, separator: char) -> Option<[u32; N]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::Selector;
 
     #[test]
     fn sizes_and_crops() {
