@@ -107,9 +107,11 @@ fn all_are_sound<F: Real>(tolerance: f64) {
     let mut found = Vec::new();
     let mut valid = 0;
     for distribution in DISTRIBUTIONS {
-        for m in WIDTHS.iter().flat_map(|&w| materials(distribution, w)) {
+        let materials = WIDTHS.iter().flat_map(|&w| materials(distribution, w));
+        for (i, m) in materials.enumerate() {
             for (k, &cosine) in COSINES.iter().enumerate() {
-                let (lobe, normals) = ESTIMATORS[k % 4];
+                // each angle meets each estimator, with other materials
+                let (lobe, normals) = ESTIMATORS[(i + k) % 4];
                 let wo = direction(cosine, 0.3 + k as f64);
                 let wo = Vec3::<F>::new(wo.f64());
                 let at = seen(&m, k % 2 == 0, wo);

@@ -9,6 +9,8 @@ mod extremes;
 mod golden;
 mod interface;
 mod limits;
+mod lobes;
+mod micro_normals;
 mod planted;
 mod precision;
 mod support;

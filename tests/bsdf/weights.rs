@@ -10,14 +10,15 @@ use vkpt::reference::bsdf::reflection::reflection_half_vector;
 use vkpt::reference::bsdf::snell::total_reflection;
 use vkpt::reference::bsdf::{LOBE_DELTA, LOBE_NONE, LOBE_TRANSMISSION, bsdf_eval, bsdf_sample};
 use vkpt::reference::math::{Real, Vec3, dot3};
-use vkpt::settings::{Distribution, Settings};
+use vkpt::settings::{Distribution, Fresnel, Settings};
 
 use crate::support::random::Random;
 use crate::support::surface::{
     DISTRIBUTIONS, ESTIMATORS, dielectric, direction, estimator, opaque, parameter, seen,
 };
 
-/// Check 3: the largest |value·cos/pdf − weight|, relative to 1, over samples of rough surfaces.
+/// Check 3: the largest |value·cos/pdf − weight|, relative to 1 and over all channels, of samples of rough surfaces,
+/// coloured ones, with Kd and without, of either Fresnel term.
 fn weight_error<F: Real>(least_width: f64) -> f64 {
     let mut r = Random::new(3);
     let mut largest = 0.0f64;
@@ -26,20 +27,28 @@ fn weight_error<F: Real>(least_width: f64) -> f64 {
         let (lobe, normals) = ESTIMATORS[i % 4];
         let settings = estimator(lobe, normals);
         let alpha = parameter(distribution, least_width.powf(r.unit()));
+        let colour = DVec3::new(0.6, 0.2, 0.05);
         let mut m = if i % 5 == 0 {
-            opaque(distribution, alpha, DVec3::splat(0.3), DVec3::splat(0.6))
+            opaque(distribution, alpha, DVec3::splat(0.3), colour)
         } else {
             dielectric(distribution, alpha, [1.1, 1.5, 2.5, 1.0 / 1.5][i % 4])
         };
-        m.p_r = 0.4;
+        (m.f0, m.p_r) = (colour, 0.4);
+        if i % 7 < 3 && i % 5 != 0 {
+            m.fresnel = Fresnel::Schlick;
+        }
+        if i % 11 < 4 {
+            (m.kd, m.kd_mean, m.p_d) = (DVec3::new(0.1, 0.2, 0.6), 0.3, 0.3);
+        }
         let wo = Vec3::<F>::new(direction(1.0 - 0.95 * r.unit(), 6.0 * r.unit()).f64());
         let at = seen(&m, r.unit() < 0.5, wo);
         let mut u = || F::new(r.unit());
         let s = bsdf_sample(&settings, &at, u(), u(), [u(), u()], [u(), u()]);
         let e = bsdf_eval(&settings, &at, s.wi);
         if s.lobe != LOBE_NONE && e.pdf > F::zero() {
-            let (ratio, weight) = (e.value.x.f64() / e.pdf.f64(), s.weight.x.f64());
-            largest = largest.max((ratio - weight).abs() / (1.0 + weight));
+            let (ratio, weight) = (e.value.f64() / e.pdf.f64(), s.weight.f64());
+            let off = (ratio - weight).abs() / (DVec3::ONE + weight);
+            largest = largest.max(off.max_element());
         }
     }
     largest

@@ -8,7 +8,7 @@ use super::quadrature::Quadrature;
 use super::statistics::{binomial_p, chi_square_p};
 use super::surface::direction;
 
-/// Bins in wi.z over [−1, 1], and in azimuth.
+/// Bins in either direction; of directions in wi.z, and in azimuth.
 const BINS: [usize; 2] = [24, 24];
 /// Error of the integral of the density over the sphere that the quadrature may make.
 const QUADRATURE_ERROR: f64 = 1e-4;
@@ -38,40 +38,49 @@ impl Verdict {
     }
 }
 
+/// Samples of directions, by wi.z over [−1, 1] and azimuth.
 pub fn histogram(total: u64, mut sample: impl FnMut() -> Option<Vec3<f64>>) -> Histogram {
+    histogram_by(total, || {
+        let wi = sample()?;
+        let turn = (wi.y.atan2(wi.x) / TAU).rem_euclid(1.0);
+        Some([0.5 * (wi.z + 1.0), turn])
+    })
+}
+
+/// Samples of points of the unit square.
+pub fn histogram_by(total: u64, mut sample: impl FnMut() -> Option<[f64; 2]>) -> Histogram {
     let mut h = Histogram {
         bins: vec![0; BINS[0] * BINS[1]],
         invalid: 0,
         total,
     };
+    let index = |x: f64, n: usize| ((x * n as f64) as usize).min(n - 1);
     for _ in 0..total {
         match sample() {
             None => h.invalid += 1,
-            Some(wi) => h.bins[bin(wi)] += 1,
+            Some([x, y]) => h.bins[index(x, BINS[0]) * BINS[1] + index(y, BINS[1])] += 1,
         }
     }
     h
 }
 
-fn bin(wi: Vec3<f64>) -> usize {
-    let turn = (wi.y.atan2(wi.x) / TAU).rem_euclid(1.0);
-    let index = |x: f64, n: usize| ((x * n as f64) as usize).min(n - 1);
-    index(0.5 * (wi.z + 1.0), BINS[0]) * BINS[1] + index(turn, BINS[1])
+/// Probability of each bin of [`histogram`], from a density per solid angle; `cuts` as in [`expectation_by`].
+pub fn expectation(cuts: usize, density: impl Fn(Vec3<f64>) -> f64) -> Vec<f64> {
+    // dω = dz dφ
+    expectation_by(cuts, |[x, turn]| {
+        2.0 * TAU * density(direction(2.0 * x - 1.0, TAU * turn))
+    })
 }
 
-/// Probability of each bin; `cuts`: cells of a bin in either direction, 8 nodes each, before refinement.
-pub fn expectation(cuts: usize, density: impl Fn(Vec3<f64>) -> f64) -> Vec<f64> {
+/// Probability of each bin of [`histogram_by`], from a density over the square; `cuts`: cells of a bin in either
+/// direction, 8 nodes each, before refinement.
+pub fn expectation_by(cuts: usize, density: impl Fn([f64; 2]) -> f64) -> Vec<f64> {
     let quadrature = Quadrature::new(QUADRATURE_ERROR / (BINS[0] * BINS[1]) as f64);
-    let f = |z: f64, phi: f64| density(direction(z, phi));
-    let edge = |i: usize, n: usize| i as f64 / n as f64;
+    let f = |x: f64, y: f64| density([x, y]);
+    let edges = |i: usize, n: usize| [i as f64 / n as f64, (i + 1) as f64 / n as f64];
     let bin = |k: usize| {
-        let (i, j) = (k / BINS[1], k % BINS[1]);
-        let z = [
-            2.0 * edge(i, BINS[0]) - 1.0,
-            2.0 * edge(i + 1, BINS[0]) - 1.0,
-        ];
-        let phi = [TAU * edge(j, BINS[1]), TAU * edge(j + 1, BINS[1])];
-        quadrature.integrate([z, phi], cuts, &f)
+        let cell = [edges(k / BINS[1], BINS[0]), edges(k % BINS[1], BINS[1])];
+        quadrature.integrate(cell, cuts, &f)
     };
     (0..BINS[0] * BINS[1]).map(bin).collect()
 }
