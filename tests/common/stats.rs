@@ -1,6 +1,6 @@
 //! Statistics that several tests share.
 
-use statrs::distribution::{ContinuousCDF, StudentsT};
+use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
 
 /// The level of each of `n` tests that makes a family's level `alpha`: 1 − (1 − α)^(1/n) (Šidák 1967).
 pub fn sidak(alpha: f64, n: usize) -> f64 {
@@ -43,4 +43,30 @@ pub fn p_of_difference(a: &[f64], b: &[f64]) -> f64 {
     let freedom = error.powi(4) / (share(error_a, a.len()) + share(error_b, b.len()));
     let t = StudentsT::new(0.0, 1.0, freedom).expect("two samples or more in each set");
     2.0 * t.sf((mean_a - mean_b).abs() / error)
+}
+
+/// p-value of a chi-square test of `counts` against `expected`; bins that expect less than 5 are pooled.
+pub fn chi_square(counts: &[usize], expected: &[f64]) -> f64 {
+    let mut pooled = (0.0, 0.0);
+    let (mut sum, mut bins) = (0.0, 0);
+    let term = |count: f64, expected: f64| (count - expected).powi(2) / expected;
+    for (&count, &expected) in counts.iter().zip(expected) {
+        if expected < 5.0 {
+            pooled = (pooled.0 + count as f64, pooled.1 + expected);
+        } else {
+            sum += term(count as f64, expected);
+            bins += 1;
+        }
+    }
+    if pooled.1 >= 5.0 {
+        sum += term(pooled.0, pooled.1);
+        bins += 1;
+    } else if pooled.0 > pooled.1 + 30.0 {
+        // Hits where none are due, too few expected for a test of their own.
+        return 0.0;
+    }
+    let degrees = (bins - 1).max(1) as f64;
+    1.0 - ChiSquared::new(degrees)
+        .expect("degrees of freedom")
+        .cdf(sum)
 }

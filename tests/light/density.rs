@@ -3,13 +3,13 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use statrs::distribution::{Binomial, ChiSquared, ContinuousCDF, DiscreteCDF};
+use statrs::distribution::{Binomial, DiscreteCDF};
 use vkpt::reference::math::{Real, Vec3};
 
 use crate::ALPHA;
 use crate::emitter::{Emitter, tetrahedron};
 use crate::random::Random;
-use crate::stats::sidak;
+use crate::stats::{chi_square, sidak};
 use crate::window::Window;
 
 const N: usize = 100_000;
@@ -51,9 +51,17 @@ fn spheres_and_boxes() -> Vec<Case> {
     let cuboid = || Emitter::cuboid(lo, hi);
     let seen = |p| around(p, (lo + hi) / 2.0, (hi - lo).length() / 2.0);
     let (near, far) = (c + v(0.0, 1.1, 0.2), c + v(90.0, -30.0, 20.0));
+    let touching = c + v(0.0, 1.0 + 1e-5, 0.0);
     let (one, two, three) = (v(0.1, 0.0, 2.0), v(0.1, -2.0, 1.5), v(2.0, -2.0, 1.5));
+    let (close, away) = (v(0.1, -0.2, 0.6), v(-70.0, 40.0, 90.0));
     vec![
         case("sphere, near", sphere(), near, around(near, c, 1.0)),
+        case(
+            "sphere, all but touching",
+            sphere(),
+            touching,
+            around(touching, c, 1.0),
+        ),
         case("sphere, far", sphere(), far, around(far, c, 1.0)),
         case(
             "sphere, inside",
@@ -64,6 +72,8 @@ fn spheres_and_boxes() -> Vec<Case> {
         case("box, one face", cuboid(), one, seen(one)),
         case("box, two faces", cuboid(), two, seen(two)),
         case("box, three faces", cuboid(), three, seen(three)),
+        case("box, near", cuboid(), close, everywhere()),
+        case("box, far", cuboid(), away, seen(away)),
         case("box, inside", cuboid(), v(0.2, 0.1, 0.1), everywhere()),
         case(
             "background",
@@ -103,7 +113,7 @@ fn cylinders_and_meshes() -> Vec<Case> {
     };
     let mesh = tetrahedron();
     let m = v(0.4, 0.25, 0.4);
-    let p = v(2.0, -1.0, 0.5);
+    let (p, far) = (v(2.0, -1.0, 0.5), v(-60.0, 80.0, -30.0));
     vec![
         case(
             "cylinder, above",
@@ -119,7 +129,11 @@ fn cylinders_and_meshes() -> Vec<Case> {
         ),
         beside("cylinder, beside", v(1.2, -0.5, 0.8)),
         beside("cylinder, beside and above", v(1.2, -0.5, 2.6)),
+        beside("cylinder, near its side", v(0.5, -0.25, 1.2)),
+        beside("cylinder, far", v(40.0, -25.0, 1.3)),
+        beside("cylinder, far above", v(5.0, 3.0, 80.0)),
         case("mesh, outside", Emitter::mesh(&mesh), p, around(p, m, 1.2)),
+        case("mesh, far", Emitter::mesh(&mesh), far, around(far, m, 1.2)),
         case(
             "mesh, inside",
             Emitter::mesh(&mesh),
@@ -133,32 +147,6 @@ fn cases() -> Vec<Case> {
     let mut all = spheres_and_boxes();
     all.extend(cylinders_and_meshes());
     all
-}
-
-/// p-value of a chi-square test of `counts` against `expected`; bins that expect less than 5 are pooled.
-fn chi_square(counts: &[usize], expected: &[f64]) -> f64 {
-    let mut pooled = (0.0, 0.0);
-    let (mut sum, mut bins) = (0.0, 0);
-    let term = |count: f64, expected: f64| (count - expected).powi(2) / expected;
-    for (&count, &expected) in counts.iter().zip(expected) {
-        if expected < 5.0 {
-            pooled = (pooled.0 + count as f64, pooled.1 + expected);
-        } else {
-            sum += term(count as f64, expected);
-            bins += 1;
-        }
-    }
-    if pooled.1 >= 5.0 {
-        sum += term(pooled.0, pooled.1);
-        bins += 1;
-    } else if pooled.0 > pooled.1 + 30.0 {
-        // Hits where none are due, too few expected for a test of their own.
-        return 0.0;
-    }
-    let degrees = (bins - 1).max(1) as f64;
-    1.0 - ChiSquared::new(degrees)
-        .expect("degrees of freedom")
-        .cdf(sum)
 }
 
 struct Drawn {
