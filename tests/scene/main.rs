@@ -1,14 +1,19 @@
 //! The scene reader, from outside.
 
+#[path = "../common/mod.rs"]
+mod common;
+
 mod bad;
 mod checks;
 mod course;
 mod fuzz;
 mod good;
+mod obj;
 mod own;
 mod ply;
 mod ply_writer;
 mod rendering;
+mod trimesh;
 
 use std::path::Path;
 

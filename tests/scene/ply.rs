@@ -269,7 +269,7 @@ fn files_are_read_or_refused() {
         Err(MeshError::Missing)
     ));
     assert!(matches!(
-        read_mesh(&path("none.obj")),
+        read_mesh(&path("none.stl")),
         Err(MeshError::Format)
     ));
     assert!(matches!(

@@ -1,5 +1,6 @@
 //! Mesh files: which formats are read, and what may be wrong with one.
 
+mod obj;
 mod ply;
 
 use std::io;
@@ -7,8 +8,10 @@ use std::path::Path;
 
 use glam::DVec3;
 
+use super::text::{clean, shorten};
+
 /// The formats that [`read_mesh`] reads, as messages name them.
-pub const MESH_FORMATS: &str = "PLY (.ply)";
+pub const MESH_FORMATS: &str = "PLY (.ply), OBJ (.obj)";
 
 /// What a mesh file holds; in its own coordinates, at least one triangle, all numbers finite.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,17 +88,13 @@ fn reader(path: &Path) -> Result<Reader, MeshError> {
     let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
     match ending.as_deref().and_then(|ending| ending.to_str()) {
         Some("ply") => Ok(ply::read),
+        Some("obj") => Ok(obj::read),
         _ => Err(MeshError::Format),
     }
 }
 
-/// Appends the polygon's triangles: a fan about its first corner.
-fn fan(
-    triangles: &mut Vec<[u32; 3]>,
-    face: usize,
-    corners: &[i64],
-    vertices: usize,
-) -> Result<(), MeshError> {
+/// The corners of a polygon, as indices of vertices that there are.
+fn polygon(face: usize, corners: &[i64], vertices: usize) -> Result<Vec<u32>, MeshError> {
     let index = |&index: &i64| match u32::try_from(index) {
         Ok(i) if (i as usize) < vertices => Ok(i),
         _ => Err(MeshError::BadIndex {
@@ -104,17 +103,25 @@ fn fan(
             vertices,
         }),
     };
-    let corners = corners.iter().map(index).collect::<Result<Vec<_>, _>>()?;
-    if corners.len() < 3 {
-        return Err(MeshError::NoPolygon {
-            face,
-            corners: corners.len(),
-        });
+    let checked = corners.iter().map(index).collect::<Result<Vec<_>, _>>()?;
+    match checked.len() {
+        corners @ 0..3 => Err(MeshError::NoPolygon { face, corners }),
+        _ => Ok(checked),
     }
-    triangles.extend(
-        corners[1..]
-            .windows(2)
-            .map(|pair| [corners[0], pair[0], pair[1]]),
-    );
-    Ok(())
+}
+
+/// Appends the triangles of a polygon of three corners or more: a fan about its first corner.
+fn fan(triangles: &mut Vec<[u32; 3]>, corners: &[u32]) {
+    let pairs = corners[1..].windows(2);
+    triangles.extend(pairs.map(|pair| [corners[0], pair[0], pair[1]]));
+}
+
+/// What is wrong with line `number` (from 1) of the text `bytes`, which is quoted.
+fn at_line(bytes: &[u8], number: usize, what: &str) -> MeshError {
+    let line = bytes
+        .split(|b| *b == b'\n')
+        .nth(number.saturating_sub(1))
+        .unwrap_or_default();
+    let quoted = shorten(&clean(String::from_utf8_lossy(line).trim()));
+    MeshError::Malformed(format!("its line {number} {what}: `{quoted}`"))
 }

@@ -11,8 +11,7 @@ use ply_rs_bw::ply::{ElementDef, Header, PropertyAccess};
 use element::{Face, Other, Vertex};
 use header::{check_names, has, least_size};
 
-use super::{MeshError, MeshFile, fan};
-use crate::scene::text::{clean, shorten};
+use super::{MeshError, MeshFile, at_line, fan, polygon};
 
 /// Reads the whole file `bytes`.
 pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
@@ -48,7 +47,10 @@ fn assemble(
     }
     let mut triangles = Vec::with_capacity(faces.len());
     for (index, face) in faces.iter().enumerate() {
-        fan(&mut triangles, index, &face.corners, vertices.len())?;
+        fan(
+            &mut triangles,
+            &polygon(index, &face.corners, vertices.len())?,
+        );
     }
     if triangles.is_empty() {
         return Err(MeshError::Empty("faces"));
@@ -98,25 +100,14 @@ fn malformed(error: ParseError, bytes: &[u8]) -> MeshError {
     let message = error.to_string();
     let first = message.lines().next().unwrap_or_default();
     // Its errors of a line of text quote that line.
-    let line = error.line().filter(|_| message.contains("String: '"));
-    MeshError::Malformed(match line {
-        Some(line) => format!(
-            "its line {line} is not understood: `{}`",
-            quoted(bytes, line)
-        ),
+    match error.line().filter(|_| message.contains("String: '")) {
+        Some(line) => at_line(bytes, line, "is not understood"),
         // Of a binary file it counts elements as lines.
-        None => first
-            .trim_start_matches("Line ")
-            .trim_start_matches(|c: char| c.is_ascii_digit() || ": ".contains(c))
-            .to_owned(),
-    })
-}
-
-/// Line `number` (from 1) as a message quotes it.
-fn quoted(bytes: &[u8], number: usize) -> String {
-    let line = bytes
-        .split(|b| *b == b'\n')
-        .nth(number.saturating_sub(1))
-        .unwrap_or_default();
-    shorten(&clean(String::from_utf8_lossy(line).trim()))
+        None => MeshError::Malformed(
+            first
+                .trim_start_matches("Line ")
+                .trim_start_matches(|c: char| c.is_ascii_digit() || ": ".contains(c))
+                .to_owned(),
+        ),
+    }
 }
