@@ -8,6 +8,7 @@ use std::fmt::Debug;
 
 use glam::DVec3;
 
+use crate::film::Aov;
 use crate::prepared::{LightKind, Material, MaterialKind, Prepared, ShapeKind};
 use crate::settings::{
     Absorption, Connect, Distribution, Fresnel, LobeChoice, Normals, Roulette, Settings,
@@ -48,13 +49,15 @@ pub struct Features {
     pub max_depth: bool,
     /// A mesh brings normals of its own.
     pub shading_normals: bool,
+    /// What is made beside the picture.
+    pub aovs: BTreeSet<Aov>,
 }
 
 /// Up to so many primitives of a kind a loop over them is faster than a hierarchy.
 const LINEAR_PRIMITIVES: usize = 32;
 
 impl Features {
-    pub fn of(prepared: &Prepared, settings: &Settings) -> Self {
+    pub fn of(prepared: &Prepared, settings: &Settings, aovs: &[Aov]) -> Self {
         let used: Vec<&Material> = prepared
             .shapes
             .iter()
@@ -95,12 +98,18 @@ impl Features {
                 .then_some(model.absorption),
             max_depth: model.max_depth.is_some(),
             shading_normals: !prepared.normals.is_empty(),
+            aovs: aovs.iter().copied().collect(),
         }
     }
 
     /// A surface of this scene is not there: |ior − 1| < 1e-7.
     pub fn goes_straight(&self) -> bool {
         self.materials.contains(&MaterialKind::Nothing)
+    }
+
+    /// The kernel keeps each pixel's moments.
+    pub fn keeps_moments(&self) -> bool {
+        self.aovs.contains(&Aov::Stderr)
     }
 
     /// One phrase a feature, for people and for the JSON report.
@@ -120,6 +129,9 @@ impl Features {
         ];
         if let Some(absorption) = self.absorption {
             names.push(set("absorption", lower(&absorption)));
+        }
+        if !self.aovs.is_empty() {
+            names.push(set("beside the picture", list(&self.aovs)));
         }
         names
     }

@@ -1,9 +1,16 @@
-//! The finished picture: mean radiance per pixel.
+//! The finished picture, and what can be had beside it.
 
-/// Mean radiance of a rectangle of pixels, linear RGB in W·sr⁻¹·m⁻², row 0 at the top.
+/// Linear RGB of a rectangle of pixels in W·sr⁻¹·m⁻², row 0 at the top: mean radiance, or its standard error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
     pub width: u32,
     pub height: u32,
     pub rgb: Vec<[f32; 3]>,
+}
+
+/// What a rendering makes beside its picture where that is asked for (AOV: arbitrary output variable).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Aov {
+    /// Standard errors of the mean.
+    Stderr,
 }

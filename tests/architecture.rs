@@ -7,7 +7,7 @@ const ROOMS: [(&str, &[&str]); 15] = [
     ("settings", &[]),
     ("scene", &["settings"]),
     ("prepared", &["scene", "settings"]),
-    ("features", &["prepared", "settings"]),
+    ("features", &["film", "prepared", "settings"]),
     ("layout", &[]),
     ("flat", &["prepared", "layout"]),
     (
@@ -33,7 +33,7 @@ const ROOMS: [(&str, &[&str]); 15] = [
     ("film", &[]),
     ("image", &["film"]),
     ("metrics", &["film", "image"]),
-    ("report", &["settings"]),
+    ("report", &["film", "settings"]),
     (
         "cli",
         &[

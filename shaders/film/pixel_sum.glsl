@@ -10,7 +10,7 @@ struct PixelSum {
     vec3 comp;
 };
 
-// The sum with one more sample, finite and >= 0 in each channel. Relative error of an addition: below 3 2^-48.
+// The sum with one more sample, finite and >= -sum/2 in each channel. Relative error of an addition: below 3 2^-48.
 PixelSum film_add(PixelSum pixel, vec3 x) {
     // s + err = sum + x exactly: Knuth, The Art of Computer Programming 2, 4.2.2, theorem B (2Sum)
     vec3 s = pixel.sum + x;

@@ -74,6 +74,7 @@ impl Ready {
             spp: request.spp.into(),
             seed: request.seed,
             crop: request.crop,
+            aovs: &[],
         })
     }
 }

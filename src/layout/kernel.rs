@@ -70,6 +70,20 @@ crate::gpu_struct! {
         long_paths: uint,
     }
 
+    /// What a pixel's samples x tell of the error of their mean, each sum in two parts as the film's is.
+    pub struct FilmMoments {
+        /// W·sr⁻¹·m⁻².
+        mean: vec3,
+        pad0: uint,
+        mean_comp: vec3,
+        pad1: uint,
+        /// Σ (x − mean)².
+        m2: vec3,
+        pad2: uint,
+        m2_comp: vec3,
+        pad3: uint,
+    }
+
     /// An event of a path, written down for `--trace`.
     pub struct Record {
         /// RECORD_VERTEX, RECORD_CONNECTION or RECORD_ESCAPE.

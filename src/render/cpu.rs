@@ -1,5 +1,6 @@
 //! Rendering by the CPU reference, in f32 or f64.
 
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
@@ -8,9 +9,11 @@ use rayon::prelude::*;
 use super::slices::Slices;
 use super::tiles::Tile;
 use super::{Dropped, Job, Outcome, Progress, Stats};
-use crate::film::Film;
-use crate::reference::film::{FilmPixel, film_mean, film_sample};
-use crate::reference::math::Real;
+use crate::film::{Aov, Film};
+use crate::reference::film::{
+    FilmMoments, FilmPixel, film_mean, film_moments, film_sample, film_stderr,
+};
+use crate::reference::math::{Real, Vec3};
 use crate::reference::path::record::Silent;
 use crate::reference::path::{SampleId, trace_path};
 use crate::reference::world::World;
@@ -25,27 +28,17 @@ pub fn render<F: Real>(
     let start = Instant::now();
     let world = World::<F>::new(job.prepared);
     let compose_s = start.elapsed().as_secs_f64();
-    let area = job.area();
-    let mut film = vec![FilmPixel::<F>::default(); area.pixels() as usize];
+    let mut film = Pixels::<F>::new(job);
     let (mut done, mut slices) = (0, Slices::new());
     let start = Instant::now();
     while done < job.spp && !stop.load(Ordering::Relaxed) {
         let slice = slices.next(job.spp - done);
         let began = Instant::now();
-        film.par_iter_mut().enumerate().for_each(|(i, pixel)| {
-            let (column, row) = (
-                area.x + i as u32 % area.width,
-                area.y + i as u32 / area.width,
-            );
-            for sample in done..done + slice {
-                sample_pixel(job, &world, column, row, sample as u32, pixel);
-            }
-        });
+        film.advance(job, &world, done as u32..(done + slice) as u32);
         slices.took(slice, began.elapsed());
         done += slice;
         progress(Progress::new(done, job.spp));
     }
-    let count = |f: fn(&FilmPixel<F>) -> u64| film.iter().map(f).sum::<u64>();
     let stats = Stats {
         device: name.into(),
         driver: format!(
@@ -56,31 +49,97 @@ pub fn render<F: Real>(
         compile_s: 0.0,
         render_s: start.elapsed().as_secs_f64(),
         gpu_s: None,
-        samples: done * u64::from(area.pixels()),
-        rays: count(|p| p.rays),
+        samples: done * u64::from(film.area.pixels()),
+        rays: film.count(|p| p.rays),
         dropped: Dropped {
-            nan: count(|p| p.nan),
-            infinite: count(|p| p.infinite),
+            nan: film.count(|p| p.nan),
+            infinite: film.count(|p| p.infinite),
             loops: 0,
         },
-        long_paths: count(|p| p.long_paths),
+        long_paths: film.count(|p| p.long_paths),
         features: Vec::new(),
     };
     Outcome {
-        film: develop(area, &film, done),
+        film: film.picture(done),
+        stderr: film.standard_errors(done),
         spp: done,
         interrupted: done < job.spp,
         stats,
     }
 }
 
+/// The pixels under way, row by row.
+struct Pixels<F> {
+    area: Tile,
+    film: Vec<FilmPixel<F>>,
+    /// Where standard errors are asked for.
+    moments: Option<Vec<FilmMoments<F>>>,
+}
+
+impl<F: Real> Pixels<F> {
+    /// No samples yet.
+    fn new(job: &Job) -> Self {
+        let area = job.area();
+        let pixels = area.pixels() as usize;
+        let stderr = job.aovs.contains(&Aov::Stderr);
+        Self {
+            area,
+            film: vec![FilmPixel::default(); pixels],
+            moments: stderr.then(|| vec![FilmMoments::default(); pixels]),
+        }
+    }
+
+    /// Adds the samples to every pixel.
+    fn advance(&mut self, job: &Job, world: &World<F>, samples: Range<u32>) {
+        let area = self.area;
+        let advance = |i: usize, pixel: &mut _, mut moments: Option<&mut _>| {
+            let i = i as u32;
+            let at = [area.x + i % area.width, area.y + i / area.width];
+            for sample in samples.clone() {
+                sample_pixel(job, world, at, sample, pixel, moments.as_deref_mut());
+            }
+        };
+        let film = self.film.par_iter_mut().enumerate();
+        match &mut self.moments {
+            None => film.for_each(|(i, pixel)| advance(i, pixel, None)),
+            Some(moments) => film
+                .zip(moments)
+                .for_each(|((i, pixel), moments)| advance(i, pixel, Some(moments))),
+        }
+    }
+
+    fn count(&self, of: fn(&FilmPixel<F>) -> u64) -> u64 {
+        self.film.iter().map(of).sum()
+    }
+
+    /// The mean of `spp` samples a pixel.
+    fn picture(&self, spp: u64) -> Film {
+        self.develop(self.film.iter().map(|p| film_mean(p.sum, spp as u32)))
+    }
+
+    /// Of that mean, where it was asked for and one sample is not all there is.
+    fn standard_errors(&self, spp: u64) -> Option<Film> {
+        let moments = self.moments.as_ref().filter(|_| spp >= 2)?;
+        Some(self.develop(moments.iter().map(|m| film_stderr(m, spp as u32))))
+    }
+
+    fn develop(&self, values: impl Iterator<Item = Vec3<F>>) -> Film {
+        Film {
+            width: self.area.width,
+            height: self.area.height,
+            rgb: values.map(|v| v.f64().as_vec3().to_array()).collect(),
+        }
+    }
+}
+
+/// Adds one sample to the pixel at column and row `at`.
 fn sample_pixel<F: Real>(
     job: &Job,
     world: &World<F>,
-    column: u32,
-    row: u32,
+    [column, row]: [u32; 2],
     sample: u32,
     pixel: &mut FilmPixel<F>,
+    moments: Option<&mut FilmMoments<F>>,
 ) {
     let id = SampleId {
         column,
@@ -91,17 +150,9 @@ fn sample_pixel<F: Real>(
     };
     let path = trace_path(world, &job.settings, id, &mut Silent);
     film_sample(pixel, path.radiance);
+    if let Some(moments) = moments {
+        film_moments(moments, path.radiance, sample + 1);
+    }
     pixel.rays += path.rays;
     pixel.long_paths += u64::from(path.long);
-}
-
-fn develop<F: Real>(area: Tile, film: &[FilmPixel<F>], spp: u64) -> Film {
-    Film {
-        width: area.width,
-        height: area.height,
-        rgb: film
-            .iter()
-            .map(|p| film_mean(p.sum, spp as u32).f64().as_vec3().to_array())
-            .collect(),
-    }
 }

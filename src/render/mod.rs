@@ -8,7 +8,7 @@ mod vulkan;
 
 use std::sync::atomic::AtomicBool;
 
-use crate::film::Film;
+use crate::film::{Aov, Film};
 pub use crate::gpu::Selector;
 use crate::gpu::{Device, GpuError};
 use crate::kernel::{KernelError, Spirv};
@@ -37,6 +37,8 @@ pub struct Job<'a> {
     /// Left, top, right, bottom in pixels from the top left, right and bottom excluded; within the picture
     /// and not empty.
     pub crop: Option<[u32; 4]>,
+    /// What to make beside the picture, which it does not change.
+    pub aovs: &'a [Aov],
 }
 
 impl Job<'_> {
@@ -86,6 +88,8 @@ pub struct Dropped {
 #[derive(Clone, Debug)]
 pub struct Outcome {
     pub film: Film,
+    /// Standard error of the mean per pixel and channel: if [`Aov::Stderr`] was asked for and there are two samples.
+    pub stderr: Option<Film>,
     /// Samples in every pixel.
     pub spp: u64,
     /// Stopped before all samples were there.

@@ -31,6 +31,7 @@ pub fn job(prepared: &Prepared, settings: Settings, spp: u64, seed: u32) -> Job<
         spp,
         seed,
         crop: None,
+        aovs: &[],
     }
 }
 

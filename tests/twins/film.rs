@@ -1,7 +1,9 @@
 //! Twins of `shaders/film/`.
 
 use vkpt::layout::GpuStruct;
-use vkpt::reference::film::{FilmPixel, PixelSum, film_add, film_mean, film_sample};
+use vkpt::reference::film::{
+    FilmMoments, FilmPixel, PixelSum, film_add, film_mean, film_moments, film_sample,
+};
 use vkpt::reference::math::{Vec3, vec3};
 
 use super::harness::{Rng, Row, Twin};
@@ -64,6 +66,7 @@ pub fn twins() -> Vec<Twin> {
             .edge(at_two_to_the_24().u(u32::MAX))
             .seeded(2000, |r| sum(r).u((r.u32() >> r.below(32)).max(1))),
         dropping(),
+        moments(),
     ]
 }
 
@@ -93,4 +96,48 @@ fn dropping() -> Twin {
         .edge([f32::INFINITY, f32::NAN, f32::NEG_INFINITY])
         .edge([f32::INFINITY, f32::NEG_INFINITY, 1.0])
         .seeded(1000, |r| Row::new().u(r.u32()).u(r.u32()).u(r.u32()))
+}
+
+/// A mean and a sum of squares, each in two parts, and one more sample.
+fn moments() -> Twin {
+    let seen = |r: &mut Rng| Row(sum(r).0.into_iter().chain(sum(r).0).collect());
+    let still = || {
+        Row::new()
+            .vec3(Vec3::one())
+            .vec3(Vec3::zero())
+            .vec3(Vec3::zero())
+            .vec3(Vec3::zero())
+    };
+    let none = || Row([0; 12].into());
+    Twin::new("film_moments", "film/moments")
+        .prelude(vkpt::layout::FilmMoments::glsl())
+        .glsl(
+            "vec3 mean = in_vec3(); vec3 mean_comp = in_vec3(); vec3 m2 = in_vec3(); vec3 m2_comp = in_vec3();
+             FilmMoments moments = FilmMoments(mean, 0u, mean_comp, 0u, m2, 0u, m2_comp, 0u);
+             vec3 radiance = in_vec3();
+             film_moments(moments, radiance, in_u());
+             out_vec3(moments.mean); out_vec3(moments.mean_comp); out_vec3(moments.m2); out_vec3(moments.m2_comp);",
+        )
+        .rust(|i, o| {
+            let mut sum = || PixelSum { sum: i.vec3(), comp: i.vec3() };
+            let (mean, m2) = (sum(), sum());
+            let mut moments = FilmMoments { mean, m2 };
+            film_moments(&mut moments, i.vec3(), i.u());
+            for PixelSum { sum, comp } in [moments.mean, moments.m2] {
+                o.vec3(sum);
+                o.vec3(comp);
+            }
+        })
+        .edge(none().vec3(vec3(0.0, 1e-45, 3e38)).u(1))
+        .edge(none().vec3(vec3(f32::NAN, 1.0, 2.0)).u(1))
+        .edge(still().vec3(Vec3::one()).u(2))
+        .edge(still().vec3(vec3(1.0, f32::INFINITY, 1.0)).u(3))
+        .edge(still().vec3(vec3(2.0, 0.0, 1.0 + f32::EPSILON)).u((1 << 24) + 1))
+        .edge(still().vec3(Vec3::zero()).u(u32::MAX))
+        .seeded(5000, |r| {
+            let n = (r.u32() >> r.below(32)).max(1);
+            seen(r)
+                .vec3(vec3(r.log_range(1e-9, 1e9), r.unit(), 16_777_216.0 + r.below(9) as f32))
+                .u(n)
+        })
 }

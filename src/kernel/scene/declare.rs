@@ -78,12 +78,17 @@ pub fn prelude(features: &Features, parameters: &Parameters) -> String {
     for (i, binding) in parameters.bindings.iter().enumerate() {
         text += &declare_binding(binding, i);
     }
-    let next = parameters.bindings.len();
-    text += &state_buffer("PathState", "paths", next);
-    text += &state_buffer("FilmPixel", "film", next + 1);
+    let mut state = vec![("PathState", "paths"), ("FilmPixel", "film")];
+    if features.keeps_moments() {
+        text += &layout::FilmMoments::glsl();
+        state.push(("FilmMoments", "moments"));
+    }
     if parameters.records.is_some() {
         text += &layout::Record::glsl();
-        text += &state_buffer("Record", "records", next + 2);
+        state.push(("Record", "records"));
+    }
+    for (i, (ty, name)) in state.into_iter().enumerate() {
+        text += &state_buffer(ty, name, parameters.bindings.len() + i);
     }
     text + "layout(push_constant) uniform SliceBlock { Slice job; };\n"
 }

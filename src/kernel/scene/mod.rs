@@ -160,6 +160,13 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
             },
         ),
         (
+            "moments",
+            match features.keeps_moments() {
+                true => "film/moments/welford",
+                false => "film/moments/none",
+            },
+        ),
+        (
             "record",
             if parameters.records.is_some() {
                 "path/record/on"

@@ -1,7 +1,9 @@
 //! Accumulation of samples; twin of `shaders/film/`.
 
+pub mod film_moments;
 pub mod film_pixel;
 pub mod pixel_sum;
 
+pub use film_moments::{FilmMoments, film_moments, film_stderr};
 pub use film_pixel::{FilmPixel, film_sample};
 pub use pixel_sum::{PixelSum, film_add, film_mean};

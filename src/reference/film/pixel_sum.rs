@@ -22,7 +22,7 @@ impl<F: Real> PixelSum<F> {
     }
 }
 
-/// The sum with one more sample, finite and ≥ 0 in each channel. Relative error of an addition: below 3·2⁻⁴⁸.
+/// The sum with one more sample, finite and ≥ −sum/2 in each channel. Relative error of an addition: below 3·2⁻⁴⁸.
 pub fn film_add<F: Real>(pixel: PixelSum<F>, x: Vec3<F>) -> PixelSum<F> {
     // s + err = sum + x exactly: Knuth, The Art of Computer Programming 2, 4.2.2, theorem B (2Sum)
     let s = pixel.sum + x;

@@ -1,21 +1,21 @@
 //! Rendering on a Vulkan device: tiles × slices of samples, until every pixel has its samples.
 
+mod develop;
 mod limits;
 mod run;
 mod scene_buffers;
+mod tile_film;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use super::slices::Slices;
-use super::{Dropped, Job, Outcome, Progress, RenderError, Stats};
+use super::{Job, Outcome, Progress, RenderError, Stats};
 use crate::features::Features;
-use crate::film::Film;
 use crate::gpu::Device;
 use crate::kernel::Spirv;
-use crate::layout::{FilmPixel, Record};
-use crate::reference::film::{PixelSum, film_mean};
-use crate::reference::math::{Vec3, vec3};
+use crate::layout::Record;
+use develop::Counts;
 pub use limits::DispatchLimits;
 use run::Run;
 
@@ -28,7 +28,7 @@ pub fn render(
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Outcome, RenderError> {
     let start = Instant::now();
-    let features = Features::of(job.prepared, &job.settings);
+    let features = Features::of(job.prepared, &job.settings, job.aovs);
     let mut run = Run::new(job, device, &features, limits, None)?;
     let compose_s = start.elapsed().as_secs_f64();
     let compile_s = run.compile()?.as_secs_f64();
@@ -38,7 +38,7 @@ pub fn render(
     let done = sample(&mut run, job, stop, progress)?;
     let render_s = start.elapsed().as_secs_f64();
 
-    let (film, counts) = develop(&run, job, done);
+    let counts = Counts::of(&run.tiles);
     if counts.dropped.loops > 0 {
         return Err(RenderError::Loops(counts.dropped.loops));
     }
@@ -56,7 +56,9 @@ pub fn render(
         features: features.names(),
     };
     Ok(Outcome {
-        film,
+        film: develop::picture(&run.tiles, job.area(), done),
+        stderr: (features.keeps_moments() && done >= 2)
+            .then(|| develop::standard_errors(&run.tiles, job.area(), done)),
         spp: done,
         interrupted: done < job.spp,
         stats,
@@ -65,7 +67,7 @@ pub fn render(
 
 /// The kernel that renders the job on `device`.
 pub fn kernel(job: &Job, device: &Device) -> Result<Spirv, RenderError> {
-    let features = Features::of(job.prepared, &job.settings);
+    let features = Features::of(job.prepared, &job.settings, job.aovs);
     Ok(run::scene_and_kernel(job, device, &features, None)?.1)
 }
 
@@ -108,59 +110,10 @@ pub fn records(
         crop: Some([column, row, column + 1, row + 1]),
         ..*job
     };
-    let features = Features::of(job.prepared, &job.settings);
+    let features = Features::of(job.prepared, &job.settings, job.aovs);
     let limits = DispatchLimits::of(device)?;
     let mut run = Run::new(&job, device, &features, limits, Some(CAPACITY))?;
     run.sample_begin = index;
     run.advance(0, 1)?;
     run.records()
-}
-
-/// Sums over the pixels.
-#[derive(Default)]
-struct Counts {
-    rays: u64,
-    long_paths: u64,
-    dropped: Dropped,
-}
-
-impl Counts {
-    fn add(&mut self, p: &FilmPixel) {
-        self.rays += u64::from(p.rays);
-        self.long_paths += u64::from(p.long_paths);
-        self.dropped.nan += u64::from(p.nan);
-        self.dropped.infinite += u64::from(p.infinite);
-        self.dropped.loops += u64::from(p.loops);
-    }
-}
-
-/// The picture of `spp` samples a pixel, and the sums of what was counted.
-fn develop(run: &Run, job: &Job, spp: u64) -> (Film, Counts) {
-    let area = job.area();
-    let mut rgb = vec![[0.0; 3]; area.pixels() as usize];
-    let mut counts = Counts::default();
-    for (tile, pixels) in &run.tiles {
-        for (k, p) in pixels.iter().enumerate() {
-            let x = tile.x - area.x + k as u32 % tile.width;
-            let y = tile.y - area.y + k as u32 / tile.width;
-            rgb[(y * area.width + x) as usize] = mean(p, spp);
-            counts.add(p);
-        }
-    }
-    let film = Film {
-        width: area.width,
-        height: area.height,
-        rgb,
-    };
-    (film, counts)
-}
-
-fn mean(p: &FilmPixel, spp: u64) -> [f32; 3] {
-    let rgb = |[r, g, b]: [f32; 3]| -> Vec3<f32> { vec3(r, g, b) };
-    let sum = PixelSum {
-        sum: rgb(p.sum),
-        comp: rgb(p.comp),
-    };
-    let mean = film_mean(sum, spp as u32);
-    [mean.x, mean.y, mean.z]
 }

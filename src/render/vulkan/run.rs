@@ -4,10 +4,11 @@ use std::time::{Duration, Instant};
 
 use super::limits::DispatchLimits;
 use super::scene_buffers::SceneBuffers;
+use super::tile_film::{DeviceFilm, TileFilm, array};
 use crate::features::Features;
 use crate::gpu::{Buffer, BufferUse, Device, Pipeline};
 use crate::kernel::{self, Spirv};
-use crate::layout::{FilmPixel, PathState, Record, Slice};
+use crate::layout::{Record, Slice};
 use crate::render::tiles::{Tile, tiles};
 use crate::render::{Job, RenderError};
 
@@ -23,11 +24,9 @@ pub struct Run<'a> {
     device: &'a Device,
     pipeline: Pipeline,
     scene: SceneBuffers,
-    paths: Buffer,
-    film: Buffer,
+    film: DeviceFilm,
     records: Option<Buffer>,
-    /// Each tile and its film, row by row.
-    pub tiles: Vec<(Tile, Vec<FilmPixel>)>,
+    pub tiles: Vec<TileFilm>,
     /// The device's own time for all dispatches.
     pub gpu_time: Duration,
     budget: u32,
@@ -45,23 +44,27 @@ impl<'a> Run<'a> {
         records: Option<u32>,
     ) -> Result<Self, RenderError> {
         let (scene, spirv) = scene_and_kernel(job, device, features, records)?;
-        let mut uses = scene.uses();
-        uses.extend([BufferUse::Storage; 2]);
-        uses.extend(records.map(|_| BufferUse::Storage));
-        let pipeline = device.pipeline(&spirv, &uses, size_of::<Slice>() as u32)?;
         let tiles = tiles(job.area(), limits.tile_pixels.max(1));
         let largest = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
+        let moments = features.keeps_moments();
+        let film = DeviceFilm::new(device, largest, moments)?;
+        let mut uses = scene.uses();
+        uses.extend(film.buffers().map(|_| BufferUse::Storage));
+        uses.extend(records.map(|_| BufferUse::Storage));
+        let pipeline = device.pipeline(&spirv, &uses, size_of::<Slice>() as u32)?;
         Ok(Self {
             job,
             device,
             pipeline,
             scene,
-            paths: array::<PathState>(device, "paths", largest)?,
-            film: array::<FilmPixel>(device, "film", largest)?,
+            film,
             records: records
                 .map(|n| array::<Record>(device, "records", n))
                 .transpose()?,
-            tiles: tiles.into_iter().map(fresh_film).collect(),
+            tiles: tiles
+                .into_iter()
+                .map(|tile| TileFilm::new(tile, moments))
+                .collect(),
             gpu_time: Duration::ZERO,
             budget: limits.budget.max(1),
             sample_begin: 0,
@@ -78,35 +81,23 @@ impl<'a> Run<'a> {
     /// Brings every pixel of a tile to `sample_end` samples; returns the longest dispatch.
     pub fn advance(&mut self, tile: usize, sample_end: u32) -> Result<Duration, RenderError> {
         if self.tiles.len() > 1 {
-            self.upload(tile)?;
+            self.film.upload(&self.tiles[tile])?;
         }
         let mut longest = Duration::ZERO;
         loop {
             longest = longest.max(self.dispatch(tile, sample_end)?);
-            let film = &mut self.tiles[tile].1;
-            self.film.read_into(bytemuck::cast_slice_mut(film))?;
-            let failed = film.iter().any(|p| p.loops > 0);
-            if failed || film.iter().all(|p| p.samples == sample_end) {
+            let kept = &mut self.tiles[tile];
+            self.film.read_pixels(kept)?;
+            let failed = kept.pixels.iter().any(|p| p.loops > 0);
+            if failed || kept.pixels.iter().all(|p| p.samples == sample_end) {
+                self.film.read_moments(kept)?;
                 return Ok(longest);
             }
         }
     }
 
-    /// Takes up a tile of which no path is under way: its threads need to know only how many samples they have
-    /// begun.
-    fn upload(&mut self, tile: usize) -> Result<(), RenderError> {
-        let film = &self.tiles[tile].1;
-        let fresh = |p: &FilmPixel| PathState {
-            index: p.samples,
-            ..PathState::default()
-        };
-        let paths: Vec<PathState> = film.iter().map(fresh).collect();
-        self.film.write(bytemuck::cast_slice(film))?;
-        Ok(self.paths.write(bytemuck::cast_slice(&paths))?)
-    }
-
     fn dispatch(&mut self, tile: usize, sample_end: u32) -> Result<Duration, RenderError> {
-        let tile = &self.tiles[tile].0;
+        let tile = &self.tiles[tile].tile;
         let slice = Slice {
             tile_x: tile.x,
             tile_y: tile.y,
@@ -118,7 +109,7 @@ impl<'a> Run<'a> {
             eye_medium: self.job.prepared.eye_medium,
         };
         let mut buffers = self.scene.buffers();
-        buffers.extend([&self.paths, &self.film]);
+        buffers.extend(self.film.buffers());
         buffers.extend(&self.records);
         let groups = [tile.pixels().div_ceil(WORKGROUP), 1, 1];
         let push = bytemuck::bytes_of(&slice);
@@ -131,7 +122,7 @@ impl<'a> Run<'a> {
 
     /// The events written down, in order.
     pub fn records(&self) -> Result<Vec<Record>, RenderError> {
-        let paths: Vec<PathState> = bytemuck::pod_collect_to_vec(&self.paths.read()?);
+        let paths = self.film.read_paths()?;
         let Some(buffer) = &self.records else {
             return Ok(Vec::new());
         };
@@ -139,10 +130,6 @@ impl<'a> Run<'a> {
         records.truncate(paths[0].recorded as usize);
         Ok(records)
     }
-}
-
-fn fresh_film(tile: Tile) -> (Tile, Vec<FilmPixel>) {
-    (tile, vec![FilmPixel::default(); tile.pixels() as usize])
 }
 
 /// The scene's buffers on the device, and the kernel that is composed for them.
@@ -155,9 +142,4 @@ pub fn scene_and_kernel(
     let scene = SceneBuffers::new(device, job.prepared, features, job.seed)?;
     let composed = kernel::scene::compose(features, &scene.parameters(job, records))?;
     Ok((scene, kernel::compile(&composed)?))
-}
-
-fn array<T>(device: &Device, name: &str, count: u32) -> Result<Buffer, RenderError> {
-    let bytes = u64::from(count) * size_of::<T>() as u64;
-    Ok(device.buffer(name, BufferUse::Storage, bytes)?)
 }

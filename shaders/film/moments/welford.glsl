@@ -1,0 +1,8 @@
+// The moments of every pixel, kept in a buffer beside the film, for `--aov stderr`.
+// uses: film/moments
+
+void moments_sample(uint lane, vec3 radiance, uint n) {
+    FilmMoments kept = moments[lane];
+    film_moments(kept, radiance, n);
+    moments[lane] = kept;
+}

@@ -1,0 +1,51 @@
+//! The moments of one pixel's samples, from which the standard error of their mean follows. Twin of
+//! `shaders/film/moments.glsl`.
+
+use super::pixel_sum::{PixelSum, film_add};
+use crate::reference::math::finite::is_finite3;
+use crate::reference::math::{Real, Vec3, vec3};
+
+/// Mean and Σ (x − mean)² of the samples so far, per channel. Kept beside the film, whose sum they never touch,
+/// and like it in two parts each: a plain `f32` would stand still after some million samples.
+#[derive(Clone, Copy, Debug)]
+pub struct FilmMoments<F> {
+    pub mean: PixelSum<F>,
+    pub m2: PixelSum<F>,
+}
+
+impl<F: Real> Default for FilmMoments<F> {
+    fn default() -> Self {
+        Self {
+            mean: PixelSum::zero(),
+            m2: PixelSum::zero(),
+        }
+    }
+}
+
+/// Adds sample number `n`, counted from 1; a broken one counts as 0, as it does in the film.
+///
+/// Samples that are all equal leave `m2` exactly 0. With u = 2⁻²⁴, A the largest sample, D the largest difference of
+/// two and σ² = `m2` / `n`, the relative error of `m2` is below 2√2 E/σ + (E/σ)² + 4u, E = 3u (A + D).
+pub fn film_moments<F: Real>(moments: &mut FilmMoments<F>, radiance: Vec3<F>, n: u32) {
+    let x = if is_finite3(radiance) {
+        radiance
+    } else {
+        Vec3::zero()
+    };
+    // delta = x − mean; mean += delta / n; m2 += delta (x − mean): Welford, Technometrics 4, 1962;
+    // Knuth, The Art of Computer Programming 2, 4.2.2, (15) and (16)
+    let delta = x - moments.mean.sum;
+    moments.mean = film_add(moments.mean, delta / F::from_u32(n));
+    moments.m2 = film_add(moments.m2, delta * (x - moments.mean.sum));
+}
+
+/// The standard error of the mean of `n` ≥ 2 samples, in their unit.
+///
+/// Presumes that the samples are independent, which is true of the only sampler there is: every pixel, sample and
+/// dimension draws random numbers of its own. Samples that are stratified or of low discrepancy have a smaller
+/// error than this one tells.
+pub fn film_stderr<F: Real>(moments: &FilmMoments<F>, n: u32) -> Vec3<F> {
+    // s²/n with the unbiased s² = Σ (x − mean)² / (n − 1)
+    let variance = moments.m2.sum / (F::from_u32(n) * F::from_u32(n - 1));
+    vec3(variance.x.sqrt(), variance.y.sqrt(), variance.z.sqrt())
+}

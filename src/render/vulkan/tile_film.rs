@@ -1,0 +1,92 @@
+//! What the host keeps of a tile: the film of its pixels, row by row, and all that goes with it.
+
+use crate::gpu::{Buffer, BufferUse, Device};
+use crate::layout::{FilmMoments, FilmPixel, PathState};
+use crate::render::RenderError;
+use crate::render::tiles::Tile;
+
+/// A tile between two of its slices.
+pub struct TileFilm {
+    pub tile: Tile,
+    pub pixels: Vec<FilmPixel>,
+    /// Empty where nobody asks for standard errors.
+    pub moments: Vec<FilmMoments>,
+}
+
+impl TileFilm {
+    /// No samples yet.
+    pub fn new(tile: Tile, moments: bool) -> Self {
+        let pixels = tile.pixels() as usize;
+        Self {
+            tile,
+            pixels: vec![FilmPixel::default(); pixels],
+            moments: vec![FilmMoments::default(); if moments { pixels } else { 0 }],
+        }
+    }
+}
+
+/// The paths and the film of the tile under way, on the device.
+pub struct DeviceFilm {
+    paths: Buffer,
+    film: Buffer,
+    moments: Option<Buffer>,
+}
+
+impl DeviceFilm {
+    /// Room for tiles of `pixels` pixels.
+    pub fn new(device: &Device, pixels: u32, moments: bool) -> Result<Self, RenderError> {
+        Ok(Self {
+            paths: array::<PathState>(device, "paths", pixels)?,
+            film: array::<FilmPixel>(device, "film", pixels)?,
+            moments: moments
+                .then(|| array::<FilmMoments>(device, "moments", pixels))
+                .transpose()?,
+        })
+    }
+
+    /// In the order of their bindings.
+    pub fn buffers(&self) -> impl Iterator<Item = &Buffer> {
+        [&self.paths, &self.film].into_iter().chain(&self.moments)
+    }
+
+    /// Takes up a tile of which no path is under way: its threads need to know only how many samples they have
+    /// begun.
+    pub fn upload(&self, from: &TileFilm) -> Result<(), RenderError> {
+        let fresh = |p: &FilmPixel| PathState {
+            index: p.samples,
+            ..PathState::default()
+        };
+        let paths: Vec<PathState> = from.pixels.iter().map(fresh).collect();
+        self.paths.write(bytemuck::cast_slice(&paths))?;
+        self.film.write(bytemuck::cast_slice(&from.pixels))?;
+        if let Some(moments) = &self.moments {
+            moments.write(bytemuck::cast_slice(&from.moments))?;
+        }
+        Ok(())
+    }
+
+    /// Reads the film alone, which tells whether the tile is done.
+    pub fn read_pixels(&self, to: &mut TileFilm) -> Result<(), RenderError> {
+        Ok(self
+            .film
+            .read_into(bytemuck::cast_slice_mut(&mut to.pixels))?)
+    }
+
+    /// Reads what else goes with the film.
+    pub fn read_moments(&self, to: &mut TileFilm) -> Result<(), RenderError> {
+        if let Some(moments) = &self.moments {
+            moments.read_into(bytemuck::cast_slice_mut(&mut to.moments))?;
+        }
+        Ok(())
+    }
+
+    pub fn read_paths(&self) -> Result<Vec<PathState>, RenderError> {
+        Ok(bytemuck::pod_collect_to_vec(&self.paths.read()?))
+    }
+}
+
+/// `count` records of `T`, zeros.
+pub fn array<T>(device: &Device, name: &str, count: u32) -> Result<Buffer, RenderError> {
+    let bytes = u64::from(count) * size_of::<T>() as u64;
+    Ok(device.buffer(name, BufferUse::Storage, bytes)?)
+}
