@@ -1,6 +1,7 @@
 //! What cannot be compared.
 
-/// Why two pictures could not be compared. `picture` names the culprit: `test picture`, `reference` ….
+/// Why two pictures could not be compared. `picture` names the culprit: `test picture`, `reference` …; rows count from
+/// the top.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MetricsError {
     #[error(
@@ -22,12 +23,16 @@ pub enum MetricsError {
         height: u32,
         pixels: usize,
     },
-    #[error("the {picture} is {value} at column {x}, row {y}, channel {channel}")]
-    NotFinite {
+    #[error("the {picture} holds {value} at column {x}, row {y}, channel {channel}")]
+    Value {
         picture: &'static str,
         x: usize,
         y: usize,
         channel: char,
         value: f32,
     },
+    #[error("FLIP knows 1 to 1000 pixels per degree, not {0}")]
+    PixelsPerDegree(f64),
+    #[error("a test's level lies between 0 and 1, not at {0}")]
+    Level(f64),
 }

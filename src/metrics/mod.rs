@@ -1,8 +1,10 @@
 //! How far a picture is from another: pure functions over films, every sum in f64.
 //!
-//! [`Pair`] checks two pictures once, so that no metric has to. [`Errors`] are single numbers.
+//! [`Pair`] checks two pictures once, so that no metric has to. [`Errors`] are single numbers;
+//! [`flip`] is a number a pixel.
 
 mod error;
+pub mod flip;
 mod mse;
 mod pair;
 mod rel_mse;

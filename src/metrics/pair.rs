@@ -39,6 +39,19 @@ impl<'a> Pair<'a> {
 
 /// A film that metrics take: it has pixels, as many as it says, and all of them are finite.
 pub(super) fn check(film: &Film, picture: &'static str) -> Result<(), MetricsError> {
+    check_values(film, picture, f32::is_finite)
+}
+
+/// The same of standard errors, which are not below 0 either.
+pub(super) fn check_errors(film: &Film, picture: &'static str) -> Result<(), MetricsError> {
+    check_values(film, picture, |v| v.is_finite() && v >= 0.0)
+}
+
+fn check_values(
+    film: &Film,
+    picture: &'static str,
+    is_good: impl Fn(f32) -> bool,
+) -> Result<(), MetricsError> {
     let &Film {
         width,
         height,
@@ -55,20 +68,17 @@ pub(super) fn check(film: &Film, picture: &'static str) -> Result<(), MetricsErr
             pixels: rgb.len(),
         });
     }
-    let broken = rgb.iter().flatten().position(|v| !v.is_finite());
-    broken.map_or(Ok(()), |i| Err(not_finite(film, picture, i)))
-}
-
-/// The error of the `i`-th value, counted over pixels and their channels.
-fn not_finite(film: &Film, picture: &'static str, i: usize) -> MetricsError {
-    let (pixel, channel) = (i / 3, i % 3);
-    MetricsError::NotFinite {
+    let bad = rgb.iter().flatten().position(|&v| !is_good(v));
+    let Some((pixel, channel)) = bad.map(|i| (i / 3, i % 3)) else {
+        return Ok(());
+    };
+    Err(MetricsError::Value {
         picture,
-        x: pixel % film.width as usize,
-        y: pixel / film.width as usize,
+        x: pixel % width as usize,
+        y: pixel / width as usize,
         channel: ['R', 'G', 'B'][channel],
-        value: film.rgb[pixel][channel],
-    }
+        value: rgb[pixel][channel],
+    })
 }
 
 /// Two films with their names.

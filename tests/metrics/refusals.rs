@@ -41,7 +41,7 @@ fn values_that_are_not_finite() {
         bad.rgb[6][1] = value;
         assert_eq!(
             refusal(&bad, &good),
-            format!("the test picture is {text} at column 2, row 1, channel G")
+            format!("the test picture holds {text} at column 2, row 1, channel G")
         );
         assert!(Pair::new(&good, &bad).is_err());
     }
