@@ -1,8 +1,9 @@
 //! How far a picture is from another: pure functions over films, every sum in f64.
 //!
 //! [`Pair`] checks two pictures once, so that no metric has to. [`Errors`] are single numbers;
-//! [`flip`] is a number a pixel.
+//! [`flip`] is a number a pixel; [`blocks`] tests whether chance explains the difference.
 
+pub mod blocks;
 mod error;
 pub mod flip;
 mod mse;

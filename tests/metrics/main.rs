@@ -1,6 +1,10 @@
 //! The metrics against closed forms and other programs' numbers; each of them fails on a planted error.
 
+mod blocks;
+mod calibration;
 mod closed_forms;
+mod estimates;
 mod flip;
 mod pictures;
+mod planted;
 mod refusals;
