@@ -1,11 +1,12 @@
 //! How far a picture is from another: pure functions over films, every sum in f64.
 //!
 //! [`Pair`] checks two pictures once, so that no metric has to. [`Errors`] are single numbers;
-//! [`flip`] is a number a pixel; [`blocks`] tests whether chance explains the difference.
+//! [`flip`] and [`heatmap()`] show where they come from; [`blocks`] tests whether chance explains them.
 
 pub mod blocks;
 mod error;
 pub mod flip;
+mod heatmap;
 mod mse;
 mod pair;
 mod rel_mse;
@@ -13,6 +14,7 @@ mod smape;
 mod trimmed;
 
 pub use error::MetricsError;
+pub use heatmap::{HEATMAP_RANGE, heatmap};
 pub use pair::Pair;
 pub use trimmed::{Trimmed, trimmed};
 

@@ -5,6 +5,7 @@ mod calibration;
 mod closed_forms;
 mod estimates;
 mod flip;
+mod heatmap;
 mod pictures;
 mod planted;
 mod refusals;

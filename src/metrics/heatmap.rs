@@ -1,0 +1,28 @@
+//! Where a picture is off: relMSE of each pixel as a colour.
+
+use super::{Pair, relative_squared_errors};
+use crate::film::Film;
+use crate::image::srgb;
+
+/// relMSE of the darkest and the brightest colour; between them the scale is logarithmic. It is fixed, so that
+/// two maps can be compared.
+pub const HEATMAP_RANGE: [f64; 2] = [1e-6, 1.0];
+
+/// Each pixel's relative squared error on the scale of [`HEATMAP_RANGE`], in magma (Smith and van der Walt, the
+/// default colour maps of Matplotlib 2.0). The film's PNG at exposure 0 has exactly the colours of the map.
+pub fn heatmap(pair: &Pair) -> Film {
+    let [low, high] = HEATMAP_RANGE.map(f64::log10);
+    let colour = |error: f64| {
+        // The logarithm of 0 is −∞, which is clamped like all that is below the range.
+        let t = (error.log10() - low) / (high - low);
+        let code = colorous::MAGMA.eval_continuous(t.clamp(0.0, 1.0));
+        [code.r, code.g, code.b].map(|c| srgb::linear(f64::from(c) / 255.0) as f32)
+    };
+    Film {
+        rgb: relative_squared_errors(pair)
+            .into_iter()
+            .map(colour)
+            .collect(),
+        ..*pair.test()
+    }
+}
