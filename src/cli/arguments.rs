@@ -56,8 +56,8 @@ pub struct RenderArguments {
     #[arg(required = true)]
     scene: Option<PathBuf>,
 
-    /// Picture to write: .png (sRGB) or .exr (linear, f32); may be repeated [default: the scene's
-    /// name with .png and .exr, in the working directory]
+    /// Picture to write: .png (sRGB), .hdr (linear, RGBE) or .exr (linear, f32); may be repeated
+    /// [default: the scene's name with .png and .exr, in the working directory]
     #[arg(short, long = "output", value_name = "FILE", help_heading = "Picture")]
     #[arg(value_parser = values::output)]
     pub output: Vec<Output>,

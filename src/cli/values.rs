@@ -76,7 +76,7 @@ pub fn output(text: &str) -> Result<Output, String> {
             path: text.into(),
             format,
         }),
-        None => Err("the ending must be .png or .exr".to_owned()),
+        None => Err("the ending must be .png, .hdr or .exr".to_owned()),
     }
 }
 

@@ -17,7 +17,7 @@ pub fn quantise(linear: f64) -> u8 {
     (255.0 * transfer(linear)).round() as u8
 }
 
-/// The linear value of an encoded one in [0, 1].
+/// The linear value of an encoded one in [0, 1]; goes on above 1 by the same power.
 pub fn linear(encoded: f64) -> f64 {
     // L = C/12.92 for C ≤ 0.04045, ((C + 0.055)/1.055)^2.4 above
     if encoded <= 0.04045 {

@@ -21,8 +21,11 @@ fn a_wrong_command_line_is_2() {
         (&[], "<SCENE>"),
         (&["scene.scn", "other.scn"], "other.scn"),
         (&["scene.scn", "--nonsense"], "--nonsense"),
-        (&["scene.scn", "-o", "a.jpg"], ".png or .exr"),
-        (&["scene.scn", "-o", "a.png", "-o", "b"], ".png or .exr"),
+        (&["scene.scn", "-o", "a.jpg"], ".png, .hdr or .exr"),
+        (
+            &["scene.scn", "-o", "a.png", "-o", "b"],
+            ".png, .hdr or .exr",
+        ),
         (&["scene.scn", "--spp", "0"], "--spp"),
         (&["scene.scn", "--spp", "4294967296"], "--spp"),
         (&["scene.scn", "--seed", "-1"], "-1"),

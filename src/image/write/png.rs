@@ -2,8 +2,9 @@
 
 use std::io::Write;
 
-use super::{EncodeError, srgb};
+use super::EncodeError;
 use crate::film::Film;
+use crate::image::srgb;
 
 /// Writes the film × 2^`exposure`, through the sRGB transfer, clamped.
 pub fn encode(film: &Film, exposure: f64, out: &mut impl Write) -> Result<(), EncodeError> {

@@ -1,0 +1,57 @@
+//! Why a picture could not be read.
+
+use std::io;
+use std::path::PathBuf;
+
+/// A file and what is wrong with it.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {cause}", path.display())]
+pub struct ReadError {
+    pub path: PathBuf,
+    pub cause: DecodeError,
+}
+
+/// What is wrong with a file, or with what vkpt can do with it.
+#[derive(Debug, thiserror::Error)]
+pub enum DecodeError {
+    #[error("{0}")]
+    Io(#[from] io::Error),
+    #[error("is a folder")]
+    Folder,
+    #[error("is neither a file nor a folder")]
+    NoFile,
+    #[error("is empty")]
+    Empty,
+    #[error("is no picture that vkpt reads: EXR, HDR or PNG")]
+    Unknown,
+    /// What the format's crate says.
+    #[error("is broken: {0}")]
+    Broken(String),
+    #[error("vkpt can't read that: {0}")]
+    Unsupported(String),
+    #[error("holds no pixels")]
+    NoPixels,
+    #[error("{width}×{height} pixels are too many: vkpt reads up to 2²⁸")]
+    TooLarge { width: u64, height: u64 },
+    #[error("is broken: {bytes} bytes can't hold {width}×{height} pixels")]
+    Lying { width: u64, height: u64, bytes: u64 },
+    #[error("has no channels R, G and B; those that it has are {}", channels.join(", "))]
+    Missing { channels: Vec<String> },
+    #[error("has R, G and B in several layers, and vkpt can't know which is meant: {}", layers.join(", "))]
+    Ambiguous { layers: Vec<String> },
+    #[error("has whole numbers (UINT) for radiance in channel {channel}")]
+    WholeNumbers { channel: String },
+    #[error("its colours are not sRGB: {0}; convert them first")]
+    Colours(String),
+    #[error(
+        "{count} of its values {} NaN or infinite; the first is {value} in pixel {x},{y} from the top left, channel {channel}",
+        if *count == 1 { "is" } else { "are" }
+    )]
+    NotFinite {
+        count: usize,
+        value: f32,
+        x: i64,
+        y: i64,
+        channel: char,
+    },
+}

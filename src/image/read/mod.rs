@@ -1,0 +1,125 @@
+//! Pictures of any program: linear RGB, where the pixels are, and how they were rounded.
+
+mod error;
+mod exr;
+mod hdr;
+mod png;
+
+use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+
+pub use error::{DecodeError, ReadError};
+
+use super::{Format, Precision};
+use crate::film::Film;
+
+/// The largest picture that is read: what 16384² pixels need, 3 GiB.
+const MOST_PIXELS: u64 = 1 << 28;
+
+/// No picture has more pixels for each byte of its file. Compressed best, a black picture has 11,000: DWA keeps
+/// 6 bytes of an 8×8 block, and deflate (RFC 1951) shortens at most 1032-fold.
+const MOST_PIXELS_A_BYTE: u64 = 1 << 14;
+
+/// A picture as a file holds it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// The pixels that are there, all finite. Negative ones are legal: other renderers filter.
+    pub film: Film,
+    /// Column and row of the film's top left pixel in the full picture; [0, 0] but for an EXR's data window.
+    pub origin: [i32; 2],
+    /// Width and height of the full picture: the film's, or an EXR's display window.
+    pub full: [u32; 2],
+    pub precision: Precision,
+}
+
+impl Picture {
+    /// A film that is the full picture.
+    fn whole(film: Film, precision: Precision) -> Self {
+        let full = [film.width, film.height];
+        Self {
+            film,
+            origin: [0, 0],
+            full,
+            precision,
+        }
+    }
+}
+
+/// Reads an EXR, an HDR or a PNG, told apart by their first bytes: [`decode`] says what of them.
+pub fn read(path: &Path) -> Result<Picture, ReadError> {
+    let picture = || {
+        let metadata = fs::metadata(path)?;
+        if metadata.is_dir() {
+            return Err(DecodeError::Folder);
+        }
+        if !metadata.is_file() {
+            return Err(DecodeError::NoFile);
+        }
+        decode(&fs::read(path)?)
+    };
+    picture().map_err(|cause| ReadError {
+        path: path.to_owned(),
+        cause,
+    })
+}
+
+/// The picture that a file's bytes hold.
+///
+/// EXR: flat, any of the compressions but HTJ2K, scan lines or tiles (of which the finest level), half or float. R, G and
+/// B are those of the first part that has them; otherwise those of the only layer (`color.R` …) that does.
+/// HDR: RGBE with the rows from the top; `EXPOSURE` is undone. PNG: 1 to 16 bits, grey, palette or RGB, as sRGB
+/// codes. Alpha and all other channels are ignored. Primaries other than sRGB's are refused, and so is a PNG that
+/// says its codes are not sRGB.
+pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
+    if bytes.is_empty() {
+        return Err(DecodeError::Empty);
+    }
+    let decode = match Format::of_bytes(bytes).ok_or(DecodeError::Unknown)? {
+        Format::Exr => exr::decode,
+        Format::Hdr => hdr::decode,
+        Format::Png => png::decode,
+    };
+    // The crates are hardened against broken files, but not proved to be.
+    let picture = catch_unwind(AssertUnwindSafe(|| decode(bytes)))
+        .unwrap_or(Err(DecodeError::Broken("its decoder gave up".to_owned())))?;
+    check_finite(&picture)?;
+    Ok(picture)
+}
+
+/// How many pixels a picture has: not none, and no more than can be in a file of that length.
+fn pixels(width: u64, height: u64, file: &[u8]) -> Result<usize, DecodeError> {
+    let bytes = file.len() as u64;
+    let most = MOST_PIXELS.min(bytes.saturating_mul(MOST_PIXELS_A_BYTE));
+    match width.saturating_mul(height) {
+        0 => Err(DecodeError::NoPixels),
+        pixels if pixels > MOST_PIXELS => Err(DecodeError::TooLarge { width, height }),
+        pixels if pixels > most => Err(DecodeError::Lying {
+            width,
+            height,
+            bytes,
+        }),
+        // At most 2²⁸.
+        pixels => Ok(pixels as usize),
+    }
+}
+
+/// Refuses NaN and infinity: every mean over such a picture would be one.
+fn check_finite(picture: &Picture) -> Result<(), DecodeError> {
+    let values = picture.film.rgb.as_flattened();
+    let mut bad = values.iter().enumerate().filter(|(_, v)| !v.is_finite());
+    let Some((index, &value)) = bad.next() else {
+        return Ok(());
+    };
+    let (column, row) = (
+        index / 3 % picture.film.width as usize,
+        index / 3 / picture.film.width as usize,
+    );
+    Err(DecodeError::NotFinite {
+        count: 1 + bad.count(),
+        value,
+        x: i64::from(picture.origin[0]) + column as i64,
+        y: i64::from(picture.origin[1]) + row as i64,
+        channel: ['R', 'G', 'B'][index % 3],
+    })
+}

@@ -1,0 +1,75 @@
+//! A film as a PNG to look at, an HDR to light with or an EXR to compute with.
+
+mod exr;
+mod hdr;
+mod png;
+
+use std::io::{Seek, Write};
+
+use super::Format;
+use crate::film::Film;
+
+/// A film and its place in the full picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<'a> {
+    pub film: &'a Film,
+    /// Column and row of the film's top left pixel in the full picture.
+    pub origin: [u32; 2],
+    /// Width and height of the full picture.
+    pub full: [u32; 2],
+}
+
+/// What is told beside the pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Labels<'a> {
+    /// PNG only: stops by which radiance is scaled before it is mapped; EXR and HDR keep radiance as it is.
+    pub exposure: f64,
+    /// EXR only: the program and its version.
+    pub software: &'a str,
+    /// EXR only: names and values for the header's `comments`, a line each. Must not change from run to run.
+    pub notes: &'a [(&'static str, String)],
+}
+
+/// Why a picture could not be encoded.
+#[derive(Debug, thiserror::Error)]
+pub enum EncodeError {
+    #[error("{0}")]
+    Png(#[from] ::png::EncodingError),
+    #[error("{0}")]
+    Hdr(#[from] ::image::ImageError),
+    #[error("{0}")]
+    Exr(#[from] ::exr::error::Error),
+    #[error("the picture is {width}×{height} pixels, but its film holds {pixels}")]
+    Size {
+        width: u32,
+        height: u32,
+        pixels: usize,
+    },
+}
+
+/// Writes the frame in the format. Equal input gives equal bytes. EXR alone tells the film's place in the full
+/// picture; PNG and HDR hold the film and nothing around it.
+pub fn encode(
+    frame: &Frame,
+    format: Format,
+    labels: &Labels,
+    out: &mut (impl Write + Seek),
+) -> Result<(), EncodeError> {
+    let Film {
+        width,
+        height,
+        ref rgb,
+    } = *frame.film;
+    if u64::from(width) * u64::from(height) != rgb.len() as u64 {
+        return Err(EncodeError::Size {
+            width,
+            height,
+            pixels: rgb.len(),
+        });
+    }
+    match format {
+        Format::Png => png::encode(frame.film, labels.exposure, out),
+        Format::Hdr => hdr::encode(frame.film, out),
+        Format::Exr => exr::encode(frame, labels, out),
+    }
+}
