@@ -9,7 +9,7 @@
 // watchdog and no limit on loops (Mesa 22: 65,535 iterations a subgroup and dispatch) can touch the picture.
 //
 // Twin: src/reference/path/, which takes the same decisions in the same order, one sample at a time.
-// uses: math/steps, film/film, <moments>, path/begin, path/flight, path/shade
+// uses: math/steps, film/film, <moments>, path/begin, path/flight, path/shade, <record>
 layout(local_size_x = 64) in;
 
 bool unfinished(PathState s) {
@@ -28,6 +28,7 @@ void trace_pixel(uint lane) {
         }
         Flight flight = fly(s, pixel);
         if (s.ended != 0u) {
+            record_sample(s, lane, pixel.samples);
             film_sample(pixel, s.radiance);
             moments_sample(lane, s.radiance, pixel.samples);
             s.radiance = vec3(0.0);

@@ -13,5 +13,6 @@ pub mod prepared;
 pub mod reference;
 pub mod render;
 pub mod report;
+pub mod sample;
 pub mod scene;
 pub mod settings;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// A room of `src/` and the rooms that it may name.
-const ROOMS: [(&str, &[&str]); 15] = [
+const ROOMS: [(&str, &[&str]); 16] = [
     ("settings", &[]),
     ("scene", &["settings"]),
     ("prepared", &["scene", "settings"]),
@@ -27,17 +27,20 @@ const ROOMS: [(&str, &[&str]); 15] = [
             "layout",
             "prepared",
             "reference",
+            "sample",
             "settings",
         ],
     ),
     ("film", &[]),
+    ("sample", &[]),
     ("image", &["film"]),
-    ("metrics", &["film", "image"]),
+    ("metrics", &["film", "image", "sample"]),
     ("report", &["film", "settings"]),
     (
         "cli",
         &[
-            "film", "gpu", "image", "prepared", "render", "report", "scene", "settings",
+            "film", "gpu", "image", "metrics", "prepared", "render", "report", "sample", "scene",
+            "settings",
         ],
     ),
 ];

@@ -2,8 +2,8 @@
 
 use vkpt::kernel::{Composer, Member, StructLayout, struct_layouts};
 use vkpt::layout::{
-    Camera, Cuboid, Cylinder, Field, FilmMoments, FilmPixel, GpuStruct, Light, Material, PathState,
-    Record, Shape, Slice, Sphere,
+    Camera, Cuboid, Cylinder, Field, FilmMoments, FilmPixel, GpuStruct, Light, Material,
+    PathOutcome, PathState, Record, Shape, Slice, Sphere,
 };
 
 /// Name, size and member offsets, as Rust has them.
@@ -63,6 +63,7 @@ fn naga_lays_out_every_struct_as_rust_does() {
     check::<FilmPixel>();
     check::<FilmMoments>();
     check::<Record>();
+    check::<PathOutcome>();
     check::<Slice>();
 }
 

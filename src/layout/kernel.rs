@@ -31,7 +31,7 @@ crate::gpu_struct! {
         ended: uint,
         /// 1: `d` comes from the camera or from a delta lobe.
         delta: uint,
-        /// Events written down so far.
+        /// What the slot `record` keeps: events written down so far, or the chain of the path's vertices.
         recorded: uint,
         shadow_o: vec3,
         shadow_start: uint,
@@ -50,7 +50,8 @@ crate::gpu_struct! {
         t_self: float,
         /// The same for `shadow_o`.
         shadow_t_self: float,
-        pad0: uint,
+        /// The same: the chain of its connections.
+        connected: uint,
     }
 
     /// A pixel's sum of samples, Σ = sum + comp, and what was counted on the way.
@@ -104,6 +105,14 @@ crate::gpu_struct! {
         /// Of the sample so far, pending connection not counted.
         radiance: vec3,
         pad0: uint,
+    }
+
+    /// What one sample came to, kept for `compare --paired`.
+    pub struct PathOutcome {
+        /// W·sr⁻¹·m⁻².
+        radiance: vec3,
+        /// The hash of the path's decisions, see `reference::path::signature`.
+        signature: uint,
     }
 
     /// What one dispatch is to do.

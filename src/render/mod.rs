@@ -1,6 +1,7 @@
 //! Rendering: a prepared scene, a device, and the film that comes out.
 
 mod cpu;
+mod paired;
 mod slices;
 mod tiles;
 mod trace;
@@ -14,6 +15,7 @@ use crate::gpu::{Device, GpuError};
 use crate::kernel::{KernelError, Spirv};
 use crate::prepared::Prepared;
 use crate::settings::Settings;
+pub use paired::paired;
 use tiles::Tile;
 pub use trace::{Trace, trace};
 pub use vulkan::DispatchLimits;

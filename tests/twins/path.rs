@@ -1,14 +1,21 @@
-//! Twins of those functions of `shaders/path/` that need no scene: weights, Beer's law, roulette.
+//! Twins of those functions of `shaders/path/` that need no scene: weights, Beer's law, roulette, signatures.
 
 use vkpt::reference::path::connect::{connection_weight, hit_weight, power_heuristic};
 use vkpt::reference::path::medium::{beer, beer3};
 use vkpt::reference::path::roulette::roulette_survival;
+use vkpt::reference::path::signature::{decide, path_signature};
 use vkpt::settings::{Connect, Roulette};
 
 use super::harness::{Rng, Row, Twin};
 
 pub fn twins() -> Vec<Twin> {
-    let mut twins = vec![heuristic(), absorption(), absorption_of_colours()];
+    let mut twins = vec![
+        heuristic(),
+        absorption(),
+        absorption_of_colours(),
+        decision(),
+        signature(),
+    ];
     // Where light is found by chance alone, the kernel connects nothing.
     let connects = CONNECT
         .into_iter()
@@ -159,4 +166,33 @@ fn survival((roulette, file): (Roulette, &'static str)) -> Twin {
         .edge(row(0.0, 1.0, 5))
         .edge(row(f32::NAN, 1.0, 5))
         .seeded(2000, move |r| row(r.log_range(1e-6, 4.0), r.log_range(0.1, 10.0), r.below(1100)))
+}
+
+fn decision() -> Twin {
+    Twin::new("decide", "path/signature")
+        .glsl("uint chain = in_u(); uint decision = in_u(); uint a = in_u(); out_u(decide(chain, decision, a, in_u()));")
+        .rust(|i, o| {
+            let (chain, decision, a) = (i.u(), i.u(), i.u());
+            o.u(decide(chain, decision, a, i.u()));
+        })
+        .edge([0, 1, 0, 0])
+        .edge([u32::MAX; 4])
+        .seeded(500, |r| {
+            Row::new()
+                .u(r.u32())
+                .u(1 + r.below(4))
+                .u(r.below(100))
+                .u(r.below(8))
+        })
+}
+
+fn signature() -> Twin {
+    Twin::new("path_signature", "path/signature")
+        .glsl("uint vertices = in_u(); out_u(path_signature(vertices, in_u()));")
+        .rust(|i, o| {
+            let vertices = i.u();
+            o.u(path_signature(vertices, i.u()));
+        })
+        .edge([0, 0])
+        .seeded(500, |r| Row::new().u(r.u32()).u(r.u32()))
 }

@@ -1,10 +1,11 @@
 // Explicit connection of a vertex to a point on a light. Comes before roulette, which scales only the extension
 // (model page, section 10).
-// uses: math/finite, path/vertex, sampler/dimensions, sampler/unit_float, <sampler>, <self_distance>, <light_choice>, <light>, <bsdf>, <connect>, <medium>
+// uses: math/finite, path/vertex, sampler/dimensions, sampler/unit_float, <sampler>, <self_distance>, <light_choice>, <light>, <bsdf>, <connect>, <medium>, <record>
 
 void connect(inout PathState s, Vertex v, uint pixel_index) {
     uvec4 u = sampler_block(pixel_index, job.sample_begin + s.index - 1u, light_block(s.bounce), camera.seed);
     uint light = light_choice(u.x >> 8u);
+    record_light(s, light);
     LightSample l = light_sample(light, v.p, u.y >> 8u, vec2(unit_float(u.z), unit_float(u.w)));
     float p = light_pmf(light) * l.pdf;
     vec3 wi = to_local(v.frame, l.wi);

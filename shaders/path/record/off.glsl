@@ -1,6 +1,9 @@
 // Nothing is written down.
 // uses: path/vertex
 
+void record_light(inout PathState s, uint light) {
+}
+
 void record_vertex(inout PathState s, Vertex v, uint lobe) {
 }
 
@@ -8,4 +11,7 @@ void record_connection(inout PathState s, bool visible) {
 }
 
 void record_escape(inout PathState s) {
+}
+
+void record_sample(inout PathState s, uint lane, uint index) {
 }

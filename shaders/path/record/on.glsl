@@ -12,6 +12,10 @@ void record(inout PathState s, Record event) {
     s.recorded += 1u;
 }
 
+// A connection tells of its light.
+void record_light(inout PathState s, uint light) {
+}
+
 void record_vertex(inout PathState s, Vertex v, uint lobe) {
     record(s, Record(RECORD_VERTEX, lobe, v.shape, v.prim, v.p, s.pdf, s.throughput, s.medium, s.radiance, 0u));
 }
@@ -23,4 +27,8 @@ void record_connection(inout PathState s, bool visible) {
 
 void record_escape(inout PathState s) {
     record(s, Record(RECORD_ESCAPE, 0u, NONE, NONE, s.d, s.pdf, s.throughput, s.medium, s.radiance, 0u));
+}
+
+// There is one sample.
+void record_sample(inout PathState s, uint lane, uint index) {
 }

@@ -1,6 +1,6 @@
 //! The prelude of a scene's kernel: constants, structs, buffers.
 
-use super::Parameters;
+use super::{Parameters, Recording};
 use crate::features::Features;
 use crate::layout::BufferUse;
 use crate::layout::{self, GpuStruct};
@@ -83,9 +83,16 @@ pub fn prelude(features: &Features, parameters: &Parameters) -> String {
         text += &layout::FilmMoments::glsl();
         state.push(("FilmMoments", "moments"));
     }
-    if parameters.records.is_some() {
-        text += &layout::Record::glsl();
-        state.push(("Record", "records"));
+    match parameters.recording {
+        Recording::Nothing => {}
+        Recording::Events(_) => {
+            text += &layout::Record::glsl();
+            state.push(("Record", "records"));
+        }
+        Recording::Outcomes(_) => {
+            text += &layout::PathOutcome::glsl();
+            state.push(("PathOutcome", "outcomes"));
+        }
     }
     for (i, (ty, name)) in state.into_iter().enumerate() {
         text += &state_buffer(ty, name, parameters.bindings.len() + i);
@@ -115,8 +122,10 @@ fn constants(parameters: &Parameters) -> String {
     if let Some(light) = parameters.background_light {
         uint("BACKGROUND_LIGHT", light);
     }
-    if let Some(n) = parameters.records {
-        uint("RECORDS", n);
+    match parameters.recording {
+        Recording::Nothing => {}
+        Recording::Events(n) => uint("RECORDS", n),
+        Recording::Outcomes(n) => uint("OUTCOMES", n),
     }
     if let Some((stack, _)) = parameters.bvh {
         uint("STACK", stack.max(1));

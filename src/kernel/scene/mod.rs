@@ -21,8 +21,17 @@ pub struct Parameters<'a> {
     pub bvh: Option<(u32, f32)>,
     /// Index of the background among the lights, where it shines.
     pub background_light: Option<u32>,
-    /// Write so many events of a path into the buffer `records`.
-    pub records: Option<u32>,
+    pub recording: Recording,
+}
+
+/// What a kernel writes down of its paths beside the film.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Recording {
+    Nothing,
+    /// So many events of a path, into the buffer `records`.
+    Events(u32),
+    /// What the paths of so many samples a pixel came to, into the buffer `outcomes`.
+    Outcomes(u32),
 }
 
 /// The path kernel for a scene of these features: the files it needs, the generated dispatch, nothing else.
@@ -168,10 +177,10 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
         ),
         (
             "record",
-            if parameters.records.is_some() {
-                "path/record/on"
-            } else {
-                "path/record/off"
+            match parameters.recording {
+                Recording::Nothing => "path/record/off",
+                Recording::Events(_) => "path/record/on",
+                Recording::Outcomes(_) => "path/record/signature",
             },
         ),
     ]

@@ -26,7 +26,7 @@ pub fn connect<F: Real>(
     if world.lights.is_empty() || settings.estimator.connect == Connect::Bsdf {
         return;
     }
-    let Some(c) = shadow_to_light(world, settings, s, v, id) else {
+    let Some(c) = shadow_to_light(world, settings, s, v, id, recorder) else {
         return;
     };
     let arrived = shadow_ray(world, settings, c, &mut s.rays);
@@ -42,9 +42,11 @@ fn shadow_to_light<F: Real>(
     s: &PathState<F>,
     v: &Vertex<F>,
     id: SampleId,
+    recorder: &mut impl Recorder<F>,
 ) -> Option<ShadowRay<F>> {
     let u = sampler_block(id.pixel, id.sample, light_block(s.bounce), id.seed);
     let light = world.light_choice(u[0] >> 8);
+    recorder.light(light);
     let l = world.light_sample(light, v.p, u[1] >> 8, [unit_float(u[2]), unit_float(u[3])]);
     let p = world.light_pmf(light) * l.pdf;
     let wi = to_local(v.frame, l.wi);

@@ -10,6 +10,7 @@ pub mod flight;
 pub mod medium;
 pub mod record;
 pub mod roulette;
+pub mod signature;
 pub mod vertex;
 
 use super::camera::camera_direction;

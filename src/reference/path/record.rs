@@ -1,4 +1,4 @@
-//! What `--trace` writes down of a path.
+//! What is written down of a path: for `--trace` all of it, for `compare --paired` its [`signature`](super::signature).
 
 use super::PathState;
 use super::flight::ShadowRay;
@@ -7,6 +7,8 @@ use crate::reference::math::{Real, Vec3};
 
 /// Told of each event of a path, in order; the renderer uses [`Silent`].
 pub trait Recorder<F: Real> {
+    /// The light that the vertex under way was to be connected to, whether or not a connection came of it.
+    fn light(&mut self, _light: usize) {}
     /// The state after the vertex `v` was shaded and the next direction drawn from `lobe`.
     fn vertex(&mut self, s: &PathState<F>, v: &Vertex<F>, lobe: u32);
     /// A connection and the light that arrived over it.

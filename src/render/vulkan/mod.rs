@@ -2,6 +2,7 @@
 
 mod develop;
 mod limits;
+mod outcomes;
 mod run;
 mod scene_buffers;
 mod tile_film;
@@ -14,9 +15,11 @@ use super::{Job, Outcome, Progress, RenderError, Stats};
 use crate::features::Features;
 use crate::gpu::Device;
 use crate::kernel::Spirv;
+use crate::kernel::scene::Recording;
 use crate::layout::Record;
 use develop::Counts;
 pub use limits::DispatchLimits;
+pub use outcomes::Outcomes;
 use run::Run;
 
 /// Renders on `device`; ends early, with whole samples in every pixel, once `stop` is set.
@@ -29,7 +32,7 @@ pub fn render(
 ) -> Result<Outcome, RenderError> {
     let start = Instant::now();
     let features = Features::of(job.prepared, &job.settings, job.aovs);
-    let mut run = Run::new(job, device, &features, limits, None)?;
+    let mut run = Run::new(job, device, &features, limits, Recording::Nothing)?;
     let compose_s = start.elapsed().as_secs_f64();
     let compile_s = run.compile()?.as_secs_f64();
     run.gpu_time = Duration::ZERO;
@@ -68,7 +71,7 @@ pub fn render(
 /// The kernel that renders the job on `device`.
 pub fn kernel(job: &Job, device: &Device) -> Result<Spirv, RenderError> {
     let features = Features::of(job.prepared, &job.settings, job.aovs);
-    Ok(run::scene_and_kernel(job, device, &features, None)?.1)
+    Ok(run::scene_and_kernel(job, device, &features, Recording::Nothing)?.1)
 }
 
 /// Slices of samples over all tiles; returns how many samples each pixel has.
@@ -112,7 +115,7 @@ pub fn records(
     };
     let features = Features::of(job.prepared, &job.settings, job.aovs);
     let limits = DispatchLimits::of(device)?;
-    let mut run = Run::new(&job, device, &features, limits, Some(CAPACITY))?;
+    let mut run = Run::new(&job, device, &features, limits, Recording::Events(CAPACITY))?;
     run.sample_begin = index;
     run.advance(0, 1)?;
     run.records()

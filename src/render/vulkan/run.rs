@@ -7,8 +7,9 @@ use super::scene_buffers::SceneBuffers;
 use super::tile_film::{DeviceFilm, TileFilm, array};
 use crate::features::Features;
 use crate::gpu::{Buffer, BufferUse, Device, Pipeline};
+use crate::kernel::scene::Recording;
 use crate::kernel::{self, Spirv};
-use crate::layout::{Record, Slice};
+use crate::layout::{PathOutcome, Record, Slice};
 use crate::render::tiles::{Tile, tiles};
 use crate::render::{Job, RenderError};
 
@@ -25,7 +26,8 @@ pub struct Run<'a> {
     pipeline: Pipeline,
     scene: SceneBuffers,
     film: DeviceFilm,
-    records: Option<Buffer>,
+    /// Events of one path, or outcomes of all.
+    recorded: Option<Buffer>,
     pub tiles: Vec<TileFilm>,
     /// The device's own time for all dispatches.
     pub gpu_time: Duration,
@@ -35,22 +37,26 @@ pub struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    /// `records`: how many events of paths to write down.
     pub fn new(
         job: &'a Job,
         device: &'a Device,
         features: &Features,
         limits: DispatchLimits,
-        records: Option<u32>,
+        recording: Recording,
     ) -> Result<Self, RenderError> {
-        let (scene, spirv) = scene_and_kernel(job, device, features, records)?;
+        let (scene, spirv) = scene_and_kernel(job, device, features, recording)?;
         let tiles = tiles(job.area(), limits.tile_pixels.max(1));
         let largest = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
         let moments = features.keeps_moments();
         let film = DeviceFilm::new(device, largest, moments)?;
+        let recorded = match recording {
+            Recording::Nothing => None,
+            Recording::Events(n) => Some(array::<Record>(device, "records", n)?),
+            Recording::Outcomes(n) => Some(array::<PathOutcome>(device, "outcomes", n * largest)?),
+        };
         let mut uses = scene.uses();
         uses.extend(film.buffers().map(|_| BufferUse::Storage));
-        uses.extend(records.map(|_| BufferUse::Storage));
+        uses.extend(recorded.iter().map(|_| BufferUse::Storage));
         let pipeline = device.pipeline(&spirv, &uses, size_of::<Slice>() as u32)?;
         Ok(Self {
             job,
@@ -58,9 +64,7 @@ impl<'a> Run<'a> {
             pipeline,
             scene,
             film,
-            records: records
-                .map(|n| array::<Record>(device, "records", n))
-                .transpose()?,
+            recorded,
             tiles: tiles
                 .into_iter()
                 .map(|tile| TileFilm::new(tile, moments))
@@ -96,6 +100,13 @@ impl<'a> Run<'a> {
         }
     }
 
+    /// Begins a tile anew, at the sample of index `sample_begin`.
+    pub fn restart(&mut self, tile: usize, sample_begin: u32) -> Result<(), RenderError> {
+        self.sample_begin = sample_begin;
+        self.tiles[tile].clear();
+        self.film.upload(&self.tiles[tile])
+    }
+
     fn dispatch(&mut self, tile: usize, sample_end: u32) -> Result<Duration, RenderError> {
         let tile = &self.tiles[tile].tile;
         let slice = Slice {
@@ -110,7 +121,7 @@ impl<'a> Run<'a> {
         };
         let mut buffers = self.scene.buffers();
         buffers.extend(self.film.buffers());
-        buffers.extend(&self.records);
+        buffers.extend(&self.recorded);
         let groups = [tile.pixels().div_ceil(WORKGROUP), 1, 1];
         let push = bytemuck::bytes_of(&slice);
         let time = self
@@ -120,10 +131,17 @@ impl<'a> Run<'a> {
         Ok(time)
     }
 
+    /// What the samples of the tile that was advanced last came to: as many a pixel as the kernel has room for.
+    pub fn outcomes(&self) -> Result<Vec<PathOutcome>, RenderError> {
+        let buffer = self.recorded.as_ref();
+        let bytes = buffer.map_or(Ok(Vec::new()), Buffer::read)?;
+        Ok(bytemuck::pod_collect_to_vec(&bytes))
+    }
+
     /// The events written down, in order.
     pub fn records(&self) -> Result<Vec<Record>, RenderError> {
         let paths = self.film.read_paths()?;
-        let Some(buffer) = &self.records else {
+        let Some(buffer) = &self.recorded else {
             return Ok(Vec::new());
         };
         let mut records: Vec<Record> = bytemuck::pod_collect_to_vec(&buffer.read()?);
@@ -137,9 +155,9 @@ pub fn scene_and_kernel(
     job: &Job,
     device: &Device,
     features: &Features,
-    records: Option<u32>,
+    recording: Recording,
 ) -> Result<(SceneBuffers, Spirv), RenderError> {
     let scene = SceneBuffers::new(device, job.prepared, features, job.seed)?;
-    let composed = kernel::scene::compose(features, &scene.parameters(job, records))?;
+    let composed = kernel::scene::compose(features, &scene.parameters(job, recording))?;
     Ok((scene, kernel::compile(&composed)?))
 }

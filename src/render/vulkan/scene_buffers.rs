@@ -6,7 +6,7 @@ use bytemuck::NoUninit;
 use crate::features::Features;
 use crate::flat;
 use crate::gpu::{Buffer, BufferUse, Device};
-use crate::kernel::scene::{Binding, Element, Parameters};
+use crate::kernel::scene::{Binding, Element, Parameters, Recording};
 use crate::layout::GpuStruct;
 use crate::prepared::{Light, LightKind, Prepared, ShapeKind};
 use crate::render::{Job, RenderError};
@@ -81,7 +81,7 @@ impl SceneBuffers {
     }
 
     /// What the text of the kernel needs to know of the buffers and of the job.
-    pub fn parameters<'a>(&'a self, job: &'a Job, records: Option<u32>) -> Parameters<'a> {
+    pub fn parameters<'a>(&'a self, job: &'a Job, recording: Recording) -> Parameters<'a> {
         let is_background = |l: &Light| l.kind == LightKind::Background;
         Parameters {
             settings: &job.settings,
@@ -93,7 +93,7 @@ impl SceneBuffers {
                 .iter()
                 .position(is_background)
                 .map(|i| i as u32),
-            records,
+            recording,
         }
     }
 

@@ -23,6 +23,12 @@ impl TileFilm {
             moments: vec![FilmMoments::default(); if moments { pixels } else { 0 }],
         }
     }
+
+    /// Forgets all samples.
+    pub fn clear(&mut self) {
+        self.pixels.fill(FilmPixel::default());
+        self.moments.fill(FilmMoments::default());
+    }
 }
 
 /// The paths and the film of the tile under way, on the device.

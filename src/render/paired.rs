@@ -1,0 +1,116 @@
+//! The same samples by a Vulkan device and by both references, a slice of samples of a tile at a time.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rayon::prelude::*;
+
+use super::tiles::Tile;
+use super::vulkan::Outcomes;
+use super::{Job, Progress, RenderError};
+use crate::gpu::Device;
+use crate::layout::PathOutcome;
+use crate::reference::math::Real;
+use crate::reference::path::signature::Signature;
+use crate::reference::path::{SampleId, trace_path};
+use crate::reference::world::World;
+use crate::sample::{Address, PairedSample, Path};
+
+/// Pixels and samples of one slice: 2¹⁷ paths of some 150 bytes in all, whatever the picture.
+const TILE: u32 = 1 << 13;
+const SLICE: u64 = 16;
+
+/// Renders each sample of the job three times and hands it to `take`; returns whether `stop` ended it early.
+///
+/// # Errors
+/// As those of a rendering on `device`.
+pub fn paired(
+    job: &Job,
+    device: &Device,
+    stop: &AtomicBool,
+    progress: &mut dyn FnMut(Progress),
+    take: &mut dyn FnMut(&PairedSample),
+) -> Result<bool, RenderError> {
+    let references = References::new(job);
+    let mut outcomes = Outcomes::new(job, device, TILE, SLICE.min(job.spp) as u32)?;
+    let tiles = outcomes.tiles();
+    for done in (0..job.spp).step_by(SLICE as usize) {
+        let slice = SLICE.min(job.spp - done);
+        for (i, tile) in tiles.iter().enumerate() {
+            if stop.load(Ordering::Relaxed) {
+                return Ok(true);
+            }
+            let outcomes = outcomes.of(i, done as u32, slice as u32)?;
+            let samples = references.samples(tile, done as u32, &outcomes);
+            samples.iter().flatten().for_each(&mut *take);
+            let part = (i + 1) as f64 / tiles.len() as f64;
+            progress(Progress {
+                samples_done: if part == 1.0 { done + slice } else { done },
+                spp: job.spp,
+                fraction: (done as f64 + part * slice as f64) / job.spp as f64,
+            });
+        }
+    }
+    Ok(false)
+}
+
+/// The scene for both references.
+struct References<'a> {
+    job: &'a Job<'a>,
+    f32: World<f32>,
+    f64: World<f64>,
+}
+
+impl<'a> References<'a> {
+    fn new(job: &'a Job) -> Self {
+        Self {
+            job,
+            f32: World::new(job.prepared),
+            f64: World::new(job.prepared),
+        }
+    }
+
+    /// The samples from index `first` on of each pixel of a tile, beside what the device made of them.
+    fn samples(
+        &self,
+        tile: &Tile,
+        first: u32,
+        outcomes: &[Vec<PathOutcome>],
+    ) -> Vec<Vec<PairedSample>> {
+        let pixel = |(k, outcomes): (usize, &Vec<PathOutcome>)| {
+            let k = k as u32;
+            let pixel = [tile.x + k % tile.width, tile.y + k / tile.width];
+            let sample = |(index, device)| self.sample(Address { pixel, index }, device);
+            (first..).zip(outcomes).map(sample).collect()
+        };
+        outcomes.par_iter().enumerate().map(pixel).collect()
+    }
+
+    fn sample(&self, address: Address, device: &PathOutcome) -> PairedSample {
+        PairedSample {
+            address,
+            device: Path {
+                radiance: device.radiance.map(f64::from),
+                signature: device.signature,
+            },
+            f32: path(self.job, &self.f32, address),
+            f64: path(self.job, &self.f64, address),
+        }
+    }
+}
+
+fn path<F: Real>(job: &Job, world: &World<F>, address: Address) -> Path {
+    let [column, row] = address.pixel;
+    let id = SampleId {
+        column,
+        row,
+        pixel: row * world.width + column,
+        sample: address.index,
+        seed: job.seed,
+    };
+    let mut signature = Signature::default();
+    let result = trace_path(world, &job.settings, id, &mut signature);
+    Path {
+        radiance: result.radiance.f64().to_array(),
+        signature: signature.word(),
+    }
+}
