@@ -9,6 +9,7 @@ pub mod flip;
 mod heatmap;
 mod mse;
 mod pair;
+pub mod paired;
 mod rel_mse;
 mod smape;
 mod trimmed;
