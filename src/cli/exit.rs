@@ -24,6 +24,8 @@ pub enum Failure {
     /// Warnings that `--strict` makes errors.
     Strict(Vec<String>),
     Render(RenderError),
+    /// What was compared is not the same.
+    Comparison(Vec<String>),
     /// By the Vulkan loader or for want of a device.
     NoDevice(String),
     Files(Vec<FileError>),
@@ -46,7 +48,7 @@ impl Failure {
     fn code(&self) -> u8 {
         match self {
             Self::Render(error) if error.is_no_device() => 4,
-            Self::Render(_) => 1,
+            Self::Render(_) | Self::Comparison(_) => 1,
             Self::Usage(_) => 2,
             Self::Scene(_) | Self::Prepare(_) | Self::Strict(_) => 3,
             Self::NoDevice(_) => 4,
@@ -69,6 +71,7 @@ impl Failure {
                     .for_each(|warning| tell(&format!("{warning} (--strict)")));
             }
             Self::Render(error) => tell(&error),
+            Self::Comparison(differences) => differences.iter().for_each(|d| tell(d)),
             Self::NoDevice(message) => tell(&message),
             Self::Files(errors) => {
                 errors

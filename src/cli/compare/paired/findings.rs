@@ -1,0 +1,57 @@
+//! What three comparisons amount to.
+
+use super::table::thousands;
+use crate::metrics::paired::{Comparison, Verdict};
+use crate::sample::Address;
+
+/// The pairs of renderers, in the order of [`Findings::pairs`].
+pub const PAIRS: [&str; 3] = ["GPU – cpu-f32", "GPU – cpu-f64", "cpu-f32 – cpu-f64"];
+
+/// The comparisons of one run.
+pub struct Findings {
+    pub pairs: [Comparison; PAIRS.len()],
+    /// The device is a CPU driver, which rounds as the reference does: a difference in a bit is an error.
+    pub correctly_rounded: bool,
+    /// The command lines that show one path on the device and on cpu-f32, and on both references.
+    pub show: [String; 2],
+}
+
+impl Findings {
+    /// What must not be: one line each.
+    pub fn failures(&self) -> Vec<String> {
+        let bits = self.different_bits();
+        let bias = PAIRS.iter().zip(&self.pairs).filter_map(|(name, pair)| {
+            let Verdict::Biased(p) = pair.parted.verdict() else {
+                return None;
+            };
+            Some(format!(
+                "{name}: the paths that parted do not bring the same light on the mean (p = {p:.1e})"
+            ))
+        });
+        bits.into_iter().chain(bias).collect()
+    }
+
+    fn different_bits(&self) -> Option<String> {
+        let pair = &self.pairs[0];
+        let first = pair.first_unequal.filter(|_| self.correctly_rounded)?;
+        Some(format!(
+            "a driver of the CPU must equal cpu-f32 in every bit; {} of {} paths differ, the first at pixel {},{}, \
+             sample {}: {}",
+            thousands(pair.paths - pair.equal),
+            thousands(pair.paths),
+            first.pixel[0],
+            first.pixel[1],
+            first.index,
+            self.command(0, first)
+        ))
+    }
+
+    /// The command line that shows a path that a pair differs in.
+    pub fn command(&self, pair: usize, address: Address) -> String {
+        // Where the device equals cpu-f32, what there is to see is between the references.
+        let on_device = pair == 0 || (pair == 1 && !self.pairs[0].is_equal());
+        let show = &self.show[usize::from(!on_device)];
+        let [x, y] = address.pixel;
+        format!("{show} --trace {x},{y},{}", address.index)
+    }
+}
