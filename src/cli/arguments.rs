@@ -9,6 +9,7 @@ use super::compare::CompareArguments;
 use super::exit::Failure;
 use super::job::Request;
 use super::values::{self, Output, Preset, SamplePath, choice};
+use crate::film::Aov;
 use crate::gpu::Selector;
 use crate::render::Target;
 use crate::settings::{
@@ -69,6 +70,17 @@ pub struct RenderArguments {
     /// Only these pixels, counted from the top left; X1 and Y1 are excluded
     #[arg(long, value_name = "X0,Y0,X1,Y1", help_heading = "Picture", value_parser = values::crop)]
     pub crop: Option<[u32; 4]>,
+
+    /// Write beside each picture what else is known of its pixels. stderr: standard errors of the
+    /// mean, to NAME-stderr.exr
+    #[arg(
+        long,
+        value_name = "WHAT",
+        help_heading = "Picture",
+        value_delimiter = ','
+    )]
+    #[arg(value_parser = choice::<Aov>(), hide_possible_values = true)]
+    pub aov: Vec<Aov>,
 
     /// Stops by which .png is brightened; negative: darkened
     #[arg(long, value_name = "EV", help_heading = "Picture", default_value = "0")]

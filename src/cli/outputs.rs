@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::arguments::{RenderArguments, usage};
 use super::exit::Failure;
 use super::values::Output;
+use crate::film::Aov;
 use crate::image::file::{FileError, check_writable, write_whole};
 use crate::image::{Format, Frame, Labels, encode};
 use crate::report::Record;
@@ -14,6 +15,8 @@ use crate::report::Record;
 #[derive(Debug)]
 pub struct Outputs<'a> {
     pub pictures: Vec<Output>,
+    /// Standard errors, one file for all pictures that differ in their ending alone; none if nobody asks.
+    pub stderr: Vec<Output>,
     pub json: Option<&'a Path>,
 }
 
@@ -24,30 +27,25 @@ impl<'a> Outputs<'a> {
         if pictures.is_empty() {
             pictures = default_pictures(arguments.scene()?)?;
         }
+        let stderr = match arguments.aov.contains(&Aov::Stderr) {
+            true => stderr_files(&pictures, arguments.spp)?,
+            false => Vec::new(),
+        };
         let json = arguments.json.as_deref();
-        let paths = pictures
-            .iter()
-            .map(|picture| picture.path.as_path())
-            .chain(json);
+        let films = pictures.iter().chain(&stderr);
+        let paths = films.map(|file| file.path.as_path()).chain(json);
         let errors: Vec<FileError> = paths
             .filter_map(|path| check_writable(path).err())
             .collect();
         if errors.is_empty() {
-            Ok(Self { pictures, json })
+            Ok(Self {
+                pictures,
+                stderr,
+                json,
+            })
         } else {
             Err(Failure::Files(errors))
         }
-    }
-
-    /// Writes every picture that can be written: what cost hours is not lost for another's disk.
-    pub fn write_pictures(&self, frame: &Frame, labels: &Labels) -> Vec<FileError> {
-        let write = |picture: &Output| {
-            write_whole(&picture.path, |out| {
-                encode(frame, picture.format, labels, out)
-            })
-            .err()
-        };
-        self.pictures.iter().filter_map(write).collect()
     }
 
     /// Writes the record, if it was asked for.
@@ -59,6 +57,49 @@ impl<'a> Outputs<'a> {
         self.json
             .and_then(|path| write_whole(path, |out| write(out)).err())
     }
+}
+
+/// Writes the frame to every file that can be written, for what cost hours is not lost for another's disk; which
+/// files are there now, and why others are not.
+pub fn write_frame(
+    files: &[Output],
+    frame: &Frame,
+    labels: &Labels,
+) -> (Vec<String>, Vec<FileError>) {
+    let (mut written, mut errors) = (Vec::new(), Vec::new());
+    for Output { path, format } in files {
+        match write_whole(path, |out| encode(frame, *format, labels, out)) {
+            Ok(()) => written.push(path.display().to_string()),
+            Err(error) => errors.push(error),
+        }
+    }
+    (written, errors)
+}
+
+/// `NAME-stderr.exr` beside each picture `NAME.png` or `NAME.exr`.
+fn stderr_files(pictures: &[Output], spp: u32) -> Result<Vec<Output>, Failure> {
+    if spp < 2 {
+        return Err(usage(
+            "--aov stderr needs --spp 2 or more: one sample tells nothing of its error",
+        ));
+    }
+    let mut files: Vec<Output> = Vec::new();
+    for picture in pictures {
+        let mut name = picture.path.file_stem().unwrap_or_default().to_os_string();
+        name.push("-stderr.exr");
+        let path = picture.path.with_file_name(name);
+        if pictures.iter().any(|other| other.path == path) {
+            return Err(usage(format!(
+                "--aov stderr would write over the picture {}: give it another name",
+                path.display()
+            )));
+        }
+        if files.iter().all(|other| other.path != path) {
+            let format = Format::Exr;
+            files.push(Output { path, format });
+        }
+    }
+    Ok(files)
 }
 
 /// The scene's name with both endings, in the working directory.

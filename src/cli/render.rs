@@ -7,8 +7,11 @@ use super::arguments::RenderArguments;
 use super::exit::{Ending, Failure, warn};
 use super::interrupt::stop_flag;
 use super::job::Ready;
-use super::outputs::Outputs;
+use super::outputs::{Outputs, write_frame};
 use super::progress::Display;
+use super::values::Output;
+use crate::film::{Aov, Film};
+use crate::image::file::FileError;
 use crate::image::{Frame, Labels};
 use crate::render::{self, Outcome};
 use crate::report::{self, Dropped, Job, Machine, Record, SOFTWARE, Seconds, Work};
@@ -39,7 +42,10 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
 }
 
 fn develop(arguments: &RenderArguments, ready: &Ready) -> Result<Outcome, Failure> {
-    let job = ready.job(&arguments.request()?)?;
+    let job = render::Job {
+        aovs: &arguments.aov,
+        ..ready.job(&arguments.request()?)?
+    };
     let stop = stop_flag();
     let mut display = Display::new(arguments.quiet);
     let outcome = render::render(&job, &arguments.target(), &stop, &mut |progress| {
@@ -49,34 +55,40 @@ fn develop(arguments: &RenderArguments, ready: &Ready) -> Result<Outcome, Failur
     outcome.map_err(Failure::Render)
 }
 
-/// Writes pictures and the JSON, and notes in the record what was written and how long it took.
+/// Writes pictures, what goes beside them and the JSON; notes in the record what was written and how long it took.
 fn write(
     arguments: &RenderArguments,
     outputs: &Outputs,
     outcome: &Outcome,
     record: &mut Record,
-) -> Vec<crate::image::file::FileError> {
+) -> Vec<FileError> {
     let start = Instant::now();
     let [x0, y0, ..] = arguments.crop.unwrap_or_default();
-    let frame = Frame {
-        film: &outcome.film,
-        origin: [x0, y0],
-        full: record.job.size,
+    let (job, device) = (&record.job, &record.machine.device);
+    let write = |files: &[Output], film: &Film, notes: &[_]| {
+        let frame = Frame {
+            film,
+            origin: [x0, y0],
+            full: job.size,
+        };
+        let labels = Labels {
+            exposure: arguments.exposure,
+            software: SOFTWARE,
+            notes,
+        };
+        write_frame(files, &frame, &labels)
     };
-    let notes = report::notes(&record.job, &record.machine.device);
-    let labels = Labels {
-        exposure: arguments.exposure,
-        software: SOFTWARE,
-        notes: &notes,
-    };
-    let mut errors = outputs.write_pictures(&frame, &labels);
-    let written = outputs
-        .pictures
-        .iter()
-        .filter(|picture| errors.iter().all(|e| e.path != picture.path));
-    record.files = written
-        .map(|picture| picture.path.display().to_string())
-        .collect();
+    let notes = report::notes(job, device);
+    let (mut written, mut errors) = write(&outputs.pictures, &outcome.film, &notes);
+    if let Some(stderr) = &outcome.stderr {
+        let notes = report::aov_notes(Aov::Stderr, job, device);
+        let (more, failed) = write(&outputs.stderr, stderr, &notes);
+        written.extend(more);
+        errors.extend(failed);
+    } else if !outputs.stderr.is_empty() {
+        warn("no standard errors are written: one sample tells nothing of its error");
+    }
+    record.files = written;
     record.seconds.write = start.elapsed().as_secs_f64();
     errors.extend(outputs.write_json(record));
     errors

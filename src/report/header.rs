@@ -1,6 +1,8 @@
 //! What a picture's header tells: all that the picture depends on, and nothing else.
 
+use super::names::Named;
 use super::{Job, SOFTWARE};
+use crate::film::Aov;
 
 /// Names and values, in a fixed order. Two runs that make the same picture have the same notes.
 pub fn notes(job: &Job, device: &str) -> Vec<(&'static str, String)> {
@@ -20,4 +22,14 @@ pub fn notes(job: &Job, device: &str) -> Vec<(&'static str, String)> {
         ("version", SOFTWARE.to_owned()),
     ]);
     notes
+}
+
+/// The notes of what is written beside a picture: its own, after a line that says what the values are.
+pub fn aov_notes(aov: Aov, job: &Job, device: &str) -> Vec<(&'static str, String)> {
+    let values = match aov {
+        Aov::Stderr => "standard error of the mean, per pixel and channel, of independent samples",
+    };
+    let mut all = vec![("aov", format!("{}: {values}", aov.name()))];
+    all.extend(notes(job, device));
+    all
 }

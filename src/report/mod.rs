@@ -8,7 +8,7 @@ mod record;
 mod settings;
 mod summary;
 
-pub use header::notes;
+pub use header::{aov_notes, notes};
 pub use record::{Dropped, Job, Machine, Record, Seconds, Work};
 pub use settings::SettingsRecord;
 pub use summary::{concerns, summary};

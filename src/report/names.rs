@@ -1,5 +1,6 @@
 //! The settings' names, as the command line and every record spell them.
 
+use crate::film::Aov;
 use crate::settings::{Absorption, Connect, Distribution, Fresnel, LobeChoice, Normals};
 
 /// A choice among few, each with a name.
@@ -54,6 +55,10 @@ impl Named for Connect {
     ];
 }
 
+impl Named for Aov {
+    const ALL: &'static [(Self, &'static str)] = &[(Self::Stderr, "stderr")];
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -81,6 +86,7 @@ mod tests {
         distinct(&[Absorption::Segment, Absorption::Term]);
         distinct(&[LobeChoice::Fresnel, LobeChoice::Norms]);
         distinct(&[Normals::Visible, Normals::Distribution]);
+        distinct(&[Aov::Stderr]);
         distinct(&[Connect::Mis, Connect::Light, Connect::Bsdf]);
     }
 }

@@ -57,6 +57,23 @@ fn a_wrong_command_line_is_2() {
         (&["scene.scn", "--radiance-scaling", "yes"], "on, off"),
         (&["scene.scn", "--lobe", "x"], "fresnel, norms"),
         (&["scene.scn", "--normals", "x"], "visible, distribution"),
+        (&["scene.scn", "--aov", "albedo"], "stderr"),
+        (
+            &["scene.scn", "--aov", "stderr", "--spp", "1"],
+            "--spp 2 or more",
+        ),
+        (
+            &[
+                "scene.scn",
+                "--aov",
+                "stderr",
+                "-o",
+                "a.png",
+                "-o",
+                "a-stderr.exr",
+            ],
+            "over the picture a-stderr.exr",
+        ),
         (&["scene.scn", "--connect", "x"], "mis, light, bsdf"),
         (&["devices", "scene.scn"], "scene.scn"),
     ];
@@ -144,4 +161,18 @@ fn what_cannot_be_written_is_5() {
     let run = run(folder.path(), &["scene.scn", "-o", "a.png"]);
     assert_eq!(run.code, Some(5), "{}", run.err);
     assert!(Path::new(&folder.path().join("a.png")).is_dir());
+}
+
+/// Found out before anything is rendered: the picture itself could be written.
+#[test]
+fn standard_errors_that_cannot_be_written_are_5() {
+    let folder = folder(SCENE);
+    fs::create_dir(folder.path().join("a-stderr.exr")).expect("a folder in the way");
+    let run = run(
+        folder.path(),
+        &["scene.scn", "-o", "a.png", "--aov", "stderr"],
+    );
+    assert_eq!(run.code, Some(5), "{}", run.err);
+    assert!(run.err.contains("cannot write a-stderr.exr"), "{}", run.err);
+    assert_eq!(names(folder.path()), ["a-stderr.exr", "scene.scn"]);
 }

@@ -197,6 +197,45 @@ fn a_flag_beats_a_word_and_a_word_beats_the_preset() {
     );
 }
 
+#[test]
+fn standard_errors_stand_beside_each_picture() {
+    let folder = folder(LIT);
+    let plain = ["-o", "b.exr", "--spp", "8", "--crop", "2,1,7,4"];
+    rendered(folder.path(), &plain);
+    let out = rendered(
+        folder.path(),
+        &[
+            "-o", "a.png", "-o", "a.exr", "-o", "c.exr", "--aov", "stderr", "--json", "a.json",
+            "--spp", "8", "--crop", "2,1,7,4",
+        ],
+    );
+    let files = ["a.png", "a.exr", "c.exr", "a-stderr.exr", "c-stderr.exr"];
+    assert!(
+        out.ends_with(&format!("wrote   {}\n", files.join(", "))),
+        "{out}"
+    );
+    let text = fs::read_to_string(folder.path().join("a.json")).expect("a report");
+    let json: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(json["files"], serde_json::json!(files));
+
+    let bytes = |name: &str| fs::read(folder.path().join(name)).expect("a picture");
+    assert!(bytes("a.exr") == bytes("b.exr"), "the picture is another");
+    assert!(bytes("a-stderr.exr") == bytes("c-stderr.exr"));
+    let [picture, errors] =
+        ["a.exr", "a-stderr.exr"].map(|name| read_exr(&folder.path().join(name)));
+    assert_eq!(
+        (errors.origin, errors.size, errors.full),
+        (picture.origin, picture.size, picture.full)
+    );
+    assert!(errors.rgb.iter().flatten().any(|&e| e > 0.0));
+    let (first, rest) = errors.comments.split_once('\n').expect("notes");
+    assert!(
+        first.starts_with("aov: stderr: standard error of the mean"),
+        "{first}"
+    );
+    assert_eq!(rest, picture.comments);
+}
+
 /// A diffuse floor under a small light.
 const LIT: &str = "screen 8 6\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 3 1 0.5\n\
     brdf .5 .6 .7 0 0 0 1\nbox -9 -9 -2 18 18 1\n";

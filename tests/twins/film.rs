@@ -109,7 +109,7 @@ fn moments() -> Twin {
             .vec3(Vec3::zero())
     };
     let none = || Row([0; 12].into());
-    Twin::new("film_moments", "film/moments")
+    Twin::new("film_moments", "film/film_moments")
         .prelude(vkpt::layout::FilmMoments::glsl())
         .glsl(
             "vec3 mean = in_vec3(); vec3 mean_comp = in_vec3(); vec3 m2 = in_vec3(); vec3 m2_comp = in_vec3();

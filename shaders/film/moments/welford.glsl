@@ -1,5 +1,5 @@
 // The moments of every pixel, kept in a buffer beside the film, for `--aov stderr`.
-// uses: film/moments
+// uses: film/film_moments
 
 void moments_sample(uint lane, vec3 radiance, uint n) {
     FilmMoments kept = moments[lane];

@@ -1,5 +1,5 @@
 //! The moments of one pixel's samples, from which the standard error of their mean follows. Twin of
-//! `shaders/film/moments.glsl`.
+//! `shaders/film/film_moments.glsl`.
 
 use super::pixel_sum::{PixelSum, film_add};
 use crate::reference::math::finite::is_finite3;
