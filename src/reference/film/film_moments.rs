@@ -1,5 +1,5 @@
-//! The moments of one pixel's samples, from which the standard error of their mean follows. Twin of
-//! `shaders/film/film_moments.glsl`.
+//! The moments of one pixel's samples, from which the standard error of their mean follows.
+//! Twin of `shaders/film/film_moments.glsl`.
 
 use super::pixel_sum::{PixelSum, film_add};
 use crate::reference::math::finite::is_finite3;
@@ -24,8 +24,15 @@ impl<F: Real> Default for FilmMoments<F> {
 
 /// Adds sample number `n`, counted from 1; a broken one counts as 0, as it does in the film.
 ///
-/// Samples that are all equal leave `m2` exactly 0. With u = 2⁻²⁴, A the largest sample, D the largest difference of
-/// two and σ² = `m2` / `n`, the relative error of `m2` is below 2√2 E/σ + (E/σ)² + 4u, E = 3u (A + D).
+/// Samples that are all equal leave `m2` exactly 0. In `f32`, u = 2⁻²⁴, with A the largest sample, D the largest
+/// difference of two, σ² = `m2` / `n` and `n` ≤ 10⁷:
+///
+/// - the mean that the next delta is taken from is off by less than E = 3u (A + D): what is left out of its first
+///   part, uA, twice, and two roundings of a delta, each divided by its `n`;
+/// - so `m2` has a relative error below 2√2 E/σ + (E/σ)² + 6u: Σ |delta| ≤ √(2 `n` `m2`) by Cauchy and Schwarz, and
+///   three roundings of each product beside those of the sums. It does not grow with `n`.
+///
+/// Deviations must square to numbers of `f32`: they are to be between 1e-18 and 1e18.
 pub fn film_moments<F: Real>(moments: &mut FilmMoments<F>, radiance: Vec3<F>, n: u32) {
     let x = if is_finite3(radiance) {
         radiance

@@ -3,6 +3,8 @@
 pub mod film_moments;
 pub mod film_pixel;
 pub mod pixel_sum;
+#[cfg(test)]
+mod tests;
 
 pub use film_moments::{FilmMoments, film_moments, film_stderr};
 pub use film_pixel::{FilmPixel, film_sample};
