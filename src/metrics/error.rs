@@ -35,4 +35,6 @@ pub enum MetricsError {
     PixelsPerDegree(f64),
     #[error("a test's level lies between 0 and 1, not at {0}")]
     Level(f64),
+    #[error("the {picture} was compressed with losses that nothing bounds")]
+    NoRounding { picture: &'static str },
 }

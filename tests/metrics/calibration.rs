@@ -2,7 +2,8 @@
 
 use statrs::distribution::{Binomial, DiscreteCDF};
 use vkpt::film::Film;
-use vkpt::metrics::blocks::{BlockTest, Estimate, Rounding, Stderr, z_test};
+use vkpt::image::Precision;
+use vkpt::metrics::blocks::{BlockTest, Estimate, Stderr, z_test};
 
 use crate::pictures::{Random, constant, film, mapped};
 
@@ -10,7 +11,7 @@ fn test(a: &Film, b: &Film, stderr: &Film, alpha: f64) -> BlockTest {
     let [a, b] = [a, b].map(|mean| Estimate {
         mean,
         stderr: Stderr::PerPixel(stderr),
-        rounding: Rounding::default(),
+        precision: Precision::Single,
     });
     z_test(&a, &b, alpha).expect("two pictures")
 }
@@ -102,7 +103,7 @@ fn rejected(rarity: u32, seed: u64) -> usize {
                 Estimate {
                     mean,
                     stderr,
-                    rounding: Rounding::default(),
+                    precision: Precision::Single,
                 }
             });
         z_test(&a, &b, 1e-3).expect("two pictures").passes()

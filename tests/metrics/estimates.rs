@@ -1,19 +1,14 @@
 //! Pictures with and without standard errors, as the block z-test takes them.
 
 use vkpt::film::Film;
-use vkpt::metrics::blocks::{ALPHA, BlockTest, Estimate, Rounding, Stderr, z_test};
-
-/// The unit of rounding of f32, 2⁻²⁴.
-const F32: Rounding = Rounding {
-    relative: 0.5 * f32::EPSILON as f64,
-    absolute: 0.0,
-};
+use vkpt::image::Precision;
+use vkpt::metrics::blocks::{ALPHA, BlockTest, Estimate, Stderr, z_test};
 
 pub fn measured<'a>(mean: &'a Film, stderr: &'a Film) -> Estimate<'a> {
     Estimate {
         mean,
         stderr: Stderr::PerPixel(stderr),
-        rounding: F32,
+        precision: Precision::Single,
     }
 }
 
@@ -21,7 +16,7 @@ pub fn exact(mean: &Film) -> Estimate<'_> {
     Estimate {
         mean,
         stderr: Stderr::Exact,
-        rounding: F32,
+        precision: Precision::Single,
     }
 }
 

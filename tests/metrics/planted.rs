@@ -1,5 +1,7 @@
 //! What the block z-test should see, and what it cannot.
 
+use std::path::Path;
+
 use vkpt::film::Film;
 
 use crate::estimates::{measured, test};
@@ -86,4 +88,27 @@ fn it_cannot_see_one_broken_sample_in_a_million() {
     assert_ne!(broken, image);
     assert!(against(&broken).passes());
     assert!((against(&broken).worst().z - against(&image).worst().z).abs() < 1e-2);
+}
+
+/// Noise on a picture of another renderer, of the standard errors that it came with: two such pictures agree, with
+/// one of them 1 % brighter they do not.
+#[test]
+fn it_sees_one_percent_of_a_converged_picture() {
+    let read = |name: &str| {
+        let path = Path::new("../shared/oracle").join(name);
+        path.exists()
+            .then(|| vkpt::image::read(&path).expect("a picture").film)
+    };
+    let (Some(oracle), Some(stderr)) = (read("cornell-beer.exr"), read("cornell-beer-stderr.exr"))
+    else {
+        println!("skipped: ../shared/oracle/cornell-beer.exr is not there");
+        return;
+    };
+    let mut random = Random(4);
+    let [image, reference] = [0, 1].map(|_| random.noisy(&oracle, &stderr));
+    let brighter = mapped(&image, |v| 1.01 * v);
+    let against =
+        |picture: &Film| test(&measured(picture, &stderr), &measured(&reference, &stderr));
+    assert!(against(&image).passes());
+    assert!(!against(&brighter).passes());
 }

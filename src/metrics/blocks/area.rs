@@ -2,7 +2,7 @@
 
 use statrs::function::erf::erfc;
 
-use super::{Estimate, Stderr};
+use super::Estimate;
 
 /// Width and height of a block in pixels; the last of a row or column takes the remainder, up to 49.
 const BLOCK: usize = 25;
@@ -49,6 +49,7 @@ pub(super) struct Area {
 }
 
 /// A block's mean in one channel, the square of its standard error, and how far rounding may have moved it.
+#[derive(Clone, Copy, Default)]
 struct BlockMean {
     mean: f64,
     variance: f64,
@@ -56,8 +57,13 @@ struct BlockMean {
 }
 
 impl Area {
-    pub fn block(&self, a: &Estimate, b: &Estimate, channel: usize) -> Block {
-        let (a, b) = (self.mean(a, channel), self.mean(b, channel));
+    /// The block in red, green and blue.
+    pub fn blocks(&self, a: &Estimate, b: &Estimate) -> [Block; 3] {
+        let (a, b) = (self.means(a), self.means(b));
+        [0, 1, 2].map(|channel| self.block(&a[channel], &b[channel], channel))
+    }
+
+    fn block(&self, a: &BlockMean, b: &BlockMean, channel: usize) -> Block {
         let stderr = (a.variance + b.variance).sqrt();
         let difference = a.mean - b.mean;
         let beyond = (difference.abs() - a.rounding - b.rounding).max(0.0);
@@ -80,25 +86,23 @@ impl Area {
         }
     }
 
-    fn mean(&self, picture: &Estimate, channel: usize) -> BlockMean {
-        let [mut sum, mut squares, mut rounding] = [0.0; 3];
-        let mut n = 0.0;
+    fn means(&self, picture: &Estimate) -> [BlockMean; 3] {
+        let mut sums = [BlockMean::default(); 3];
         for i in self.pixels(picture.mean.width as usize) {
-            let value = f64::from(picture.mean.rgb[i][channel]);
-            sum += value;
-            rounding += picture.rounding.of(value);
-            if let Stderr::PerPixel(film) = picture.stderr {
-                let error = f64::from(film.rgb[i][channel]);
-                squares += error * error;
+            let (value, error, rounding) = picture.pixel(i);
+            for (c, sum) in sums.iter_mut().enumerate() {
+                sum.mean += value[c];
+                sum.variance += error[c] * error[c];
+                sum.rounding += rounding[c];
             }
-            n += 1.0;
         }
+        let n = self.pixels(picture.mean.width as usize).count() as f64;
         // Independent pixels: se of the mean is √(Σ se²)/n.
-        BlockMean {
-            mean: sum / n,
-            variance: squares / (n * n),
-            rounding: rounding / n,
-        }
+        sums.map(|sum| BlockMean {
+            mean: sum.mean / n,
+            variance: sum.variance / (n * n),
+            rounding: sum.rounding / n,
+        })
     }
 
     /// Where the pixels are in a film.

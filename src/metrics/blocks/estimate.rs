@@ -1,6 +1,7 @@
 //! A picture, its standard errors and its file's rounding.
 
 use crate::film::Film;
+use crate::image::Precision;
 use crate::metrics::MetricsError;
 use crate::metrics::pair::{check, check_errors, same_size};
 
@@ -9,7 +10,8 @@ use crate::metrics::pair::{check, check_errors, same_size};
 pub struct Estimate<'a> {
     pub mean: &'a Film,
     pub stderr: Stderr<'a>,
-    pub rounding: Rounding,
+    /// How its file has rounded it; `Single` for a film that comes from no file.
+    pub precision: Precision,
 }
 
 /// The standard errors of a picture.
@@ -20,19 +22,6 @@ pub enum Stderr<'a> {
     PerPixel(&'a Film),
     /// None: the picture is taken for the truth. Any noise in it is then taken for the other's bias.
     Exact,
-}
-
-/// What a file's format makes of a value: x stands for anything in x ± (`relative` · |x| + `absolute`).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Rounding {
-    pub relative: f64,
-    pub absolute: f64,
-}
-
-impl Rounding {
-    pub(super) fn of(&self, value: f64) -> f64 {
-        self.relative * value.abs() + self.absolute
-    }
 }
 
 impl Estimate<'_> {
@@ -46,6 +35,21 @@ impl Estimate<'_> {
             check_errors(film, errors)?;
             same_size((self.mean, mean), (film, errors))?;
         }
-        Ok(())
+        let bounded = self.precision != Precision::Lossy;
+        bounded
+            .then_some(())
+            .ok_or(MetricsError::NoRounding { picture: mean })
+    }
+
+    /// The `i`-th pixel's value, standard error and rounding at most, channel by channel.
+    pub(super) fn pixel(&self, i: usize) -> ([f64; 3], [f64; 3], [f64; 3]) {
+        let value = self.mean.rgb[i];
+        let error = match self.stderr {
+            Stderr::PerPixel(film) => film.rgb[i].map(f64::from),
+            Stderr::Exact => [0.0; 3],
+        };
+        // `check` has refused what has no bound.
+        let rounding = self.precision.rounding(value).unwrap_or_default();
+        (value.map(f64::from), error, rounding)
     }
 }

@@ -12,7 +12,7 @@ use super::MetricsError;
 use super::pair::same_size;
 pub use area::Block;
 use area::{Area, spans};
-pub use estimate::{Estimate, Rounding, Stderr};
+pub use estimate::{Estimate, Stderr};
 
 /// The level of the whole test: how often it rejects two pictures that agree.
 pub const ALPHA: f64 = 1e-3;
@@ -36,9 +36,7 @@ pub fn z_test(a: &Estimate, b: &Estimate, alpha: f64) -> Result<BlockTest, Metri
     let areas = rows
         .iter()
         .flat_map(|&rows| columns.iter().map(move |&columns| Area { columns, rows }));
-    let blocks: Vec<Block> = areas
-        .flat_map(|area| [0, 1, 2].map(|channel| area.block(a, b, channel)))
-        .collect();
+    let blocks: Vec<Block> = areas.flat_map(|area| area.blocks(a, b)).collect();
     // 1 − (1 − α)^(1/m) (Šidák 1967)
     let level = -((-alpha).ln_1p() / blocks.len() as f64).exp_m1();
     Ok(BlockTest { blocks, level })
