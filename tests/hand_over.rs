@@ -16,7 +16,7 @@ use icosphere::icosphere;
 use tempfile::NamedTempFile;
 use vkpt::gpu::DeviceKind;
 use vkpt::prepared::Prepared;
-use vkpt::render::{DispatchLimits, RenderError, Target, render_on};
+use vkpt::render::{DispatchLimits, Progress, RenderError, Target, render_on};
 use vkpt::settings::{Roulette, Settings};
 
 fn settings() -> Settings {
@@ -69,9 +69,12 @@ fn a_thousand_bounces_in_a_deep_hierarchy_make_the_picture_of_the_reference() {
     let Some(device) = common::device() else {
         return;
     };
-    let render = |limits| render_on(&job, device, limits, &AtomicBool::new(false), &mut |_| {});
+    let stop = AtomicBool::new(false);
+    let render = |limits, progress: &mut dyn FnMut(Progress)| {
+        render_on(&job, device, limits, &stop, progress)
+    };
     let limits = DispatchLimits::of(device).expect("a probe");
-    let ours = render(limits).expect("a rendering");
+    let ours = render(limits, &mut |_| {}).expect("a rendering");
     assert_eq!(ours.stats.dropped, Default::default());
     if device.info().kind == DeviceKind::Cpu {
         assert_eq!(difference(&ours.film, &reference.film), None);
@@ -79,15 +82,19 @@ fn a_thousand_bounces_in_a_deep_hierarchy_make_the_picture_of_the_reference() {
         assert_eq!(ours.stats.long_paths, reference.stats.long_paths);
     }
 
-    // Planted: no hand-over. A driver that ends loops must be caught at it; another makes the same picture.
-    let planted = render(DispatchLimits {
+    // Planted: no hand-over. A driver that ends loops must be caught at it, in the first slice; another makes the same
+    // picture.
+    let mut slices = 0;
+    let unlimited = DispatchLimits {
         budget: u32::MAX,
         ..limits
-    });
+    };
+    let planted = render(unlimited, &mut |_| slices += 1);
     match device.loop_limit().expect("a probe") {
         Some(limit) => {
             println!("limit of {limit} loop steps, budget {}", limits.budget);
             assert!(matches!(planted, Err(RenderError::Loops(1..))));
+            assert_eq!(slices, 0);
         }
         None => {
             let film = planted.expect("a rendering").film;

@@ -42,9 +42,6 @@ pub fn render(
     let render_s = start.elapsed().as_secs_f64();
 
     let counts = Counts::of(&run.tiles);
-    if counts.dropped.loops > 0 {
-        return Err(RenderError::Loops(counts.dropped.loops));
-    }
     let stats = Stats {
         device: device.info().name.clone(),
         driver: device.info().driver.clone(),

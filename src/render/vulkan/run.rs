@@ -83,6 +83,10 @@ impl<'a> Run<'a> {
     }
 
     /// Brings every pixel of a tile to `sample_end` samples; returns the longest dispatch.
+    ///
+    /// # Errors
+    /// [`RenderError::Loops`] after the first dispatch that did not end its loops itself: what comes after would
+    /// be wrong too.
     pub fn advance(&mut self, tile: usize, sample_end: u32) -> Result<Duration, RenderError> {
         if self.tiles.len() > 1 {
             self.film.upload(&self.tiles[tile])?;
@@ -92,8 +96,11 @@ impl<'a> Run<'a> {
             longest = longest.max(self.dispatch(tile, sample_end)?);
             let kept = &mut self.tiles[tile];
             self.film.read_pixels(kept)?;
-            let failed = kept.pixels.iter().any(|p| p.loops > 0);
-            if failed || kept.pixels.iter().all(|p| p.samples == sample_end) {
+            let loops: u64 = kept.pixels.iter().map(|p| u64::from(p.loops)).sum();
+            if loops > 0 {
+                return Err(RenderError::Loops(loops));
+            }
+            if kept.pixels.iter().all(|p| p.samples == sample_end) {
                 self.film.read_moments(kept)?;
                 return Ok(longest);
             }
