@@ -8,8 +8,9 @@ use common::render::{job, prepared, prepared_file};
 use common::scenes::{SMOOTH, TABLE, WIDE, scene_files};
 use common::settings::{estimators, models};
 use common::spirv_tools::tool;
+use vkpt::film::Aov;
 use vkpt::prepared::Prepared;
-use vkpt::render::{DispatchLimits, kernel, render_on};
+use vkpt::render::{DispatchLimits, Job, kernel, render_on};
 use vkpt::settings::Settings;
 
 /// Diffuse surfaces and a light.
@@ -27,10 +28,11 @@ fn spirv_val_passes_the_kernel_of_every_scene() {
     let Some(device) = common::device() else {
         return;
     };
-    let check = |scene: &Prepared, settings| {
-        let kernel = kernel(&job(scene, settings, 1, 1), device).expect("a kernel");
+    let check_job = |job: &Job| {
+        let kernel = kernel(job, device).expect("a kernel");
         tool("spirv-val", &["--target-env", "vulkan1.1"], kernel.bytes());
     };
+    let check = |scene: &Prepared, settings| check_job(&job(scene, settings, 1, 1));
     for path in scene_files() {
         for settings in [Settings::default(), Settings::handout()] {
             check(
@@ -44,6 +46,11 @@ fn spirv_val_passes_the_kernel_of_every_scene() {
             check(&prepared(text, &settings), settings);
         }
     }
+    let scene = prepared(TABLE, &Settings::default());
+    check_job(&Job {
+        aovs: &[Aov::Stderr],
+        ..job(&scene, Settings::default(), 2, 1)
+    });
 }
 
 /// A device of the test's own: messages of the shared one may be other tests'.
@@ -66,9 +73,12 @@ fn the_validation_layer_is_silent() {
     for text in [DIFFUSE, TABLE, SMOOTH, WIDE] {
         for limits in limits {
             let scene = prepared(text, &Settings::default());
-            let job = job(&scene, Settings::default(), 2, 1);
-            let stop = AtomicBool::new(false);
-            render_on(&job, &device, limits, &stop, &mut |_| {}).expect("a rendering");
+            let plain = job(&scene, Settings::default(), 2, 1);
+            for aovs in [&[][..], &[Aov::Stderr]] {
+                let job = Job { aovs, ..plain };
+                let stop = AtomicBool::new(false);
+                render_on(&job, &device, limits, &stop, &mut |_| {}).expect("a rendering");
+            }
         }
     }
     let messages = device.validation_messages();
@@ -116,4 +126,24 @@ fn the_kernel_of_a_diffuse_scene_holds_nothing_of_microfacets_and_refraction() {
             "{other}: {table:?}"
         );
     }
+}
+
+#[test]
+fn a_kernel_keeps_moments_only_where_standard_errors_are_asked_for() {
+    let Some(device) = common::device() else {
+        return;
+    };
+    let scene = prepared(DIFFUSE, &Settings::default());
+    let keeps_moments = |aovs| {
+        let job = Job {
+            aovs,
+            ..job(&scene, Settings::default(), 2, 1)
+        };
+        let functions = kernel(&job, device).expect("a kernel").functions;
+        functions.iter().any(|f| f == "film_moments")
+    };
+    assert_eq!(
+        [keeps_moments(&[]), keeps_moments(&[Aov::Stderr])],
+        [false, true]
+    );
 }
