@@ -2,6 +2,11 @@
 
 mod image {
     mod films;
+    mod fuzz;
+    mod hdr_png;
+    mod openexr;
+    mod precision;
+    mod refusals;
     mod round_trips;
     mod writing;
 }

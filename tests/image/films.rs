@@ -1,6 +1,7 @@
-//! Films to write, and the files that they become.
+//! Films to write, the files that they become, and files of other programs.
 
 use std::io::Cursor;
+use std::path::{Path, PathBuf};
 
 use vkpt::film::Film;
 use vkpt::image::{Format, Frame, Labels, encode};
@@ -56,4 +57,13 @@ pub fn encoded(film: &Film, format: Format, exposure: f64) -> Vec<u8> {
     let mut out = Cursor::new(Vec::new());
     encode(&frame, format, &labels, &mut out).expect("encoded");
     out.into_inner()
+}
+
+/// A file that data/make.py wrote.
+pub fn data(name: &str) -> PathBuf {
+    Path::new("tests/image/data").join(name)
+}
+
+pub fn bits(rgb: &[[f32; 3]]) -> Vec<u32> {
+    rgb.as_flattened().iter().map(|v| v.to_bits()).collect()
 }

@@ -5,11 +5,7 @@ use std::path::Path;
 use vkpt::film::Film;
 use vkpt::image::{Format, Precision, decode, read};
 
-use super::films::{encoded, film};
-
-fn bits(rgb: &[[f32; 3]]) -> Vec<u32> {
-    rgb.as_flattened().iter().map(|v| v.to_bits()).collect()
-}
+use super::films::{bits, encoded, film};
 
 #[test]
 fn an_exr_keeps_bits_and_place() {

@@ -1,19 +1,17 @@
 //! OpenEXR: the R, G and B of one layer, at the place of its data window.
 
+mod blocks;
 mod channels;
+mod dwa;
 
-use std::collections::HashSet;
 use std::io::Cursor;
 
-use ::exr::block::UncompressedBlock;
-use ::exr::block::lines::LineRef;
-use ::exr::block::reader::{ChunksReader, Reader};
+use ::exr::block::reader::Reader;
 use ::exr::compression::Compression;
 use ::exr::error::Error;
 use ::exr::math::Vec2;
 use ::exr::meta::attribute::{Chromaticities, SampleType};
 use ::exr::meta::header::Header;
-use ::exr::prelude::f16;
 
 use super::{DecodeError, Picture, pixels};
 use crate::film::Film;
@@ -27,19 +25,21 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
         return Err(DecodeError::Unsupported(deep.to_owned()));
     }
     let reader = Reader::read_from_buffered(Cursor::new(bytes), false)?;
-    let rgb = channels::choose(reader.headers())?;
-    let header = reader.headers()[rgb.part].clone();
+    let meta = reader.meta_data().clone();
+    let rgb = channels::choose(&meta.headers)?;
+    let header = &meta.headers[rgb.part];
     check_primaries(header.shared_attributes.chromaticities)?;
-    let precision = precision(&header, &rgb)?;
+    let precision = precision(header, &rgb)?;
 
     let Vec2(width, height) = header.layer_size;
-    let pixels = pixels(width as u64, height as u64, bytes)?;
+    let bytes_per_pixel = header.channels.bytes_per_pixel as u64;
+    let pixels = pixels(width as u64, height as u64, bytes_per_pixel, bytes)?;
     let mut film = Film {
         width: side(width)?,
         height: side(height)?,
         rgb: vec![[0.0; 3]; pixels],
     };
-    fill(&mut film, reader, &rgb)?;
+    blocks::fill(&mut film, reader, &meta, &rgb)?;
 
     let window = header.shared_attributes.display_window;
     let place = |data: i32, display: i32| {
@@ -96,58 +96,6 @@ fn precision(header: &Header, rgb: &Rgb) -> Result<Precision, DecodeError> {
         coarsest = coarsest.coarser(stored);
     }
     Ok(coarsest)
-}
-
-/// Copies the blocks of the part's finest level into the film; each must be there once.
-fn fill(film: &mut Film, reader: Reader<Cursor<&[u8]>>, rgb: &Rgb) -> Result<(), Error> {
-    let mut awaited = HashSet::new();
-    let chunks = reader.filter_chunks(false, |_, _, block| {
-        let wanted = block.layer == rgb.part && block.level == Vec2(0, 0);
-        wanted && awaited.insert(block)
-    })?;
-    chunks.decompress_sequential(false, |meta, block| {
-        if !awaited.remove(&block.index) {
-            return Err(Error::Invalid(
-                "blocks other than its header tells of".into(),
-            ));
-        }
-        copy(film, &block, &meta.headers[rgb.part], rgb)
-    })?;
-    match awaited.len() {
-        0 => Ok(()),
-        _ => Err(Error::Invalid("blocks are missing".into())),
-    }
-}
-
-/// A block stores a row of each channel after the other.
-fn copy(
-    film: &mut Film,
-    block: &UncompressedBlock,
-    header: &Header,
-    rgb: &Rgb,
-) -> Result<(), Error> {
-    for line in block.lines(&header.channels) {
-        let channel = line.location.channel;
-        if let Some(component) = rgb.channels.iter().position(|&c| c == channel) {
-            let Vec2(x, y) = line.location.position;
-            let start = y * film.width as usize + x;
-            let row = &mut film.rgb[start..start + line.location.sample_count];
-            for (pixel, value) in row.iter_mut().zip(samples(&line, header)?) {
-                pixel[component] = value;
-            }
-        }
-    }
-    Ok(())
-}
-
-fn samples(line: &LineRef, header: &Header) -> Result<Vec<f32>, Error> {
-    match header.channels.list[line.location.channel].sample_type {
-        SampleType::F16 => line
-            .read_samples::<f16>()
-            .map(|sample| sample.map(f16::to_f32))
-            .collect(),
-        _ => line.read_samples::<f32>().collect(),
-    }
 }
 
 impl From<Error> for DecodeError {

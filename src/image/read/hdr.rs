@@ -18,7 +18,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     let exposure = exposure(&header)?;
 
     let (width, height) = decoder.dimensions();
-    let pixels = pixels(width.into(), height.into(), bytes)?;
+    let pixels = pixels(width.into(), height.into(), 4, bytes)?;
     let mut rgb = vec![[0.0f32; 3]; pixels];
     decoder.read_image(bytemuck::cast_slice_mut(&mut rgb))?;
     for value in rgb.as_flattened_mut() {

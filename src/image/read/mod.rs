@@ -17,9 +17,9 @@ use crate::film::Film;
 /// The largest picture that is read: what 16384² pixels need, 3 GiB.
 const MOST_PIXELS: u64 = 1 << 28;
 
-/// No picture has more pixels for each byte of its file. Compressed best, a black picture has 11,000: DWA keeps
-/// 6 bytes of an 8×8 block, and deflate (RFC 1951) shortens at most 1032-fold.
-const MOST_PIXELS_A_BYTE: u64 = 1 << 14;
+/// No file is shortened further. Black pixels are at best: deflate (RFC 1951) makes one byte of 1032, and EXR's DWA does
+/// so with one value out of 64.
+const MOST_SHORTENED: u64 = 1 << 17;
 
 /// A picture as a file holds it.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,20 +87,27 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     Ok(picture)
 }
 
-/// How many pixels a picture has: not none, and no more than can be in a file of that length.
-fn pixels(width: u64, height: u64, file: &[u8]) -> Result<usize, DecodeError> {
+/// How many pixels a picture has: not none, and no more than can be in the file.
+fn pixels(
+    width: u64,
+    height: u64,
+    bytes_per_pixel: u64,
+    file: &[u8],
+) -> Result<usize, DecodeError> {
+    let pixels = width.saturating_mul(height);
     let bytes = file.len() as u64;
-    let most = MOST_PIXELS.min(bytes.saturating_mul(MOST_PIXELS_A_BYTE));
-    match width.saturating_mul(height) {
+    match pixels {
         0 => Err(DecodeError::NoPixels),
-        pixels if pixels > MOST_PIXELS => Err(DecodeError::TooLarge { width, height }),
-        pixels if pixels > most => Err(DecodeError::Lying {
-            width,
-            height,
-            bytes,
-        }),
+        _ if pixels > MOST_PIXELS => Err(DecodeError::TooLarge { width, height }),
+        _ if pixels.saturating_mul(bytes_per_pixel) > bytes.saturating_mul(MOST_SHORTENED) => {
+            Err(DecodeError::Lying {
+                width,
+                height,
+                bytes,
+            })
+        }
         // At most 2²⁸.
-        pixels => Ok(pixels as usize),
+        _ => Ok(pixels as usize),
     }
 }
 

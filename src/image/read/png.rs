@@ -19,7 +19,8 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     let (width, height) = (info.width, info.height);
     let precision = Precision::Srgb { bits: bits(info) };
 
-    let pixels = pixels(width.into(), height.into(), bytes)?;
+    let bytes_per_pixel = info.bytes_per_pixel() as u64;
+    let pixels = pixels(width.into(), height.into(), bytes_per_pixel, bytes)?;
     let (colour, depth) = reader.output_color_type();
     let wide = depth == BitDepth::Sixteen;
     let mut codes = vec![0; pixels * colour.samples() * if wide { 2 } else { 1 }];

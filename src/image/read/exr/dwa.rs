@@ -1,0 +1,44 @@
+//! What a chunk compressed by DWA claims, before it is believed: the crate makes room for it unseen.
+
+use ::exr::block::chunk::{Chunk, CompressedBlock};
+use ::exr::compression::Compression;
+use ::exr::error::Error;
+use ::exr::meta::header::Header;
+
+/// Refuses a chunk whose parts are larger unpacked than its block of pixels can be.
+///
+/// A chunk begins with 11 u64 (OpenEXR, internal_dwa_compressor.h, `DataSizesSingle`), of which these are sizes
+/// after unpacking: of channels that are kept as they are (1), of runs packed (6) and unpacked (7), and
+/// how many coefficients other than the mean (8) and means (9) all 8×8 blocks have.
+pub fn check(chunk: &Chunk, header: &Header) -> Result<(), Error> {
+    let bytes = match (&chunk.compressed_block, header.compression) {
+        (CompressedBlock::ScanLine(b), Compression::DWAA(_) | Compression::DWAB(_)) => {
+            &b.compressed_pixels_le
+        }
+        (CompressedBlock::Tile(b), Compression::DWAA(_) | Compression::DWAB(_)) => {
+            &b.compressed_pixels_le
+        }
+        _ => return Ok(()),
+    };
+    let tile = header.get_block_data_indices(&chunk.compressed_block)?;
+    let size = header.get_absolute_block_pixel_coordinates(tile)?.size;
+    let bytes_per_pixel = header.channels.bytes_per_pixel;
+    if bytes.len() == size.area() * bytes_per_pixel {
+        // Stored as it is, where compression did not help.
+        return Ok(());
+    }
+    let whole_blocks = size.width().next_multiple_of(8) * size.height().next_multiple_of(8);
+    // Twice: bytes without runs grow by 1/128 when they are packed.
+    let most = (whole_blocks * bytes_per_pixel * 2) as u64;
+    let counter = |i: usize| bytes.as_chunks().0.get(i).copied().map(u64::from_le_bytes);
+    if [1, 6, 7, 8, 9]
+        .into_iter()
+        .filter_map(counter)
+        .any(|claim| claim > most)
+    {
+        return Err(Error::Invalid(
+            "a chunk claims more than its block holds".into(),
+        ));
+    }
+    Ok(())
+}
