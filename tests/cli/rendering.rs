@@ -100,6 +100,23 @@ fn the_default_is_two_pictures_named_like_the_scene() {
 }
 
 #[test]
+fn an_hdr_holds_the_crop_alone() {
+    let folder = folder(LIT);
+    let outputs = ["-o", "a.hdr", "-o", "a.exr", "--crop", "1,1,6,5"];
+    rendered(folder.path(), &outputs);
+    let picture = |name| vkpt::image::read(&folder.path().join(name)).expect("a picture");
+    let (hdr, exr) = (picture("a.hdr"), picture("a.exr"));
+    assert_eq!((hdr.origin, hdr.full), ([0, 0], [5, 4]));
+    assert_eq!((exr.origin, exr.full), ([1, 1], [8, 6]));
+    for (rounded, exact) in hdr.film.rgb.iter().zip(&exr.film.rgb) {
+        let largest = exact.iter().copied().fold(0.0, f32::max);
+        for (r, e) in rounded.iter().zip(exact) {
+            assert!((r - e).abs() <= largest / 256.0, "{rounded:?} {exact:?}");
+        }
+    }
+}
+
+#[test]
 fn the_same_command_leaves_the_same_bytes() {
     let arguments = ["--spp", "3", "--seed", "7", "--crop", "1,1,6,5"];
     let bytes = || {
