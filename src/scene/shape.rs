@@ -77,10 +77,19 @@ pub(super) fn mesh(builder: &mut Builder, arguments: &mut Arguments) {
     let path = resolve(builder.folder(), Path::new(file.text));
     let read = read_mesh(&path);
     let log = &mut builder.log;
-    if let Err(reason) = &read {
-        let error = log.error(file.place, format!("{}: {reason}", path.display()), "");
-        if matches!(reason, MeshError::Missing) {
-            error.help("a mesh is looked for beside the scene file, then in the working directory");
+    match &read {
+        Err(reason) => {
+            let error = log.error(file.place, format!("{}: {reason}", path.display()), "");
+            if matches!(reason, MeshError::Missing) {
+                error.help(
+                    "a mesh is looked for beside the scene file, then in the working directory",
+                );
+            }
+        }
+        Ok(mesh) => {
+            for warning in &mesh.warnings {
+                log.warning(file.place, format!("{}: {warning}", path.display()), "");
+            }
         }
     }
     let fields = [any("tx"), any("ty"), any("tz"), positive("s", "the scale")];

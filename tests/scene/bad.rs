@@ -92,8 +92,8 @@ const ONE: &[(&str, &str, usize, &str)] = &[
     ("screen 5 5", "W", 1, "`screen` stands here once more"),
     ("camera 0 0 0 1", "W", 1, "`camera` stands here once more"),
     // Meshes.
-    ("mesh dwarf.x 0 0 0 1", "E", 6, "dir/dwarf.x: its format is not read; these are: PLY (.ply), OBJ (.obj)"),
-    ("mesh dwarf 0 0 0 1", "E", 6, "dir/dwarf: its format is not read; these are: PLY (.ply), OBJ (.obj)"),
+    ("mesh dwarf.x 0 0 0 1", "E", 6, "dir/dwarf.x: its format is not read; these are: PLY (.ply), OBJ (.obj), glTF (.gltf, .glb)"),
+    ("mesh dwarf 0 0 0 1", "E", 6, "dir/dwarf: its format is not read; these are: PLY (.ply), OBJ (.obj), glTF (.gltf, .glb)"),
     ("mesh none.ply 0 0 0 1", "E", 6, "dir/none.ply: there is no such file"),
 ];
 

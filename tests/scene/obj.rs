@@ -30,6 +30,7 @@ fn a_polygon_is_a_fan_and_positions_keep_f64() {
         ],
         normals: None,
         triangles: vec![[0, 1, 2], [0, 2, 3]],
+        warnings: Vec::new(),
     };
     assert_eq!(mesh, expected);
 }

@@ -67,6 +67,7 @@ fn three_encodings_are_one_mesh() {
             DVec3::ZERO,
         ]),
         triangles: vec![[0, 1, 2], [0, 2, 3], [0, 4, 1]],
+        warnings: Vec::new(),
     };
     for encoding in ENCODINGS {
         let mesh = read(&file(encoding, DRESSED, &dressed_rows())).expect("a whole file");

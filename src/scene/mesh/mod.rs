@@ -1,5 +1,6 @@
 //! Mesh files: which formats are read, and what may be wrong with one.
 
+mod gltf;
 mod obj;
 mod ply;
 
@@ -11,7 +12,7 @@ use glam::DVec3;
 use super::text::{clean, shorten};
 
 /// The formats that [`read_mesh`] reads, as messages name them.
-pub const MESH_FORMATS: &str = "PLY (.ply), OBJ (.obj)";
+pub const MESH_FORMATS: &str = "PLY (.ply), OBJ (.obj), glTF (.gltf, .glb)";
 
 /// What a mesh file holds; in its own coordinates, at least one triangle, all numbers finite.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +22,8 @@ pub struct MeshFile {
     pub normals: Option<Vec<DVec3>>,
     /// Indices into `positions`.
     pub triangles: Vec<[u32; 3]>,
+    /// What the file asks for that is not done.
+    pub warnings: Vec<String>,
 }
 
 /// What is wrong with a mesh file.
@@ -61,7 +64,7 @@ pub enum MeshError {
 /// A [`MeshError`] for any file that is not a whole mesh; no file makes it panic, and none makes it take much
 /// more memory than a few times the file's size.
 pub fn read_mesh(path: &Path) -> Result<MeshFile, MeshError> {
-    let read = reader(path)?;
+    format(path)?;
     if path.is_dir() {
         return Err(MeshError::Unreadable(io::ErrorKind::IsADirectory.into()));
     }
@@ -69,26 +72,36 @@ pub fn read_mesh(path: &Path) -> Result<MeshFile, MeshError> {
         io::ErrorKind::NotFound => MeshError::Missing,
         _ => MeshError::Unreadable(reason),
     })?;
-    read(&bytes)
+    parse_mesh(&bytes, path)
 }
 
-/// Reads the mesh that `bytes` hold, in the format that the ending of `path` tells.
+/// Reads the mesh that `bytes` hold, in the format that the ending of `path` tells; buffers of a glTF file are
+/// looked for beside `path`.
 ///
 /// # Errors
 /// As [`read_mesh`].
 pub fn parse_mesh(bytes: &[u8], path: &Path) -> Result<MeshFile, MeshError> {
-    reader(path)?(bytes)
+    match format(path)? {
+        Format::Ply => ply::read(bytes),
+        Format::Obj => obj::read(bytes),
+        Format::Gltf => gltf::read(bytes, path.parent().unwrap_or(Path::new(""))),
+    }
 }
 
-/// Reads a whole file of one format.
-type Reader = fn(&[u8]) -> Result<MeshFile, MeshError>;
+/// A format that is read.
+enum Format {
+    Ply,
+    Obj,
+    Gltf,
+}
 
-/// What reads a file of this ending.
-fn reader(path: &Path) -> Result<Reader, MeshError> {
+/// The format that a file's ending tells.
+fn format(path: &Path) -> Result<Format, MeshError> {
     let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
     match ending.as_deref().and_then(|ending| ending.to_str()) {
-        Some("ply") => Ok(ply::read),
-        Some("obj") => Ok(obj::read),
+        Some("ply") => Ok(Format::Ply),
+        Some("obj") => Ok(Format::Obj),
+        Some("gltf" | "glb") => Ok(Format::Gltf),
         _ => Err(MeshError::Format),
     }
 }

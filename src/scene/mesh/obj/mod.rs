@@ -59,6 +59,7 @@ fn assemble(
         positions: vertices.positions,
         normals: smooth.then_some(vertices.normals),
         triangles,
+        warnings: Vec::new(),
     })
 }
 

@@ -64,6 +64,7 @@ fn assemble(
                 .collect()
         }),
         triangles,
+        warnings: Vec::new(),
     })
 }
 
