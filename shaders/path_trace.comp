@@ -9,7 +9,7 @@
 // watchdog and no limit on loops (Mesa 22: 65,535 iterations a subgroup and dispatch) can touch the picture.
 //
 // Twin: src/reference/path/, which takes the same decisions in the same order, one sample at a time.
-// uses: math/steps, film/film, <moments>, path/begin, path/flight, path/shade, <record>
+// uses: math/steps, film/film_pixel, <moments>, path/begin, path/flight, path/shade, <record>
 layout(local_size_x = 64) in;
 
 bool unfinished(PathState s) {

@@ -191,15 +191,17 @@ fn equal_twins_pass() {
 
 #[test]
 fn one_ulp_fails_and_prints_a_row_to_paste() {
-    let off = square(CALL, |x, y| {
-        let z = x * x + y;
-        if x == 3.0 {
-            f32::from_bits(z.to_bits() + 1)
-        } else {
-            z
-        }
-    });
-    let Some(text) = failure(&off.edge([3.0, 0.5])) else {
+    let off = || {
+        square(CALL, |x, y| {
+            let z = x * x + y;
+            if x == 3.0 {
+                f32::from_bits(z.to_bits() + 1)
+            } else {
+                z
+            }
+        })
+    };
+    let Some(text) = failure(&off().edge([3.0, 0.5])) else {
         return;
     };
     assert!(text.starts_with("square: 1 of 204 rows differ\n"), "{text}");
@@ -211,6 +213,9 @@ fn one_ulp_fails_and_prints_a_row_to_paste() {
         text.contains("device 0x41180000 (9.5e0), Rust 0x41180001 (9.500001e0), 1 ulps apart"),
         "{text}"
     );
+    // pasted as it was printed
+    let pasted = off().edge([0x40400000 /* 3e0 */, 0x3f000000 /* 5e-1 */]);
+    assert_eq!(failure(&pasted).as_deref(), Some(text.as_str()));
 }
 
 #[test]

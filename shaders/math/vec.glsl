@@ -1,6 +1,6 @@
 // Vectors with every sum in a written-out order. GLSL's own dot, length, normalize, min and max leave the order,
 // the rounding or the answer for a NaN to the driver.
-// Twin of src/reference/math/vec3.rs, and of min2 and max2 in src/reference/math/real.rs.
+// Twin of src/reference/math/vec.rs.
 
 // uses:
 

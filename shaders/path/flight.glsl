@@ -34,7 +34,7 @@ Flight fly(inout PathState s, inout FilmPixel pixel) {
         Hit hit = nearest(ray, t_max, skip);
         vec3 transmittance = stretch_transmittance(medium, hit.shape == NONE ? t_max : hit.t);
         if (goes_straight(hit)) {
-            Passage passage = pass(ray, hit, medium);
+            Passage passage = pass(ray, hit);
             if (phase == PHASE_SHADOW) {
                 s.contribution *= transmittance * passage.factor;
                 s.shadow_o = passage.o;

@@ -5,7 +5,7 @@
 
 // The point that was hit, by its weights; the normal from the edges, the shading normal from those of the corners where
 // the mesh gives any.
-Surface triangle_surface(Ray ray, Hit hit) {
+Surface triangle_surface(Hit hit) {
     vec3 v0 = triangle_vertex(hit.prim, 0u);
     vec3 v1 = triangle_vertex(hit.prim, 1u);
     vec3 v2 = triangle_vertex(hit.prim, 2u);

@@ -1,6 +1,12 @@
 //! The CPU renderer: the truth that the kernels are held against, written once and generic over the scalar.
 //!
-//! Same folders, file, function and argument names as `shaders/`. Reads `prepared`, never the GPU's buffers.
+//! Same folders, file, function and argument names as `shaders/` (`tests/twin_names.rs` lists what differs, and why).
+//! Reads `prepared`, never the GPU's buffers.
+//!
+//! Throughout, unless a function says otherwise: lengths are in the scene's unit and positions in rendering space;
+//! directions have unit length; radiance is in W·sr⁻¹·m⁻² per channel of linear RGB; a `pdf` is per steradian, an
+//! `area_pdf` or density of area per unit of length squared, a `pmf` or `p_…` a probability in [0, 1]; `u`, `u_…` are
+//! uniform numbers in [0, 1), `u24` a uniform integer below 2²⁴. "Model page" is the specification of the surface model.
 
 pub mod accel;
 pub mod bsdf;

@@ -73,7 +73,7 @@ pub fn twins() -> Vec<Twin> {
 /// Good samples, and broken ones, which count as 0.
 fn dropping() -> Twin {
     let row = |x: f32| Row::new().vec3(vec3(1.0, x, 2.0));
-    Twin::new("film_sample", "film/film")
+    Twin::new("film_sample", "film/film_pixel")
         .also(&["has_nan"])
         .prelude(vkpt::layout::FilmPixel::glsl())
         .glsl(

@@ -12,6 +12,6 @@ bool goes_straight(Hit hit) {
     return false;
 }
 
-Passage pass(Ray ray, Hit hit, uint medium) {
-    return Passage(ray.o, ray.start, ray.t_self, medium, vec3(1.0));
+Passage pass(Ray ray, Hit hit) {
+    return Passage(ray.o, ray.start, ray.t_self, NONE, vec3(1.0));
 }

@@ -19,7 +19,7 @@ bool goes_straight(Hit hit) {
     return straight;
 }
 
-Passage pass(Ray ray, Hit hit, uint medium) {
+Passage pass(Ray ray, Hit hit) {
     Surface surface = hit_surface(ray, hit);
     uint material = shapes[hit.shape].material;
     bool outside = dot3(ray.d, surface.ng) <= 0.0;

@@ -19,6 +19,7 @@ impl Bounds {
         hi: DVec3::MIN,
     };
 
+    /// The box that holds nothing but `p`.
     pub fn point(p: DVec3) -> Self {
         Self { lo: p, hi: p }
     }
@@ -31,6 +32,7 @@ impl Bounds {
         }
     }
 
+    /// The middle, which does not overflow.
     pub fn centre(self) -> DVec3 {
         self.lo * 0.5 + self.hi * 0.5
     }
@@ -41,6 +43,7 @@ impl Bounds {
         d.x * d.y + d.y * d.z + d.z * d.x
     }
 
+    /// About a sphere: centre ± radius.
     pub fn of_sphere<F: Real>(s: &Sphere<F>) -> Self {
         let (centre, radius) = (s.centre.f64(), s.radius.f64());
         Self {
@@ -49,6 +52,7 @@ impl Bounds {
         }
     }
 
+    /// The box itself.
     pub fn of_box<F: Real>(b: &Cuboid<F>) -> Self {
         Self {
             lo: b.lo.f64(),
@@ -69,6 +73,7 @@ impl Bounds {
         }
     }
 
+    /// About the corners of a triangle.
     pub fn of_triangle<F: Real>(t: &Triangle<F>) -> Self {
         t.v.iter()
             .fold(Self::EMPTY, |all, v| all.union(Self::point(v.f64())))

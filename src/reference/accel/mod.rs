@@ -30,6 +30,7 @@ pub struct Accel<F> {
 }
 
 impl<F: Real> Accel<F> {
+    /// The hierarchy over all primitives; the same for the same primitives.
     pub fn build(primitives: Primitives<F>) -> Self {
         let p = primitives;
         let bounds: Vec<Bounds> = (p.spheres.iter().map(Bounds::of_sphere))
@@ -90,6 +91,7 @@ impl<'a, F> Primitives<'a, F> {
         self.spheres.len() + self.boxes.len() + self.cylinders.len() + self.triangles.len()
     }
 
+    /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

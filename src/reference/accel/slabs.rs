@@ -34,6 +34,7 @@ pub struct Slabs<F> {
 }
 
 impl<F: Real> Slabs<F> {
+    /// For the ray o + t d and boxes without a coordinate beyond ±`reach`.
     pub fn new(o: Vec3<F>, d: Vec3<F>, reach: F) -> Self {
         let zero = F::zero();
         let largest = max2(max2(o.x.abs(), o.y.abs()), o.z.abs());

@@ -1,7 +1,7 @@
 //! Tests for broken and for black values; twin of `shaders/math/finite.glsl`.
 
 use super::real::Real;
-use super::vec3::Vec3;
+use super::vec::Vec3;
 
 /// Neither NaN nor infinite.
 pub fn is_finite<F: Real>(x: F) -> bool {

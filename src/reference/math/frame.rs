@@ -1,7 +1,7 @@
 //! Orthonormal frames about a normal; twin of `shaders/math/frame.glsl`.
 
 use super::real::Real;
-use super::vec3::{Vec3, dot3, vec3};
+use super::vec::{Vec3, dot3, vec3};
 
 /// A right-handed frame (t, b, n), each of unit length.
 #[derive(Clone, Copy, Debug)]

@@ -5,9 +5,9 @@ pub mod finite;
 pub mod frame;
 pub mod products;
 pub mod real;
-pub mod vec3;
+pub mod vec;
 
 pub use frame::Frame;
 pub use products::difference_of_products;
-pub use real::{Real, max2, min2};
-pub use vec3::{Vec3, cross3, dot3, length3, max_component, mean3, normalize3, vec3};
+pub use real::Real;
+pub use vec::{Vec3, cross3, dot3, length3, max_component, max2, mean3, min2, normalize3, vec3};

@@ -41,10 +41,15 @@ pub trait Real:
     fn from_u32(k: u32) -> Self;
     /// ⌊x⌋ as an integer, for 0 ≤ x < 2³².
     fn to_u32(self) -> u32;
+    /// √x, correctly rounded; NaN below 0.
     fn sqrt(self) -> Self;
+    /// |x|
     fn abs(self) -> Self;
+    /// ⌊x⌋, the largest whole number that is not above x.
     fn floor(self) -> Self;
+    /// Not a number.
     fn is_nan(self) -> bool;
+    /// ∞ or −∞.
     fn is_infinite(self) -> bool;
     /// (sin 2πu, cos 2πu) for u in [0, 1], exact at multiples of 1/4.
     fn sincos_2pi(u: Self) -> (Self, Self);
@@ -55,22 +60,14 @@ pub trait Real:
     /// ln(1 + x), accurate near 0; −∞ at −1, NaN below.
     fn log1p(x: Self) -> Self;
 
+    /// 0
     fn zero() -> Self {
         Self::new(0.0)
     }
+    /// 1
     fn one() -> Self {
         Self::new(1.0)
     }
-}
-
-/// `b < a ? b : a`, spelt out because SPIR-V leaves FMin's answer open for NaN and for zeros of two signs.
-pub fn min2<F: Real>(a: F, b: F) -> F {
-    if b < a { b } else { a }
-}
-
-/// `a < b ? b : a`, see [`min2`].
-pub fn max2<F: Real>(a: F, b: F) -> F {
-    if a < b { b } else { a }
 }
 
 macro_rules! common {

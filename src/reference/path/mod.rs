@@ -84,7 +84,7 @@ pub fn trace_path<F: Real>(
         let v = vertex::path_vertex(world, settings, s.ray, hit, distance);
         s.radiance += s.throughput * emission_seen(world, settings, &s, &v, origin, distance);
         let black = world.materials[v.material as usize].kind == MaterialKind::Black;
-        if black || settings.model.max_depth.is_some_and(|n| s.bounce >= n) {
+        if black || depth_reached(settings, s.bounce) {
             recorder.vertex(&s, &v, 0);
             break;
         }
@@ -118,6 +118,11 @@ fn begin_path<F: Real>(world: &World<F>, id: SampleId) -> PathState<F> {
         bounce: 0,
         rays: 0,
     }
+}
+
+/// Whether a path of so many bounces goes no further; never without a `--max-depth`.
+fn depth_reached(settings: &Settings, bounce: u32) -> bool {
+    settings.model.max_depth.is_some_and(|n| bounce >= n)
 }
 
 /// Weighted radiance of an emitter that the path has hit; the density runs from the last real vertex,

@@ -1,4 +1,5 @@
-//! Russian roulette; twin of `shaders/path/roulette/`.
+//! Russian roulette (Arvo & Kirk, Particle Transport and Image Synthesis, SIGGRAPH 1990); twin of
+//! `shaders/path/roulette/`.
 
 use crate::reference::math::{Real, Vec3, max_component, min2};
 use crate::settings::Roulette;
@@ -23,6 +24,11 @@ pub fn roulette_survival<F: Real>(
         Roulette::Constant(p) => F::new(p),
         Roulette::Off => F::one(),
     };
+    long_path_survival(survival, bounce)
+}
+
+/// `survival`, at most .95 from bounce [`LONG_PATH`] on.
+pub fn long_path_survival<F: Real>(survival: F, bounce: u32) -> F {
     if bounce >= LONG_PATH && survival > F::new(0.95) {
         F::new(0.95)
     } else {

@@ -10,6 +10,7 @@ use crate::reference::shape::{Hit, Ray, START_INSIDE, START_OUTSIDE, triangle_se
 use crate::reference::world::World;
 use crate::settings::Settings;
 
+/// A point of a surface, and all that the path's next steps ask of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Vertex<F> {
     pub p: Vec3<F>,

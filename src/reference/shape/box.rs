@@ -14,6 +14,7 @@ pub struct Cuboid<F> {
 }
 
 impl<F: Real> Cuboid<F> {
+    /// Rounded to the scalar.
     pub fn new(b: &prepared::Cuboid) -> Self {
         Self {
             lo: Vec3::new(b.lo),

@@ -26,6 +26,7 @@ pub const CYLINDER_BASE: u32 = 1;
 pub const CYLINDER_TOP: u32 = 2;
 
 impl<F: Real> Cylinder<F> {
+    /// Rounded to the scalar.
     pub fn new(c: &prepared::Cylinder) -> Self {
         Self {
             base: Vec3::new(c.base),

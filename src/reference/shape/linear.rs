@@ -25,6 +25,7 @@ pub fn nearer_solid<F: Real>(t: F, shape: u32, prim: u32, skip: Target, best: Hi
     }
 }
 
+/// The least of `best` and the hits with `spheres`.
 pub fn nearest_spheres<F: Real>(
     spheres: &[Sphere<F>],
     ray: Ray<F>,
@@ -38,6 +39,7 @@ pub fn nearest_spheres<F: Real>(
     best
 }
 
+/// The least of `best` and the hits with `boxes`.
 pub fn nearest_boxes<F: Real>(
     boxes: &[Cuboid<F>],
     ray: Ray<F>,
@@ -51,6 +53,7 @@ pub fn nearest_boxes<F: Real>(
     best
 }
 
+/// The least of `best` and the hits with `cylinders`.
 pub fn nearest_cylinders<F: Real>(
     cylinders: &[Cylinder<F>],
     ray: Ray<F>,
@@ -64,6 +67,7 @@ pub fn nearest_cylinders<F: Real>(
     best
 }
 
+/// The least of `best` and the hits with `triangles`, which are numbered as in the slice.
 pub fn nearest_triangles<F: Real>(
     triangles: &[Triangle<F>],
     ray: Ray<F>,

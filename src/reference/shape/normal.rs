@@ -2,7 +2,8 @@
 
 use crate::reference::math::{Real, Vec3, dot3, length3};
 
-/// The corners' normals by the hit's weights, turned to the side of `ng`; `ng` where they are 0.
+/// The corners' normals by the hit's weights `uv` of the second and third (Phong, Illumination for Computer
+/// Generated Pictures, 1975), turned to the side of `ng`; `ng` where they are 0.
 pub fn interpolated_normal<F: Real>(
     n0: Vec3<F>,
     n1: Vec3<F>,

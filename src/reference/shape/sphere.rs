@@ -13,6 +13,7 @@ pub struct Sphere<F> {
 }
 
 impl<F: Real> Sphere<F> {
+    /// Rounded to the scalar.
     pub fn new(s: &prepared::Sphere) -> Self {
         Self {
             centre: Vec3::new(s.centre),

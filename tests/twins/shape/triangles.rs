@@ -259,7 +259,6 @@ fn origins() -> Vec<Twin> {
 }
 
 fn surfaces() -> Vec<Twin> {
-    let ray = |row: Row| row.ray(Vec3::zero(), Vec3::one(), [NONE; 3], 0.0);
     let two = |r: &mut Rng| {
         let size = scale(r);
         let (v, w) = (corners(r, size), corners(r, size));
@@ -273,12 +272,12 @@ fn surfaces() -> Vec<Twin> {
             .slot("shading_normal", Slot::File("shape/normal/smooth".into()))
             .glsl(&format!(
                 "{READ_TRIANGLES} n = 0u; while (n < 6u) {{ corner_normals[n] = in_vec3(); n += 1u; }}
-                 {READ_RAY} {READ_HIT} Surface at = triangle_surface(ray, hit); {OUT_SURFACE}"
+                 {READ_HIT} Surface at = triangle_surface(hit); {OUT_SURFACE}"
             ))
             .rust(|i, o| {
                 let triangles = read_triangles(i);
                 let normals = [0; 2].map(|_| [i.vec3(), i.vec3(), i.vec3()]);
-                let (_, hit) = (read_ray(i), read_hit(i));
+                let hit = read_hit(i);
                 let k = hit.prim as usize;
                 out_surface(triangle_surface(hit, &triangles[k], Some(&normals[k])), o);
             })
@@ -292,7 +291,7 @@ fn surfaces() -> Vec<Twin> {
                         three(three(row, a), b)
                     }
                 };
-                ray(row).hit(1.0, 0, r.below(2), weights(r))
+                row.hit(1.0, 0, r.below(2), weights(r))
             }),
         Twin::new("interpolated_normal", "shape/normal/smooth")
             .prelude(PRELUDE)

@@ -52,7 +52,7 @@ pub fn surface(features: &Features) -> String {
             ShapeKind::Sphere => format!("sphere_surface(ray, hit, spheres[{first}])"),
             ShapeKind::Box => format!("box_surface(ray, hit, boxes[{first}])"),
             ShapeKind::Cylinder => format!("cylinder_surface(ray, hit, cylinders[{first}])"),
-            ShapeKind::Mesh => "triangle_surface(ray, hit)".into(),
+            ShapeKind::Mesh => "triangle_surface(hit)".into(),
         };
         (kind as u32, call)
     };

@@ -5,9 +5,9 @@ use crate::reference::bsdf::fresnel::fresnel;
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::math::{Real, max2, mean3, min2};
 
-/// p_d = K̄d/(K̄d + 1) of a transmissive material, where reflection and refraction share the 1. Opaque:
+/// Model page, section 5.1: p_d = K̄d/(K̄d + 1) of a transmissive material, where reflection and refraction share the 1. Opaque:
 /// K̄d/(K̄d + S), S = F̄(wo·N), kept within [0.1, 0.9] where both lobes exist.
-pub fn fresnel_diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
+pub fn diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
     let kd = at.material.kd_mean;
     let opaque = at.material.kind < MaterialKind::Dielectric;
     let specular = if opaque {
@@ -23,7 +23,7 @@ pub fn fresnel_diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
 }
 
 /// R = F̄(c); 1 for opaque materials.
-pub fn fresnel_reflect_probability<F: Real>(at: &Interaction<F>, f_mean: F) -> F {
+pub fn reflect_probability<F: Real>(at: &Interaction<F>, _c: F, f_mean: F) -> F {
     if at.material.kind < MaterialKind::Dielectric {
         F::one()
     } else {

@@ -11,8 +11,8 @@ use crate::settings::{LobeChoice, Settings};
 /// Probability of the diffuse lobe; 0 without Kd.
 pub fn diffuse_probability<F: Real>(settings: &Settings, at: &Interaction<F>) -> F {
     match settings.estimator.lobe {
-        LobeChoice::Fresnel => fresnel::fresnel_diffuse_probability(at),
-        LobeChoice::Norms => norms::norms_diffuse_probability(at),
+        LobeChoice::Fresnel => fresnel::diffuse_probability(at),
+        LobeChoice::Norms => norms::diffuse_probability(at),
     }
 }
 
@@ -25,7 +25,7 @@ pub fn reflect_probability<F: Real>(
     f_mean: F,
 ) -> F {
     match settings.estimator.lobe {
-        LobeChoice::Fresnel => fresnel::fresnel_reflect_probability(at, f_mean),
-        LobeChoice::Norms => norms::norms_reflect_probability(at, c),
+        LobeChoice::Fresnel => fresnel::reflect_probability(at, c, f_mean),
+        LobeChoice::Norms => norms::reflect_probability(at, c, f_mean),
     }
 }

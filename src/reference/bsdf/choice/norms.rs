@@ -5,12 +5,12 @@ use crate::reference::bsdf::snell::total_reflection;
 use crate::reference::math::Real;
 
 /// p_d = ‖Kd‖/(‖Kd‖ + ‖Ks‖ + ‖Kt‖)
-pub fn norms_diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
+pub fn diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
     at.material.p_d
 }
 
 /// R = ‖Ks‖/(‖Ks‖ + ‖Kt‖), which is 1 for opaque materials; 1 where refraction is not possible.
-pub fn norms_reflect_probability<F: Real>(at: &Interaction<F>, c: F) -> F {
+pub fn reflect_probability<F: Real>(at: &Interaction<F>, c: F, _f_mean: F) -> F {
     if total_reflection(at, c) {
         F::one()
     } else {

@@ -4,7 +4,8 @@ use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::bsdf::sample::{BsdfValue, value_if};
 use crate::reference::math::{Real, Vec3, vec3};
 
-/// A direction about N' with density cos θ/π: a disc's point lifted to the hemisphere, sin² θ = u.
+/// A direction about N' with density cos θ/π: a disc's point lifted to the hemisphere, sin² θ = u₀, φ = 2πu₁ (Malley's
+/// method: Pharr, Jakob, Humphreys, Physically Based Rendering, 3rd edition, section 13.6.3).
 pub fn cosine_lobe<F: Real>(u: [F; 2]) -> Vec3<F> {
     let (sin_phi, cos_phi) = F::sincos_2pi(u[1]);
     let sin_theta = u[0].sqrt();

@@ -6,6 +6,7 @@ use crate::reference::bsdf::sample::{BsdfSample, BsdfValue, LOBE_DIFFUSE, sample
 use crate::reference::math::{Real, Vec3};
 use crate::settings::Settings;
 
+/// The cosine lobe; the weight is Kd.
 pub fn diffuse_sample<F: Real>(
     _settings: &Settings,
     at: &Interaction<F>,
@@ -18,6 +19,7 @@ pub fn diffuse_sample<F: Real>(
     sample_or_none(true, wi, lambert_lobe(at, wi), LOBE_DIFFUSE)
 }
 
+/// Kd/π on wo's side.
 pub fn diffuse_eval<F: Real>(
     _settings: &Settings,
     at: &Interaction<F>,

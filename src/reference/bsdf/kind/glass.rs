@@ -46,6 +46,7 @@ pub fn glass_delta<F: Real>(
     }
 }
 
+/// Kd with probability p_d, else one of the delta lobes.
 pub fn glass_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,

@@ -11,6 +11,7 @@ use crate::reference::bsdf::sample::{
 use crate::reference::math::{Real, Vec3, vec3};
 use crate::settings::Settings;
 
+/// Kd with probability p_d; else the mirrored direction (−wo.x, −wo.y, wo.z), whose weight is F(wo.z)/(1 − p_d).
 pub fn mirror_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,

@@ -22,6 +22,7 @@ pub fn opaque_at<F: Real>(
     with_diffuse(settings, at, wi, reflection_lobe(at, wi, x))
 }
 
+/// Kd with probability p_d, else wo mirrored about a micro-normal (model page, sections 5.1 to 5.4).
 pub fn opaque_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
@@ -52,6 +53,7 @@ pub fn opaque_sample<F: Real>(
     sample_or_none(valid, wi, opaque_at(settings, at, wi, m), lobe)
 }
 
+/// Kd/π + E_r on wo's side, by the half vector (model page, section 6).
 pub fn opaque_eval<F: Real>(settings: &Settings, at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
     opaque_at(settings, at, wi, reflection_half_vector(at.wo, wi))
 }

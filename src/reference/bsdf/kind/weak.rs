@@ -50,6 +50,7 @@ pub fn weak_transmission<F: Real>(
     sample_or_none(valid, wi, value, LOBE_TRANSMISSION | LOBE_DELTA)
 }
 
+/// As [`dielectric_sample`](super::dielectric::dielectric_sample) draws, with refraction as a delta lobe.
 pub fn weak_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
@@ -84,6 +85,7 @@ pub fn weak_sample<F: Real>(
     }
 }
 
+/// Kd/π + E_r on wo's side; what is refracted has no density.
 pub fn weak_eval<F: Real>(settings: &Settings, at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
     weak_at(settings, at, wi, reflection_half_vector(at.wo, wi))
 }

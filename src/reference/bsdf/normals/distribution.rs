@@ -5,11 +5,11 @@ use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::math::{Real, Vec3};
 
 /// A micro-normal from the material's own distribution.
-pub fn distribution_normals_sample<F: Real>(at: &Interaction<F>, u: [F; 2]) -> Vec3<F> {
+pub fn normals_sample<F: Real>(at: &Interaction<F>, u: [F; 2]) -> Vec3<F> {
     distribution_sample(&at.material, u)
 }
 
 /// D(m) mz
-pub fn distribution_normals_pdf<F: Real>(at: &Interaction<F>, m: Vec3<F>) -> F {
+pub fn normals_pdf<F: Real>(at: &Interaction<F>, m: Vec3<F>) -> F {
     distribution_d(&at.material, m) * m.z
 }

@@ -11,7 +11,7 @@ use crate::reference::math::{Real, Vec3, dot3, max2, normalize3, vec3};
 ///
 /// w = normalize(α wo.x, α wo.y, wo.z); a point of the cap z ∈ (−w.z, 1] about N, and h = it + w. In
 /// z = (1 − u2)(1 + w.z) − w.z both h.z and 1 ± z would cancel; formed apart they do not.
-pub fn visible_sample<F: Real>(at: &Interaction<F>, u: [F; 2]) -> Vec3<F> {
+pub fn normals_sample<F: Real>(at: &Interaction<F>, u: [F; 2]) -> Vec3<F> {
     let one = F::one();
     let alpha = at.material.width;
     let w = normalize3(vec3(alpha * at.wo.x, alpha * at.wo.y, at.wo.z));
@@ -29,7 +29,7 @@ pub fn visible_sample<F: Real>(at: &Interaction<F>, u: [F; 2]) -> Vec3<F> {
 }
 
 /// D_wo(m) = G1(wo) max(0, wo·m) D(m)/wo.z, of the GGX of the material's width (Heitz 2018, eq. 3).
-pub fn visible_pdf<F: Real>(at: &Interaction<F>, m: Vec3<F>) -> F {
+pub fn normals_pdf<F: Real>(at: &Interaction<F>, m: Vec3<F>) -> F {
     let alpha = at.material.width;
     let c = max2(dot3(at.wo, m), F::zero());
     ggx_g1(at.wo, alpha) * c * ggx_d(m, alpha) / at.wo.z

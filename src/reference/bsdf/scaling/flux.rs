@@ -3,6 +3,6 @@
 use crate::reference::math::Real;
 
 /// 1
-pub fn flux_scale<F: Real>(_eta: F) -> F {
+pub fn transmission_scale<F: Real>(_eta: F) -> F {
     F::one()
 }

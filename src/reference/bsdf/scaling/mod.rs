@@ -9,8 +9,8 @@ use crate::settings::Settings;
 /// Factor of E_t; eta = n_o/n_i.
 pub fn transmission_scale<F: Real>(settings: &Settings, eta: F) -> F {
     if settings.model.radiance_scaling {
-        radiance::radiance_scale(eta)
+        radiance::transmission_scale(eta)
     } else {
-        flux::flux_scale(eta)
+        flux::transmission_scale(eta)
     }
 }

@@ -3,6 +3,6 @@
 use crate::reference::math::Real;
 
 /// eta²: L/n² is what refraction keeps.
-pub fn radiance_scale<F: Real>(eta: F) -> F {
+pub fn transmission_scale<F: Real>(eta: F) -> F {
     eta * eta
 }

@@ -22,6 +22,7 @@ pub struct Triangle<F> {
 }
 
 impl<F: Real> Triangle<F> {
+    /// Rounded to the scalar.
     pub fn new(t: &prepared::Triangle) -> Self {
         Self {
             v: t.v.map(Vec3::new),

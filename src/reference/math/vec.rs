@@ -7,7 +7,7 @@ use std::ops::{Add, AddAssign, Div, Index, Mul, MulAssign, Neg, Sub};
 
 use glam::DVec3;
 
-use super::real::{Real, max2};
+use super::real::Real;
 
 /// A point, a direction or an RGB triple.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,9 +27,11 @@ impl<F: Real> Vec3<F> {
     pub fn splat(x: F) -> Self {
         vec3(x, x, x)
     }
+    /// (0, 0, 0)
     pub fn zero() -> Self {
         Self::splat(F::zero())
     }
+    /// (1, 1, 1)
     pub fn one() -> Self {
         Self::splat(F::one())
     }
@@ -37,12 +39,24 @@ impl<F: Real> Vec3<F> {
     pub fn new(v: DVec3) -> Self {
         vec3(F::new(v.x), F::new(v.y), F::new(v.z))
     }
+    /// The exact values.
     pub fn f64(self) -> DVec3 {
         DVec3::new(self.x.f64(), self.y.f64(), self.z.f64())
     }
+    /// All components are 0, of either sign.
     pub fn is_zero(self) -> bool {
         self == Self::zero()
     }
+}
+
+/// `b < a ? b : a`, spelt out because SPIR-V leaves FMin's answer open for NaN and for zeros of two signs.
+pub fn min2<F: Real>(a: F, b: F) -> F {
+    if b < a { b } else { a }
+}
+
+/// `a < b ? b : a`, see [`min2`].
+pub fn max2<F: Real>(a: F, b: F) -> F {
+    if a < b { b } else { a }
 }
 
 /// a·b = (a.x b.x + a.y b.y) + a.z b.z

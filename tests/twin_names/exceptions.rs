@@ -1,0 +1,81 @@
+//! Where kernel and reference differ by name, and why.
+
+/// (start of a GLSL file, the Rust file with its twins): what is a file for a slot there is an arm of a `match` here,
+/// or a function of the file that calls it; what is generated there is written here.
+pub const HOMES: &[(&str, &str)] = &[
+    // `mixed` with Kd = 0, to the bit
+    ("bsdf/diffuse/absent", "bsdf/diffuse/mixed"),
+    ("film/moments", "film/film_moments"),
+    ("generated", "bsdf/distribution"),
+    ("generated", "bsdf/fresnel"),
+    ("generated", "bsdf/kind"),
+    ("generated", "world"),
+    // the tables of the scene
+    ("light/choice/", "world"),
+    ("path/background/", "path"),
+    ("path/depth/", "path"),
+    ("path/emission/", "path"),
+    ("path/self_distance/", "path/vertex"),
+    ("path/shade", "path/extend"),
+    ("path/straight/", "path/flight"),
+];
+
+/// Kernel functions without a twin, by name or by the start of their file.
+pub const KERNEL_ONLY: &[(&str, &str)] = &[
+    ("film/moments/", "the buffer of moments, or none"),
+    (
+        "light/mesh",
+        "a mesh's part of one long table; cdf_choice and cdf_probability, given a slice",
+    ),
+    (
+        "path/flight",
+        "flies a vertex's shadow ray one turn late, in one loop with the extension ray",
+    ),
+    ("path/record/", "the reference tells a Recorder"),
+    ("path/shade", "a turn of the loop in trace_path"),
+    ("shape/bvh/", "each renderer has a hierarchy of its own"),
+    (
+        "shape/normal/",
+        "corner normals from a buffer; interpolated_normal has the arithmetic",
+    ),
+    ("shape/triangle/corner", "reads a buffer"),
+];
+
+/// Functions whose arguments differ.
+pub const ARGUMENTS: &[(&str, &str)] = &[
+    (
+        "begin_path",
+        "the kernel uses the state of the pixel's last path again",
+    ),
+    (
+        "is_origin",
+        "the corners of a triangle instead of the triangle",
+    ),
+    (
+        "mesh_light_pdf",
+        "the place of the mesh's part of the table instead of a slice",
+    ),
+    (
+        "mesh_light_sample",
+        "the place of the mesh's part of the table instead of a slice",
+    ),
+    ("self_distance", "the kernel looks the kind of the shape up"),
+];
+
+/// Free functions of the reference without a twin, by name or by the start of their file.
+pub const REFERENCE_ONLY: &[(&str, &str)] = &[
+    ("accel/", "each renderer has a hierarchy of its own"),
+    ("film_stderr", "of the sums that the host reads back"),
+    (
+        "light/choice",
+        "light_choice, light_pmf, triangle_choice and triangle_pmf, each over its part of a buffer",
+    ),
+    (
+        "path/direct",
+        "the first half of connect, which the kernel has in one piece",
+    ),
+    ("path/flight", "the two halves of fly"),
+    ("spawn_ray", "the kernel sets the fields of its state"),
+    ("trace_path", "the loop of path_trace.comp"),
+    ("vec3", "a constructor"),
+];
