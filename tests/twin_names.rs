@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 use exceptions::{ARGUMENTS, HOMES, KERNEL_ONLY, REFERENCE_ONLY};
 use functions::{Function, glsl_functions, rust_functions, sources, undocumented};
 use vkpt::features::Features;
-use vkpt::kernel::scene::{Parameters, compose};
+use vkpt::kernel::scene::{Parameters, Recording, compose};
 use vkpt::kernel::{file, files};
 use vkpt::settings::Settings;
 
@@ -48,7 +48,7 @@ fn generated() -> String {
         bindings: &[],
         bvh: None,
         background_light: Some(0),
-        records: None,
+        recording: Recording::Nothing,
     };
     let composed = compose(&features, &parameters).expect("a kernel");
     composed.text().to_owned()

@@ -115,8 +115,12 @@ const EXCUSED: &[(&str, &str)] = &[
 const READS_THE_SCENE: &str =
     "its functions read a scene's buffers: whole paths are held against the reference";
 
-#[test]
-fn every_function_has_a_row() {
+fn excused(file: &str) -> bool {
+    EXCUSED.iter().any(|(start, _)| file.starts_with(start))
+}
+
+/// All rows of functions.
+fn all() -> Vec<Twin> {
     let twins = [
         bsdf::twins(),
         camera::twins(),
@@ -128,8 +132,28 @@ fn every_function_has_a_row() {
         sampler::twins(),
         shape::twins(),
     ];
-    let held: BTreeSet<(String, &str)> = twins.iter().flatten().flat_map(Twin::holds).collect();
-    let excused = |name: &&str| EXCUSED.iter().any(|(start, _)| name.starts_with(start));
+    twins.into_iter().flatten().collect()
+}
+
+/// Dispatch that is generated for a scene. Each branch calls a function that has a row; that it is the right one show
+/// whole paths in `tests/same_bits.rs`.
+const GENERATED: [&str; 10] = [
+    "bsdf_eval",
+    "bsdf_sample",
+    "distribution_d",
+    "distribution_g1",
+    "distribution_sample",
+    "fresnel",
+    "hit_surface",
+    "light_pdf",
+    "light_sample",
+    "nearest",
+];
+
+#[test]
+fn every_function_has_a_row() {
+    let twins = all();
+    let held: BTreeSet<(String, &str)> = twins.iter().flat_map(Twin::holds).collect();
     let library = files().filter(|f| !f.ends_with(".comp") && !excused(f));
     let missing: Vec<String> = library
         .flat_map(|f| functions(file(f).unwrap_or_default()).map(move |name| (f.to_owned(), name)))
@@ -141,6 +165,36 @@ fn every_function_has_a_row() {
         "without a row in tests/twins/:\n{}",
         missing.join("\n")
     );
+}
+
+/// naga's own list of the functions of whole kernels: each has a row or stands in an excused file, or it is generated
+/// and calls one of several that do.
+#[test]
+fn every_function_that_naga_lists_is_accounted_for() {
+    let Some(device) = common::device() else {
+        return;
+    };
+    let twins = all();
+    let held = twins.iter().flat_map(Twin::holds).map(|(_, name)| name);
+    let read = files().filter(|f| f.ends_with(".comp") || excused(f));
+    let read = read.flat_map(|f| functions(file(f).unwrap_or_default()));
+    let known: BTreeSet<&str> = held.chain(read).chain(GENERATED).collect();
+    let settings = common::settings::estimators().into_iter();
+    let mut missing = BTreeSet::new();
+    for (_, settings) in settings.chain(common::settings::models()) {
+        for text in [
+            common::scenes::TABLE,
+            common::scenes::SMOOTH,
+            common::scenes::WIDE,
+        ] {
+            let scene = common::render::prepared(text, &settings);
+            let job = common::render::job(&scene, settings, 1, 1);
+            let kernel = vkpt::render::kernel(&job, device).expect("a kernel");
+            let listed = kernel.functions.into_iter();
+            missing.extend(listed.filter(|f| !known.contains(f.as_str())));
+        }
+    }
+    assert_eq!(missing, BTreeSet::new());
 }
 
 /// The functions that a GLSL file defines: a definition starts its line, `type name(`.
