@@ -8,11 +8,10 @@ mod common;
 #[path = "common/icosphere.rs"]
 mod icosphere;
 
-use std::fmt::Write as _;
 use std::sync::atomic::AtomicBool;
 
 use common::render::{difference, job, outcome, prepared};
-use icosphere::icosphere;
+use icosphere::mesh::{Icosphere, ply};
 use tempfile::NamedTempFile;
 use vkpt::gpu::DeviceKind;
 use vkpt::prepared::Prepared;
@@ -39,20 +38,11 @@ fn mirror_room() -> Prepared {
 
 /// The displaced sphere of 20·n² triangles.
 fn bumpy_ball(n: u32) -> NamedTempFile {
-    let triangles = icosphere(n, 7);
-    let mut text = format!(
-        "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n\
-         element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-        3 * triangles.len(),
-        triangles.len()
-    );
-    for p in triangles.iter().flatten() {
-        writeln!(text, "{} {} {}", p.x, p.y, p.z).expect("a string");
-    }
-    for i in 0..triangles.len() {
-        writeln!(text, "3 {} {} {}", 3 * i, 3 * i + 1, 3 * i + 2).expect("a string");
-    }
-    common::meshes::ply(&text)
+    let file = tempfile::Builder::new().suffix(".ply").tempfile();
+    let file = file.expect("a temporary file");
+    let ball = ply::bytes(&Icosphere::new(n, 0.1, 7), None);
+    std::fs::write(file.path(), ball).expect("a temporary file");
+    file
 }
 
 #[test]
