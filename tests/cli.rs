@@ -3,6 +3,7 @@
 mod cli {
     mod help;
     mod interrupt;
+    mod paired;
     pub mod program;
     mod readme;
     mod refusals;

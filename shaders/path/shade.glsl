@@ -49,6 +49,7 @@ void shade(inout PathState s, Flight flight, inout FilmPixel pixel, uint pixel_i
         end_path(s);
     } else {
         Vertex v = path_vertex(flight.ray, flight.hit, flight.distance);
+        record_hit(s, v);
         s.radiance += s.throughput * emission_seen(s, v, flight.origin, flight.distance);
         if (materials[v.material].kind == KIND_BLACK || depth_reached(s.bounce)) {
             record_vertex(s, v, LOBE_NONE);

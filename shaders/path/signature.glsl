@@ -1,18 +1,29 @@
 // The decisions of a path as one word: two paths that decided alike have the same.
 // Twin of src/reference/path/signature.rs.
-// uses: sampler/random
+// uses: math/vec, sampler/random
 
-const uint DECISION_VERTEX = 1u;
-const uint DECISION_ESCAPE = 2u;
-const uint DECISION_LIGHT = 3u;
-const uint DECISION_CONNECTION = 4u;
+const uint DECISION_SHAPE = 1u;
+const uint DECISION_LIGHT = 2u;
+const uint DECISION_ARRIVAL = 3u;
+const uint DECISION_LOBE = 4u;
+const uint DECISION_ESCAPE = 5u;
 
-// `chain` with one more decision: its kind, and what was decided.
-uint decide(uint chain, uint decision, uint a, uint b) {
-    return pcg4d(uvec4(chain, decision, a, b)).x;
+// 2^-64
+const float DARK = 5.421010862427522e-20;
+
+// `chain` with one more decision, its kind and what was decided; as it was where that makes no difference.
+uint decide(uint chain, bool matters, uint decision, uint what) {
+    // Before the choice, not within it: naga makes `?:` a branch, and on that one Mesa 22.3's compiler crashed.
+    uint longer = pcg4d(uvec4(chain, decision, what, 0u)).x;
+    return matters ? longer : chain;
+}
+
+// Whether this radiance is more than none.
+bool is_light(vec3 radiance) {
+    return max_component(radiance) > DARK;
 }
 
 // Of a path whose vertices and whose connections made these chains.
 uint path_signature(uint vertices, uint connections) {
-    return decide(vertices, 0u, connections, 0u);
+    return decide(vertices, true, 0u, connections);
 }

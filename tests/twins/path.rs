@@ -3,7 +3,7 @@
 use vkpt::reference::path::connect::{connection_weight, hit_weight, power_heuristic};
 use vkpt::reference::path::medium::{beer, beer3};
 use vkpt::reference::path::roulette::roulette_survival;
-use vkpt::reference::path::signature::{decide, path_signature};
+use vkpt::reference::path::signature::{decide, is_light, path_signature};
 use vkpt::settings::{Connect, Roulette};
 
 use super::harness::{Rng, Row, Twin};
@@ -14,6 +14,7 @@ pub fn twins() -> Vec<Twin> {
         absorption(),
         absorption_of_colours(),
         decision(),
+        light(),
         signature(),
     ];
     // Where light is found by chance alone, the kernel connects nothing.
@@ -170,19 +171,20 @@ fn survival((roulette, file): (Roulette, &'static str)) -> Twin {
 
 fn decision() -> Twin {
     Twin::new("decide", "path/signature")
-        .glsl("uint chain = in_u(); uint decision = in_u(); uint a = in_u(); out_u(decide(chain, decision, a, in_u()));")
+        .glsl("uint chain = in_u(); bool matters = in_b(); uint decision = in_u(); out_u(decide(chain, matters, decision, in_u()));")
         .rust(|i, o| {
-            let (chain, decision, a) = (i.u(), i.u(), i.u());
-            o.u(decide(chain, decision, a, i.u()));
+            let (chain, matters, decision) = (i.u(), i.b(), i.u());
+            o.u(decide(chain, matters, decision, i.u()));
         })
-        .edge([0, 1, 0, 0])
+        .edge([0, 1, 1, 0])
+        .edge([7, 0, 1, 0])
         .edge([u32::MAX; 4])
         .seeded(500, |r| {
             Row::new()
                 .u(r.u32())
-                .u(1 + r.below(4))
+                .u(r.below(2))
+                .u(1 + r.below(5))
                 .u(r.below(100))
-                .u(r.below(8))
         })
 }
 
@@ -195,4 +197,26 @@ fn signature() -> Twin {
         })
         .edge([0, 0])
         .seeded(500, |r| Row::new().u(r.u32()).u(r.u32()))
+}
+
+fn light() -> Twin {
+    let dark = 2f32.powi(-64);
+    Twin::new("is_light", "path/signature")
+        .glsl("out_b(is_light(in_vec3()));")
+        .rust(|i, o| {
+            let radiance = i.vec3();
+            o.b(is_light(radiance));
+        })
+        .edge([0.0, 0.0, 0.0])
+        .edge([0.0, dark, 0.0])
+        .edge([0.0, f32::from_bits(dark.to_bits() + 1), 0.0])
+        .edge([0.0, 1e-45, f32::INFINITY])
+        .edge([f32::NAN, 1.0, 0.0])
+        .edge([0.0, 0.0, f32::NAN])
+        .seeded(500, |r| {
+            Row::new()
+                .f(r.log_range(1e-25, 1e-15))
+                .f(r.log_range(1e-25, 1e-15))
+                .f(0.0)
+        })
 }

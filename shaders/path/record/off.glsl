@@ -1,6 +1,9 @@
 // Nothing is written down.
 // uses: path/vertex
 
+void record_hit(inout PathState s, Vertex v) {
+}
+
 void record_light(inout PathState s, uint light) {
 }
 

@@ -12,6 +12,10 @@ void record(inout PathState s, Record event) {
     s.recorded += 1u;
 }
 
+// The vertex is told once it is shaded.
+void record_hit(inout PathState s, Vertex v) {
+}
+
 // A connection tells of its light.
 void record_light(inout PathState s, uint light) {
 }

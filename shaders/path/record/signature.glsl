@@ -3,20 +3,25 @@
 // Twin of src/reference/path/signature.rs.
 // uses: path/vertex, path/signature
 
+void record_hit(inout PathState s, Vertex v) {
+    s.recorded = decide(s.recorded, is_light(s.throughput), DECISION_SHAPE, v.shape);
+}
+
 void record_light(inout PathState s, uint light) {
-    s.connected = decide(s.connected, DECISION_LIGHT, light, 0u);
+    s.connected = decide(s.connected, is_light(s.throughput), DECISION_LIGHT, light);
 }
 
 void record_vertex(inout PathState s, Vertex v, uint lobe) {
-    s.recorded = decide(s.recorded, DECISION_VERTEX, v.shape, lobe);
+    s.recorded = decide(s.recorded, is_light(s.throughput), DECISION_LOBE, lobe);
 }
 
 void record_connection(inout PathState s, bool visible) {
-    s.connected = decide(s.connected, DECISION_CONNECTION, visible ? 1u : 0u, 0u);
+    bool arrived = visible && is_light(s.contribution);
+    s.connected = decide(s.connected, arrived, DECISION_ARRIVAL, 0u);
 }
 
 void record_escape(inout PathState s) {
-    s.recorded = decide(s.recorded, DECISION_ESCAPE, 0u, 0u);
+    s.recorded = decide(s.recorded, is_light(s.throughput), DECISION_ESCAPE, 0u);
 }
 
 void record_sample(inout PathState s, uint lane, uint index) {

@@ -87,3 +87,34 @@ fn two_sided(mean: f64, error: f64, n: u64) -> f64 {
     // A spread of 0 about a mean that is not 0: t is infinite.
     StudentsT::new(0.0, 1.0, n as f64 - 1.0).map_or(1.0, |t| 2.0 * t.sf((mean / error).abs()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Critical values of Student's t, two-sided: 5 % and 0.1 % at 30 and at 120 degrees of freedom
+    /// (NIST/SEMATECH e-Handbook of Statistical Methods, table 1.3.6.7.2: 0.975, 0.999 and 0.9995).
+    #[test]
+    fn the_table_of_students_t() {
+        for (t, n, p) in [(2.042, 31, 0.05), (3.385, 31, 0.002), (1.980, 121, 0.05)] {
+            let ours = two_sided(-t, 1.0, n);
+            assert!((ours / p - 1.0).abs() < 2e-3, "{t}, {n}: {ours}");
+        }
+        assert_eq!(two_sided(0.0, 0.0, 40), 1.0);
+        assert_eq!(two_sided(1e-9, 0.0, 40), 0.0);
+    }
+
+    #[test]
+    fn mean_and_standard_error() {
+        let mut parted = Parted::default();
+        for d in [1.0, 2.0, 4.0, 5.0] {
+            parted.add([d, -d, 0.0]);
+        }
+        // s² = (4 + 1 + 1 + 4)/3
+        let error = (10.0f64 / 3.0 / 4.0).sqrt();
+        let close = |a: [f64; 3], b: [f64; 3]| (0..3).all(|c| (a[c] - b[c]).abs() < 1e-15);
+        assert!(close(parted.mean(), [3.0, -3.0, 0.0]));
+        assert!(close(parted.standard_error(), [error, error, 0.0]));
+        assert_eq!(Parted::default().standard_error(), [f64::INFINITY; 3]);
+    }
+}

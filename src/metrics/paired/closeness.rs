@@ -2,9 +2,8 @@
 
 use crate::sample::Address;
 
-/// Radiance that counts as none, W·sr⁻¹·m⁻²: far below anything seen, and far enough above the least normal number of
-/// f32 (1.2e-38) that the factors it is made of have all their digits.
-pub const DARK: f64 = 1e-30;
+/// Radiance that counts as none, W·sr⁻¹·m⁻²: 2⁻⁶⁴, as in the signatures of paths (`reference::path::signature`).
+pub const DARK: f64 = 5.421010862427522e-20;
 
 /// The most, over the channels, of |a − b| / max(|a|, |b|, [`DARK`]): in [0, 1] for radiances of one sign.
 /// `None` where neither brings light: no channel above `DARK`.
@@ -109,9 +108,9 @@ mod tests {
         );
         assert_eq!(relative_difference(grey(1.0), grey(0.0)), Some(1.0));
         assert_eq!(relative_difference(grey(0.0), grey(0.0)), None);
-        assert_eq!(relative_difference(grey(1e-40), grey(1e-31)), None);
-        // A channel that is black but for f32's last digits says nothing of a path that is bright in another.
-        let dim = relative_difference([1.0, 1e-44, 0.0], [1.0, 0.0, 0.0]);
+        assert_eq!(relative_difference(grey(1e-40), grey(1e-20)), None);
+        // A channel that is black in f32 alone says nothing of a path that is bright in another.
+        let dim = relative_difference([1.0, 1e-35, 0.0], [1.0, 0.0, 0.0]);
         assert!(dim.is_some_and(|d| d < 1e-13), "{dim:?}");
     }
 

@@ -46,7 +46,7 @@ fn shadow_to_light<F: Real>(
 ) -> Option<ShadowRay<F>> {
     let u = sampler_block(id.pixel, id.sample, light_block(s.bounce), id.seed);
     let light = world.light_choice(u[0] >> 8);
-    recorder.light(light);
+    recorder.light(s, light);
     let l = world.light_sample(light, v.p, u[1] >> 8, [unit_float(u[2]), unit_float(u[3])]);
     let p = world.light_pmf(light) * l.pdf;
     let wi = to_local(v.frame, l.wi);

@@ -82,6 +82,7 @@ pub fn trace_path<F: Real>(
             break;
         };
         let v = vertex::path_vertex(world, settings, s.ray, hit, distance);
+        recorder.hit(&s, &v);
         s.radiance += s.throughput * emission_seen(world, settings, &s, &v, origin, distance);
         let black = world.materials[v.material as usize].kind == MaterialKind::Black;
         if black || depth_reached(settings, s.bounce) {

@@ -7,8 +7,10 @@ use crate::reference::math::{Real, Vec3};
 
 /// Told of each event of a path, in order; the renderer uses [`Silent`].
 pub trait Recorder<F: Real> {
-    /// The light that the vertex under way was to be connected to, whether or not a connection came of it.
-    fn light(&mut self, _light: usize) {}
+    /// The path has come to the vertex `v`, which is not shaded yet.
+    fn hit(&mut self, _s: &PathState<F>, _v: &Vertex<F>) {}
+    /// The light that this vertex was to be connected to, whether or not a connection came of it.
+    fn light(&mut self, _s: &PathState<F>, _light: usize) {}
     /// The state after the vertex `v` was shaded and the next direction drawn from `lobe`.
     fn vertex(&mut self, s: &PathState<F>, v: &Vertex<F>, lobe: u32);
     /// A connection and the light that arrived over it.

@@ -1,9 +1,12 @@
 //! The decisions of a path as one word: two paths that decided alike have the same. Twin of
 //! `shaders/path/signature.glsl` and `shaders/path/record/signature.glsl`.
 //!
-//! Decided are, at each vertex, the shape that was hit, the light that was chosen, whether the connection to it was
-//! made and whether it arrived, the lobe, and by roulette whether the path goes on: the next vertex or the escape is
-//! there or not. Not decided, and not in the signature, are points, directions and triangles within a mesh.
+//! Decided are, at each vertex, the shape that was hit, the light that was chosen, whether light arrived from it, the
+//! lobe, and by roulette whether the path goes on: the next shape or the escape is there or not. Not decided, and not
+//! in the signature, are points, directions and triangles within a mesh.
+//!
+//! In the dark nothing is decided: what is 1e-60 in f64 is 0 in f32, which then flies no connection or ends a path
+//! whose light nobody could see. A throughput or a contribution counts where it is above [`DARK`].
 //!
 //! Vertices and connections each have a chain, because the kernel flies a connection a turn after its vertex.
 //! Two paths that decided otherwise have the same signature with a probability of 2⁻³².
@@ -12,22 +15,33 @@ use super::PathState;
 use super::flight::ShadowRay;
 use super::record::Recorder;
 use super::vertex::Vertex;
-use crate::reference::math::{Real, Vec3};
+use crate::reference::math::{Real, Vec3, max_component};
 use crate::reference::sampler::random::pcg4d;
 
-const DECISION_VERTEX: u32 = 1;
-const DECISION_ESCAPE: u32 = 2;
-const DECISION_LIGHT: u32 = 3;
-const DECISION_CONNECTION: u32 = 4;
+const DECISION_SHAPE: u32 = 1;
+const DECISION_LIGHT: u32 = 2;
+const DECISION_ARRIVAL: u32 = 3;
+const DECISION_LOBE: u32 = 4;
+const DECISION_ESCAPE: u32 = 5;
 
-/// `chain` with one more decision: its kind, and what was decided.
-pub fn decide(chain: u32, decision: u32, a: u32, b: u32) -> u32 {
-    pcg4d([chain, decision, a, b])[0]
+/// What counts as no light, in a throughput or in W·sr⁻¹·m⁻²: 2⁻⁶⁴. The least normal number of f32 is 2⁻¹²⁶; that
+/// leaves 2⁶² for what a factor that small may be multiplied by, the radiance of a light or the inverse of a density.
+pub const DARK: f64 = 5.421010862427522e-20;
+
+/// `chain` with one more decision, its kind and what was decided; as it was where that makes no difference.
+pub fn decide(chain: u32, matters: bool, decision: u32, what: u32) -> u32 {
+    let longer = pcg4d([chain, decision, what, 0])[0];
+    if matters { longer } else { chain }
+}
+
+/// Whether this throughput or radiance is more than none.
+pub fn is_light<F: Real>(radiance: Vec3<F>) -> bool {
+    max_component(radiance) > F::new(DARK)
 }
 
 /// Of a path whose vertices and whose connections made these chains.
 pub fn path_signature(vertices: u32, connections: u32) -> u32 {
-    decide(vertices, 0, connections, 0)
+    decide(vertices, true, 0, connections)
 }
 
 /// The decisions of one path so far.
@@ -45,20 +59,34 @@ impl Signature {
 }
 
 impl<F: Real> Recorder<F> for Signature {
-    fn light(&mut self, light: usize) {
-        self.connections = decide(self.connections, DECISION_LIGHT, light as u32, 0);
+    fn hit(&mut self, s: &PathState<F>, v: &Vertex<F>) {
+        self.vertices = decide(
+            self.vertices,
+            is_light(s.throughput),
+            DECISION_SHAPE,
+            v.shape,
+        );
     }
 
-    fn vertex(&mut self, _: &PathState<F>, v: &Vertex<F>, lobe: u32) {
-        self.vertices = decide(self.vertices, DECISION_VERTEX, v.shape, lobe);
+    fn light(&mut self, s: &PathState<F>, light: usize) {
+        self.connections = decide(
+            self.connections,
+            is_light(s.throughput),
+            DECISION_LIGHT,
+            light as u32,
+        );
+    }
+
+    fn vertex(&mut self, s: &PathState<F>, _: &Vertex<F>, lobe: u32) {
+        self.vertices = decide(self.vertices, is_light(s.throughput), DECISION_LOBE, lobe);
     }
 
     fn connection(&mut self, _: &PathState<F>, _: &ShadowRay<F>, arrived: Option<Vec3<F>>) {
-        let visible = u32::from(arrived.is_some());
-        self.connections = decide(self.connections, DECISION_CONNECTION, visible, 0);
+        let arrived = arrived.is_some_and(is_light);
+        self.connections = decide(self.connections, arrived, DECISION_ARRIVAL, 0);
     }
 
-    fn escape(&mut self, _: &PathState<F>) {
-        self.vertices = decide(self.vertices, DECISION_ESCAPE, 0, 0);
+    fn escape(&mut self, s: &PathState<F>) {
+        self.vertices = decide(self.vertices, is_light(s.throughput), DECISION_ESCAPE, 0);
     }
 }

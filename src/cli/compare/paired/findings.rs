@@ -55,3 +55,61 @@ impl Findings {
         format!("{show} --trace {x},{y},{}", address.index)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::Path;
+
+    /// Forty samples: sample 20 is off by a bit in the pair `bit`, all part in the pair `bias`, one side brighter.
+    fn findings(bit: usize, bias: usize, correctly_rounded: bool) -> Findings {
+        let mut pairs: [Comparison; PAIRS.len()] = Default::default();
+        for (k, pair) in pairs.iter_mut().enumerate() {
+            for index in 0..40 {
+                let path = |x: f64, signature| Path {
+                    radiance: [x; 3],
+                    signature,
+                };
+                let off = k == bit && index == 20;
+                let a = path(if off { 1.0f64.next_up() } else { 1.0 }, 0);
+                let wave = 1.1 + 0.01 * f64::from(index % 3);
+                let b = if k == bias {
+                    path(wave, 1)
+                } else {
+                    path(1.0, 0)
+                };
+                let address = Address {
+                    pixel: [7, 8],
+                    index,
+                };
+                pair.add(address, &a, &b);
+            }
+        }
+        Findings {
+            pairs,
+            correctly_rounded,
+            show: ["vkpt a.txt", "vkpt a.txt --device cpu-f64"].map(str::to_owned),
+        }
+    }
+
+    #[test]
+    fn a_bit_counts_on_a_cpu_driver_and_has_an_address() {
+        let failures = findings(0, 9, true).failures();
+        assert_eq!(failures.len(), 1, "{failures:?}");
+        let told =
+            "1 of 40 paths differ, the first at pixel 7,8, sample 20: vkpt a.txt --trace 7,8,20";
+        assert!(failures[0].ends_with(told), "{failures:?}");
+        assert!(findings(0, 9, false).failures().is_empty());
+        // f64 may differ.
+        assert!(findings(1, 9, true).failures().is_empty());
+    }
+
+    #[test]
+    fn a_bias_counts_everywhere() {
+        for pair in [1, 2] {
+            let failures = findings(9, pair, true).failures();
+            assert_eq!(failures.len(), 1, "{failures:?}");
+            assert!(failures[0].starts_with(PAIRS[pair]), "{failures:?}");
+        }
+    }
+}
