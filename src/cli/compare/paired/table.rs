@@ -98,6 +98,7 @@ fn mean_difference(parted: &Parted, channel: usize) -> String {
 
 fn verdict(parted: &Parted) -> String {
     match parted.verdict() {
+        Verdict::TooFew if parted.paths == 0 => NONE.to_owned(),
         Verdict::TooFew => "too few to tell".to_owned(),
         Verdict::Unbiased(p) => format!("no, p = {p:.2}"),
         Verdict::Biased(p) => format!("yes, p = {p:.1e}"),
