@@ -94,7 +94,7 @@ fn every_scene_stays_together() {
 
 /// Larger ones: each scene is shown to part less often than it may, with the same α.
 #[test]
-#[ignore = "five minutes"]
+#[ignore = "two minutes"]
 fn every_scene_is_shown_to_stay_together() {
     if !cpu_driver() {
         return;
