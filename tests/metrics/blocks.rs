@@ -34,9 +34,9 @@ fn blocks_cover_the_picture() {
 #[test]
 fn z_by_hand() {
     // 50×25 pixels: two blocks of n = 625. Second block, green: means ½ and ¼, errors of a pixel 4 and 3:
-    // z = ¼/(√(625·16 + 625·9)/625) = ¼/(5/25) = 1.25, p = 2 Φ(−1.25) = 0.211300 (tables of Φ), but for the
-    // rounding of ½ and ¼ to f32.
-    let z = (0.25 - 0.75 * f64::from(f32::EPSILON) / 2.0) / 0.2;
+    // z = ¼/(√(625·16 + 625·9)/625) = ¼/(5/25) = 1.25, p = 2 Φ(−1.25) = 0.211300 (tables of Φ), but for
+    // the rounding of ½ and ¼: of their f32, 2⁻²⁴, and of the arithmetic that led to them, 2⁻²⁰.
+    let z = (0.25 - 0.75 * (2f64.powi(-24) + 2f64.powi(-20))) / 0.2;
     let a = film(50, 25, |x, _| [0.5, if x < 25 { 0.25 } else { 0.5 }, 0.5]);
     let b = film(50, 25, |_, _| [0.5, 0.25, 0.5]);
     let (ea, eb) = (constant(50, 25, [4.0; 3]), constant(50, 25, [3.0; 3]));
@@ -62,7 +62,7 @@ fn z_by_hand() {
 fn without_errors_pictures_are_equal_within_rounding() {
     let a = film(30, 30, |x, y| [x as f32, y as f32, 0.0]);
     let next = mapped(&a, f32::next_up);
-    let beyond = mapped(&a, |v| v * (1.0 + 4.0 * f32::EPSILON));
+    let beyond = mapped(&a, |v| v * (1.0 + 32.0 * f32::EPSILON));
     assert!(test(&exact(&a), &exact(&next)).passes());
     let found = test(&exact(&a), &exact(&beyond));
     // Red and green differ; black in blue does not.

@@ -1,9 +1,13 @@
-//! A picture, its standard errors and its file's rounding.
+//! A picture, its standard errors and its rounding.
 
 use crate::film::Film;
 use crate::image::Precision;
 use crate::metrics::MetricsError;
 use crate::metrics::pair::{check, check_errors, same_size};
+
+/// How far two renderers may part that round differently, relatively: a path takes some two hundred operations,
+/// each off by half a unit in the last place of f32; they add up like a random walk: √256 · 2⁻²⁴.
+const ARITHMETIC: f64 = 1.0 / (1 << 20) as f64;
 
 /// A picture and how well it is known.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +45,7 @@ impl Estimate<'_> {
             .ok_or(MetricsError::NoRounding { picture: mean })
     }
 
-    /// The `i`-th pixel's value, standard error and rounding at most, channel by channel.
+    /// The `i`-th pixel's value, standard error and the most that rounding has moved it, channel by channel.
     pub(super) fn pixel(&self, i: usize) -> ([f64; 3], [f64; 3], [f64; 3]) {
         let value = self.mean.rgb[i];
         let error = match self.stderr {
@@ -49,7 +53,9 @@ impl Estimate<'_> {
             Stderr::Exact => [0.0; 3],
         };
         // `check` has refused what has no bound.
-        let rounding = self.precision.rounding(value).unwrap_or_default();
-        (value.map(f64::from), error, rounding)
+        let stored = self.precision.rounding(value).unwrap_or_default();
+        let value = value.map(f64::from);
+        let rounding = [0, 1, 2].map(|c| stored[c] + ARITHMETIC * value[c].abs());
+        (value, error, rounding)
     }
 }
