@@ -35,7 +35,7 @@ const ROOMS: [(&str, &[&str]); 16] = [
     ("sample", &[]),
     ("image", &["film"]),
     ("metrics", &["film", "image", "sample"]),
-    ("report", &["film", "settings"]),
+    ("report", &["film", "metrics", "settings"]),
     (
         "cli",
         &[

@@ -46,7 +46,7 @@ pub struct Arguments {
 enum Command {
     /// List what can render here, and what can't and why
     Devices,
-    /// Compare what several renderers make of a scene
+    /// Compare pictures, or what several renderers make of a scene
     Compare(Box<CompareArguments>),
 }
 

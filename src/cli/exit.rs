@@ -29,6 +29,8 @@ pub enum Failure {
     /// By the Vulkan loader or for want of a device.
     NoDevice(String),
     Files(Vec<FileError>),
+    /// Pictures that can't be read or compared.
+    Pictures(Vec<String>),
 }
 
 /// Tells a failure and gives the program's exit code.
@@ -50,7 +52,7 @@ impl Failure {
             Self::Render(error) if error.is_no_device() => 4,
             Self::Render(_) | Self::Comparison(_) => 1,
             Self::Usage(_) => 2,
-            Self::Scene(_) | Self::Prepare(_) | Self::Strict(_) => 3,
+            Self::Scene(_) | Self::Prepare(_) | Self::Strict(_) | Self::Pictures(_) => 3,
             Self::NoDevice(_) => 4,
             Self::Files(_) => 5,
         }
@@ -73,6 +75,7 @@ impl Failure {
             Self::Render(error) => tell(&error),
             Self::Comparison(differences) => differences.iter().for_each(|d| tell(d)),
             Self::NoDevice(message) => tell(&message),
+            Self::Pictures(messages) => messages.iter().for_each(|message| tell(message)),
             Self::Files(errors) => {
                 errors
                     .iter()

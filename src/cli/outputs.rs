@@ -7,7 +7,7 @@ use super::arguments::{RenderArguments, usage};
 use super::exit::Failure;
 use super::values::Output;
 use crate::film::Aov;
-use crate::image::file::{FileError, check_writable, write_whole};
+use crate::image::file::{FileError, check_writable, stderr_path, write_whole};
 use crate::image::{Format, Frame, Labels, encode};
 use crate::report::Record;
 
@@ -85,9 +85,7 @@ fn stderr_files(pictures: &[Output], spp: u32) -> Result<Vec<Output>, Failure> {
     }
     let mut files: Vec<Output> = Vec::new();
     for picture in pictures {
-        let mut name = picture.path.file_stem().unwrap_or_default().to_os_string();
-        name.push("-stderr.exr");
-        let path = picture.path.with_file_name(name);
+        let path = stderr_path(&picture.path);
         if pictures.iter().any(|other| other.path == path) {
             return Err(usage(format!(
                 "--aov stderr would write over the picture {}: give it another name",

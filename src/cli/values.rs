@@ -80,6 +80,25 @@ pub fn output(text: &str) -> Result<Output, String> {
     }
 }
 
+/// A file whose ending is .png.
+pub fn png(text: &str) -> Result<Output, String> {
+    match Format::of(Path::new(text)) {
+        Some(format @ Format::Png) => Ok(Output {
+            path: text.into(),
+            format,
+        }),
+        _ => Err("the ending must be .png".to_owned()),
+    }
+}
+
+/// The most that an error may be.
+pub fn bound(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(bound) if bound >= 0.0 && bound.is_finite() => Ok(bound),
+        _ => Err("must be a finite number from 0 up, such as 1e-3".to_owned()),
+    }
+}
+
 /// `WxH`, both from 1 to [`LARGEST_SIDE`].
 pub fn size(text: &str) -> Result<[u32; 2], String> {
     match numbers(text, 'x') {

@@ -14,6 +14,13 @@ pub struct FileError {
     pub cause: io::Error,
 }
 
+/// Where the standard errors of a picture stand: `NAME-stderr.exr` beside `NAME.png` or `NAME.exr`.
+pub fn stderr_path(picture: &Path) -> PathBuf {
+    let mut name = picture.file_stem().unwrap_or_default().to_os_string();
+    name.push("-stderr.exr");
+    picture.with_file_name(name)
+}
+
 /// Whether `path` can be written, found out before a rendering is spent on it. Leaves no trace.
 pub fn check_writable(path: &Path) -> Result<(), FileError> {
     let check = || {

@@ -1,6 +1,7 @@
 //! What a rendering did, as a record, and the record as JSON, as a picture's header and as lines to read.
 //! Pure functions of records: nothing here measures or prints.
 
+mod comparison;
 mod header;
 pub mod human;
 pub mod names;
@@ -8,6 +9,7 @@ mod record;
 mod settings;
 mod summary;
 
+pub use comparison::{Comparison, Tested, comparison};
 pub use header::{aov_notes, notes};
 pub use record::{Dropped, Job, Machine, Record, Seconds, Work};
 pub use settings::SettingsRecord;

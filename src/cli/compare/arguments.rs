@@ -4,25 +4,79 @@ use std::path::PathBuf;
 
 use crate::cli::arguments::SettingArguments;
 use crate::cli::job::Request;
-use crate::cli::values;
+use crate::cli::values::{self, Output};
 use crate::gpu::Selector;
 
 const EXIT_CODES: &str = "\
 Exit codes:
-    0  compared
-    1  a Vulkan device of the CPU differs from cpu-f32 in a bit, the paths that parted are biased, or
-       rendering failed
+    0  compared, and as close as the flags demand
+    1  --max-relmse or --z-test failed; a Vulkan device of the CPU differs from cpu-f32 in a bit, or
+       the paths that parted are biased; rendering failed
     2  the command line is wrong
-    3  the scene or one of its meshes is wrong
+    3  a picture can't be read or compared; the scene or one of its meshes is wrong
     4  there is no such Vulkan device, or none at all
+    5  the heat map could not be written
   130  interrupted by ctrl-c";
 
 /// What is to be compared.
 #[derive(clap::Args, Debug)]
 #[command(after_help = EXIT_CODES, max_term_width = 100)]
+#[command(
+    override_usage = "vkpt compare [OPTIONS] <A> <B>\n       vkpt compare [OPTIONS] --paired <SCENE>"
+)]
 pub struct CompareArguments {
     #[command(flatten)]
+    pub pictures: PictureArguments,
+
+    #[command(flatten)]
     pub paired: PairedArguments,
+}
+
+/// A comparison of pictures.
+#[derive(clap::Args, Debug)]
+pub struct PictureArguments {
+    /// The picture to judge: EXR, HDR or PNG, of any renderer
+    #[arg(
+        value_name = "A",
+        required_unless_present = "scene",
+        requires = "b",
+        conflicts_with = "scene"
+    )]
+    pub a: Option<PathBuf>,
+
+    /// The picture to judge it by; with --reference a second one to judge
+    #[arg(value_name = "B", required_unless_present = "scene")]
+    pub b: Option<PathBuf>,
+
+    /// Judge both pictures by this one
+    #[arg(long, value_name = "FILE", help_heading = PICTURES, requires = "a")]
+    pub reference: Option<PathBuf>,
+
+    /// Standard errors of the pictures' values: once for each picture, in order [default:
+    /// NAME-stderr.exr beside each, as `vkpt SCENE --aov stderr` writes it]
+    #[arg(long, value_name = "FILE", help_heading = PICTURES, requires = "a")]
+    pub stderr: Vec<PathBuf>,
+
+    /// Stops by which FLIP brightens the pictures before it looks at them as PNGs
+    #[arg(long, value_name = "EV", help_heading = PICTURES, default_value = "0")]
+    #[arg(requires = "a", allow_negative_numbers = true, value_parser = values::exposure)]
+    pub exposure: f64,
+
+    /// Write the relative squared error of each pixel as a colour; with --reference both maps, side
+    /// by side
+    #[arg(long, value_name = "FILE.png", help_heading = PICTURES, requires = "a")]
+    #[arg(value_parser = values::png)]
+    pub heatmap: Option<Output>,
+
+    /// Fail (exit code 1) if a relMSE is above X
+    #[arg(long, value_name = "X", help_heading = PICTURES, requires = "a")]
+    #[arg(value_parser = values::bound)]
+    pub max_relmse: Option<f64>,
+
+    /// Fail (exit code 1) if the means of blocks of 25x25 pixels differ by more than the standard
+    /// errors explain
+    #[arg(long, help_heading = PICTURES, requires = "a")]
+    pub z_test: bool,
 }
 
 /// A comparison of renderers, path by path.
@@ -30,42 +84,43 @@ pub struct CompareArguments {
 pub struct PairedArguments {
     /// Render this scene on the Vulkan device, by cpu-f32 and by cpu-f64, with the same random
     /// numbers, and tell which paths stay together, how close they are, and which part
-    #[arg(long = "paired", value_name = "SCENE", help_heading = PAIRED, required = true)]
+    #[arg(long = "paired", value_name = "SCENE", help_heading = PAIRED)]
     scene: Option<PathBuf>,
 
     /// Samples per pixel
     #[arg(long, value_name = "N", help_heading = PAIRED, default_value = "16")]
-    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(requires = "scene", value_parser = clap::value_parser!(u32).range(1..))]
     pub spp: u32,
 
     /// Seed of the random numbers
-    #[arg(long, value_name = "N", help_heading = PAIRED, default_value = "0")]
+    #[arg(requires = "scene", long, value_name = "N", help_heading = PAIRED, default_value = "0")]
     pub seed: u32,
 
     /// Width and height in pixels [default: the scene's]
-    #[arg(long, value_name = "WxH", help_heading = PAIRED, value_parser = values::size)]
+    #[arg(requires = "scene", long, value_name = "WxH", help_heading = PAIRED, value_parser = values::size)]
     pub size: Option<[u32; 2]>,
 
     /// Only these pixels, counted from the top left; X1 and Y1 are excluded
-    #[arg(long, value_name = "X0,Y0,X1,Y1", help_heading = PAIRED, value_parser = values::crop)]
+    #[arg(requires = "scene", long, value_name = "X0,Y0,X1,Y1", help_heading = PAIRED, value_parser = values::crop)]
     pub crop: Option<[u32; 4]>,
 
     /// The Vulkan device, by its index or part of its name [default: the best]
-    #[arg(long, value_name = "DEVICE", help_heading = PAIRED, value_parser = values::vulkan_device)]
+    #[arg(requires = "scene", long, value_name = "DEVICE", help_heading = PAIRED, value_parser = values::vulkan_device)]
     pub device: Option<Selector>,
 
     /// No progress and no table, only warnings and errors
-    #[arg(long, help_heading = PAIRED)]
+    #[arg(requires = "scene", long, help_heading = PAIRED)]
     pub quiet: bool,
 
     /// Take every warning about the scene as an error
-    #[arg(long, help_heading = PAIRED)]
+    #[arg(requires = "scene", long, help_heading = PAIRED)]
     pub strict: bool,
 
     #[command(flatten)]
     pub settings: SettingArguments,
 }
 
+const PICTURES: &str = "Pictures";
 const PAIRED: &str = "Same paths";
 
 impl PairedArguments {
@@ -85,5 +140,12 @@ impl PairedArguments {
     /// The Vulkan device.
     pub fn device(&self) -> Selector {
         self.device.clone().unwrap_or(Selector::Best)
+    }
+}
+
+impl PictureArguments {
+    /// A, B and the reference, as far as they are given.
+    pub fn paths(&self) -> impl Iterator<Item = &PathBuf> {
+        self.a.iter().chain(&self.b).chain(&self.reference)
     }
 }

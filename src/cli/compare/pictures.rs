@@ -1,0 +1,158 @@
+//! `vkpt compare A B`: how far pictures are from one another, and whether that is chance.
+
+use std::io::Write;
+
+use super::arguments::PictureArguments;
+use super::known::Known;
+use crate::cli::arguments::usage;
+use crate::cli::exit::{Ending, Failure};
+use crate::cli::values::Output;
+use crate::film::Film;
+use crate::image::file::{check_writable, write_whole};
+use crate::image::{Frame, Labels, encode};
+use crate::metrics::blocks::{ALPHA, BlockTest, z_test};
+use crate::metrics::flip::{Viewing, flip};
+use crate::metrics::{self, Errors, HEATMAP_RANGE, MetricsError, Pair, trimmed};
+use crate::report::{self, Comparison, Tested};
+
+/// Compares A with B, or both with the reference. The flags decide which differences are a failure.
+pub fn pictures(arguments: &PictureArguments) -> Result<Ending, Failure> {
+    if let Some(Output { path, .. }) = &arguments.heatmap {
+        check_writable(path).map_err(|error| Failure::Files(vec![error]))?;
+    }
+    let known = Known::read_all(arguments)?;
+    let Some((reference, tested)) = known.split_last() else {
+        return Err(usage("two pictures are needed"));
+    };
+    let comparison = compare(arguments.exposure, tested, reference).map_err(Failure::Pictures)?;
+    // A reader that has gone away is no reason to fail.
+    let _ = write!(std::io::stdout(), "{}", report::comparison(&comparison));
+    if let Some(output) = &arguments.heatmap {
+        write_heatmap(output, tested, reference)?;
+    }
+    verdict(arguments, &comparison)
+}
+
+/// Each of `tested` against the reference.
+fn compare(exposure: f64, tested: &[Known], reference: &Known) -> Result<Comparison, Vec<String>> {
+    let viewing = Viewing {
+        exposure,
+        ..Viewing::default()
+    };
+    let film = &reference.picture.film;
+    let mut comparison = Comparison {
+        reference: reference.name(),
+        size: [film.width, film.height],
+        exposure,
+        pixels_per_degree: viewing.pixels_per_degree,
+        tested: Vec::new(),
+    };
+    for known in tested {
+        let told = |error: MetricsError| {
+            vec![format!(
+                "{} and {}: {error}",
+                known.name(),
+                reference.name()
+            )]
+        };
+        known.same_place(reference)?;
+        let pair = Pair::new(&known.picture.film, film).map_err(told)?;
+        comparison.tested.push(Tested {
+            name: known.name(),
+            errors: Errors::of(&pair),
+            flip: trimmed(&flip(&pair, &viewing).map_err(told)?.errors),
+            z_test: block_test(known, reference).map_err(told)?,
+        });
+    }
+    Ok(comparison)
+}
+
+/// The z-test where both pictures have standard errors, otherwise why there is none.
+fn block_test(a: &Known, b: &Known) -> Result<Result<BlockTest, String>, MetricsError> {
+    Ok(match (a.estimate(), b.estimate()) {
+        (Ok(a), Ok(b)) => Ok(z_test(&a, &b, ALPHA)?),
+        (Err(why), _) | (_, Err(why)) => Err(why),
+    })
+}
+
+/// Writes the heat maps of all `tested`, side by side.
+fn write_heatmap(output: &Output, tested: &[Known], reference: &Known) -> Result<(), Failure> {
+    let told = |error: MetricsError| Failure::Pictures(vec![error.to_string()]);
+    let mut maps = Vec::new();
+    for known in tested {
+        let pair = Pair::new(&known.picture.film, &reference.picture.film).map_err(told)?;
+        maps.push(metrics::heatmap(&pair));
+    }
+    let film = side_by_side(&maps);
+    let frame = Frame {
+        film: &film,
+        origin: [0, 0],
+        full: [film.width, film.height],
+    };
+    let labels = Labels {
+        exposure: 0.0,
+        software: report::SOFTWARE,
+        notes: &[],
+    };
+    write_whole(&output.path, |out| {
+        encode(&frame, output.format, &labels, out)
+    })
+    .map_err(|error| Failure::Files(vec![error]))?;
+    let [low, high] = HEATMAP_RANGE;
+    let path = output.path.display();
+    let _ = writeln!(
+        std::io::stdout(),
+        "\nwrote {path}: relMSE of each pixel, from black ({low:e} and less) over violet and orange to pale yellow ({high} and more)"
+    );
+    Ok(())
+}
+
+/// Pictures of one size as one, from left to right.
+fn side_by_side(films: &[Film]) -> Film {
+    let (width, height) = films.first().map_or((0, 0), |f| (f.width, f.height));
+    let row = |y: u32| {
+        let span = (y * width) as usize..((y + 1) * width) as usize;
+        films.iter().flat_map(move |f| f.rgb[span.clone()].to_vec())
+    };
+    Film {
+        width: width * films.len() as u32,
+        height,
+        rgb: (0..height).flat_map(row).collect(),
+    }
+}
+
+/// Whether the pictures are as close as the flags demand.
+fn verdict(arguments: &PictureArguments, comparison: &Comparison) -> Result<Ending, Failure> {
+    let mut broken = Vec::new();
+    for Tested {
+        name,
+        errors,
+        z_test,
+        ..
+    } in &comparison.tested
+    {
+        if let Some(most) = arguments
+            .max_relmse
+            .filter(|&most| errors.rel_mse.all > most)
+        {
+            let found = errors.rel_mse.all;
+            broken.push(format!(
+                "{name}: relMSE {found:.4e} is above --max-relmse {most:e}"
+            ));
+        }
+        match z_test {
+            _ if !arguments.z_test => {}
+            Ok(test) if test.passes() => {}
+            Ok(test) => broken.push(format!(
+                "{name}: {} block means differ by more than their standard errors explain (--z-test)",
+                test.rejected()
+            )),
+            Err(why) => return Err(usage(format!("--z-test: {why}"))),
+        }
+    }
+    if broken.is_empty() {
+        Ok(Ending::Complete)
+    } else {
+        Err(Failure::Comparison(broken))
+    }
+}

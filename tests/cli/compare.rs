@@ -1,0 +1,208 @@
+//! `vkpt compare A B`: what it prints, and what its exit code says.
+
+use std::path::Path;
+
+use vkpt::film::Film;
+use vkpt::image::file::write_whole;
+use vkpt::image::{Format, Frame, Labels, encode};
+use vkpt::reference::sampler::{sampler_block, unit_float};
+
+use super::program::{Run, names, run};
+
+const SIZE: [u32; 2] = [64, 50];
+
+/// The standard error of every pixel of [`noisy`].
+const ERROR: f32 = 0.05;
+
+fn write(folder: &Path, name: &str, film: &Film) {
+    let path = folder.join(name);
+    let frame = Frame {
+        film,
+        origin: [0, 0],
+        full: [film.width, film.height],
+    };
+    let labels = Labels {
+        exposure: 0.0,
+        software: "test",
+        notes: &[],
+    };
+    let format = Format::of(&path).expect("a known ending");
+    write_whole(&path, |out| encode(&frame, format, &labels, out)).expect("a picture");
+}
+
+fn film(of: impl Fn(u32, u32) -> [f32; 3]) -> Film {
+    let [width, height] = SIZE;
+    let rgb = (0..width * height).map(|i| of(i % width, i / width));
+    Film {
+        width,
+        height,
+        rgb: rgb.collect(),
+    }
+}
+
+/// An even slope from .4 to .6 and noise of standard deviation [`ERROR`], normal by the sum of twelve
+/// uniform numbers.
+fn noisy(seed: u32, scale: f32) -> Film {
+    film(|x, y| {
+        let slope = 0.4 + 0.2 * x as f32 / SIZE[0] as f32;
+        [0, 1, 2].map(|c| {
+            let blocks = (0..3).flat_map(|b| sampler_block(y * SIZE[0] + x, c, b, seed));
+            let normal: f32 = blocks.map(unit_float::<f32>).sum::<f32>() - 6.0;
+            scale * (slope + ERROR * normal)
+        })
+    })
+}
+
+/// `a.exr` and `b.exr`, independent, with their standard errors.
+fn folder(a: &Film, b: &Film) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let errors = film(|_, _| [ERROR; 3]);
+    for (name, film) in [("a", a), ("b", b)] {
+        write(folder.path(), &format!("{name}.exr"), film);
+        write(folder.path(), &format!("{name}-stderr.exr"), &errors);
+    }
+    folder
+}
+
+fn compare(folder: &Path, arguments: &[&str]) -> Run {
+    run(folder, &[&["compare"], arguments].concat())
+}
+
+#[test]
+fn pictures_that_agree() {
+    let folder = folder(&noisy(1, 1.0), &noisy(2, 1.0));
+    let run = compare(
+        folder.path(),
+        &["a.exr", "b.exr", "--z-test", "--max-relmse", "0.1"],
+    );
+    assert_eq!(run.code, Some(0), "{}{}", run.out, run.err);
+    for name in [
+        "MSE",
+        "RMSE",
+        "relMSE",
+        "SMAPE",
+        "FLIP",
+        "mean R",
+        "the z-test passes",
+    ] {
+        assert!(run.out.contains(name), "no {name} in\n{}", run.out);
+    }
+    let (a, b) = (noisy(1, 1.0), noisy(2, 1.0));
+    let values = a.rgb.as_flattened().iter().zip(b.rgb.as_flattened());
+    let squares: Vec<f64> = values.map(|(x, r)| f64::from(x - r).powi(2)).collect();
+    let mse = squares.iter().sum::<f64>() / squares.len() as f64;
+    assert!(
+        run.out.contains(&format!("MSE     {mse:.4e} ")),
+        "{mse}{}",
+        run.out
+    );
+}
+
+/// ×1.01 is .2 standard errors of a pixel, but 3.5 to 5 of a block's mean.
+#[test]
+fn one_percent_is_seen_by_the_blocks() {
+    let folder = folder(&noisy(1, 1.02), &noisy(2, 1.0));
+    let run = compare(folder.path(), &["a.exr", "b.exr", "--z-test"]);
+    assert_eq!(run.code, Some(1), "{}{}", run.out, run.err);
+    assert!(run.err.contains("(--z-test)"), "{}", run.err);
+    // Without the flag it is told and does not count.
+    let run = compare(folder.path(), &["a.exr", "b.exr"]);
+    assert_eq!(run.code, Some(0), "{}", run.err);
+    assert!(run.out.contains("the z-test fails"), "{}", run.out);
+}
+
+#[test]
+fn an_error_above_the_bound_fails() {
+    let folder = folder(&noisy(1, 1.0), &noisy(2, 1.0));
+    let run = compare(folder.path(), &["a.exr", "b.exr", "--max-relmse", "1e-3"]);
+    assert_eq!(run.code, Some(1));
+    assert!(run.err.contains("above --max-relmse 1e-3"), "{}", run.err);
+}
+
+#[test]
+fn two_pictures_against_a_third() {
+    let folder = folder(&noisy(1, 1.0), &noisy(2, 1.5));
+    write(
+        folder.path(),
+        "r.exr",
+        &film(|x, _| [0.4 + 0.2 * x as f32 / SIZE[0] as f32; 3]),
+    );
+    write(folder.path(), "none.exr", &film(|_, _| [0.0; 3]));
+    let by = ["a.exr", "b.exr", "--reference", "r.exr"];
+    let errors = ["a-stderr.exr", "b-stderr.exr", "none.exr"];
+    let given = errors.iter().flat_map(|file| ["--stderr", file]);
+    let arguments: Vec<&str> = by.into_iter().chain(given).collect();
+    let run = compare(
+        folder.path(),
+        &[&arguments[..], &["--heatmap", "map.png"]].concat(),
+    );
+    assert_eq!(run.code, Some(0), "{}{}", run.out, run.err);
+    assert!(run.out.contains("against r.exr"), "{}", run.out);
+    assert!(run.out.contains("a.exr: the z-test passes"), "{}", run.out);
+    assert!(run.out.contains("b.exr: the z-test fails"), "{}", run.out);
+    let map = vkpt::image::read(&folder.path().join("map.png")).expect("a map");
+    assert_eq!([map.film.width, map.film.height], [2 * SIZE[0], SIZE[1]]);
+    // b is off by half of itself everywhere: its half is brighter.
+    let mean = |from: usize| {
+        let rows = map.film.rgb.chunks(2 * SIZE[0] as usize);
+        rows.flat_map(|row| row[from..from + SIZE[0] as usize].to_vec())
+            .map(|p| p[0])
+            .sum::<f32>()
+    };
+    assert!(mean(SIZE[0] as usize) > mean(0));
+}
+
+#[test]
+fn other_formats_compare_within_their_steps() {
+    let folder = folder(&noisy(1, 1.0), &noisy(1, 1.0));
+    write(folder.path(), "a.png", &noisy(1, 1.0));
+    write(folder.path(), "a.hdr", &noisy(1, 1.0));
+    for other in ["a.png", "a.hdr"] {
+        let run = compare(folder.path(), &[other, "b.exr", "--max-relmse", "1e-4"]);
+        assert_eq!(run.code, Some(0), "{}{}", run.out, run.err);
+    }
+}
+
+#[test]
+fn what_cannot_be_compared() {
+    let folder = folder(&noisy(1, 1.0), &noisy(2, 1.0));
+    let path = folder.path();
+    let small = Film {
+        width: 2,
+        height: 1,
+        rgb: vec![[0.5; 3]; 2],
+    };
+    write(path, "small.exr", &small);
+    write(path, "alone.exr", &noisy(3, 1.0));
+    std::fs::write(path.join("text.exr"), "not a picture").expect("a file");
+    let mut broken = noisy(1, 1.0);
+    broken.rgb[70][1] = f32::NAN;
+    write(path, "nan.exr", &broken);
+    let cases: [(&[&str], i32, &str); 9] = [
+        (&["a.exr", "small.exr"], 3, "64×50"),
+        (&["a.exr", "text.exr"], 3, "text.exr: "),
+        (&["nan.exr", "b.exr"], 3, "6,1"),
+        (&["none.exr", "b.exr"], 3, "none.exr: "),
+        (&["a.exr", "alone.exr", "--z-test"], 2, "alone-stderr.exr"),
+        (
+            &["a.exr", "b.exr", "--stderr", "a-stderr.exr"],
+            2,
+            "once for each picture",
+        ),
+        (&["a.exr"], 2, "<B>"),
+        (&["a.exr", "b.exr", "--heatmap", "no/map.png"], 5, "map.png"),
+        (&["a.exr", "b.exr", "--heatmap", "map.exr"], 2, ".png"),
+    ];
+    for (arguments, code, told) in cases {
+        let run = compare(path, arguments);
+        assert_eq!(
+            run.code,
+            Some(code),
+            "{arguments:?}: {}{}",
+            run.out,
+            run.err
+        );
+        assert!(run.err.contains(told), "{arguments:?}: {}", run.err);
+    }
+    assert!(!names(path).iter().any(|name| name.contains("map")));
+}
