@@ -8,7 +8,9 @@ const README: &str = include_str!("../../README.md");
 
 #[test]
 fn readme_and_help_name_the_same_flags() {
-    let help = run(folder("").path(), &["--help"]).out;
+    let folder = folder("");
+    let help_of = |arguments: &[&str]| run(folder.path(), arguments).out;
+    let help = help_of(&["--help"]) + &help_of(&["compare", "--help"]);
     let in_help = help
         .lines()
         .filter_map(|line| line.trim_start().strip_prefix("--"));
