@@ -204,6 +204,34 @@ fn what_is_wrong_is_said() {
     }
 }
 
+/// What C++ streams write and read, and the other numbers that ASCII files have.
+#[test]
+fn numbers_may_begin_or_end_with_a_point() {
+    let whole = file(Encoding::Ascii, HEADER, &triangle(0.0, [0, 1, 2]));
+    let whole = String::from_utf8(whole).expect("text");
+    let with = |x: &str| whole.replacen("\n0 0 0\n", &format!("\n{x} 1. -.5\n"), 1);
+    let rows = [
+        (".5", 0.5),
+        ("-.25", -0.25),
+        ("+2.", 2.0),
+        ("1.e2", 100.0),
+        ("-.5E-1", -0.05),
+        ("1.5", 1.5),
+    ];
+    for (text, x) in rows {
+        let mesh = read(with(text).as_bytes()).expect(text);
+        let expected = DVec3::new(f64::from(x as f32), 1.0, -0.5);
+        assert_eq!(mesh.positions[0], expected, "{text}");
+    }
+    for text in [".", "-.", "1..5", ".e5", "1.2.3"] {
+        let said = read(with(text).as_bytes()).expect_err(text).to_string();
+        assert_eq!(
+            said,
+            format!("its line 10 is not understood: `{text} 1. -.5`")
+        );
+    }
+}
+
 #[test]
 fn lines_that_are_not_understood_are_quoted() {
     let whole = file(Encoding::Ascii, HEADER, &triangle(0.0, [0, 1, 2]));

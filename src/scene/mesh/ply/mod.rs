@@ -2,6 +2,7 @@
 //!
 //! That crate trusts a header's counts; here each is held against the bytes that are there before it is used.
 
+mod ascii;
 mod element;
 mod header;
 
@@ -14,12 +15,15 @@ use header::{check_names, has, least_size};
 use super::{MeshError, MeshFile, at_line, fan, polygon};
 
 /// Reads the whole file `bytes`.
+///
+/// Messages quote the file's own lines.
 pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
-    let mut reader = Reader::new(bytes);
+    let text = ascii::with_digits(bytes);
+    let mut reader = Reader::new(&*text);
     let header = Parser::<Other>::new()
         .read_header(&mut reader)
         .map_err(|error| malformed(error, bytes))?;
-    check_names(&header, &bytes[..bytes.len() - reader.get_ref().len()])?;
+    check_names(&header, &text[..text.len() - reader.get_ref().len()])?;
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for element in header.elements.values() {
         match element.name.as_str() {
