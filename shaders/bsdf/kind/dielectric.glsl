@@ -1,8 +1,8 @@
 // A rough interface between two media, and Kd on wo's side.
 // Twin of src/reference/bsdf/kind/dielectric.rs.
 
-// uses: math/vec, bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection, bsdf/refraction, bsdf/transmission
-// uses: <fresnel>, <choice>, <normals>, <diffuse>
+// uses: bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection, bsdf/refraction, bsdf/transmission, bsdf/rough
+// uses: <diffuse>
 
 // Value and density of wi whose micro-normal is m.
 BsdfValue dielectric_at(Interaction at, vec3 wi, vec3 m) {
@@ -16,16 +16,14 @@ BsdfValue dielectric_at(Interaction at, vec3 wi, vec3 m) {
 }
 
 BsdfSample dielectric_sample(Interaction at, float u_lobe, float u_reflect, vec2 u_m, vec2 u_d) {
-    bool diffuse = diffuse_chosen(at, u_lobe);
-    vec3 drawn = normals_sample(at, u_m);
-    float c = dot3(at.wo, drawn);
-    float f_mean = mean3(fresnel(at, c));
-    bool reflects = u_reflect < reflect_probability(at, c, f_mean);
-    vec3 leaving = reflects ? reflect_about(at.wo, drawn, c) : refract_about(at, drawn, c);
+    RoughDraw draw = rough_draw(at, u_lobe, u_m);
+    bool diffuse = draw.diffuse;
+    bool reflects = rough_reflects(at, draw, u_reflect);
+    vec3 leaving = reflects ? reflect_about(at.wo, draw.m, draw.c) : refract_about(at, draw.m, draw.c);
     vec3 wi = diffuse ? diffuse_direction(u_d) : leaving;
-    vec3 m = diffuse ? reflection_half_vector(at.wo, wi) : drawn;
+    vec3 m = diffuse ? reflection_half_vector(at.wo, wi) : draw.m;
     bool right_side = reflects ? wi.z > 0.0 : wi.z < 0.0;
-    bool valid = diffuse || (c > 0.0 && right_side);
+    bool valid = diffuse || (draw.c > 0.0 && right_side);
     uint lobe = reflects ? LOBE_REFLECTION : LOBE_TRANSMISSION;
     return sample_or_none(valid, wi, dielectric_at(at, wi, m), diffuse ? LOBE_DIFFUSE : lobe);
 }

@@ -4,14 +4,8 @@
 // that of any rough interface, but counts as a delta lobe: its weight needs no Jacobian, and it is not connected
 // to lights. Reflection is the rough one, with a density.
 
-// uses: math/vec, bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection, bsdf/refraction, bsdf/transmission
-// uses: <fresnel>, <choice>, <normals>, <diffuse>
-
-// Value and density of wi on wo's side, whose micro-normal is m.
-BsdfValue weak_at(Interaction at, vec3 wi, vec3 m) {
-    Facet x = facet(at, wi, m);
-    return with_diffuse(at, wi, reflection_lobe(at, wi, x));
-}
+// uses: bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection, bsdf/refraction, bsdf/transmission, bsdf/rough
+// uses: <diffuse>
 
 // Transmission through the micro-normal m: D G (1 - F) c/wo.z over pm (1 - R), each per solid angle of m.
 BsdfSample weak_transmission(Interaction at, vec3 wi, vec3 m) {
@@ -23,24 +17,17 @@ BsdfSample weak_transmission(Interaction at, vec3 wi, vec3 m) {
 }
 
 BsdfSample weak_sample(Interaction at, float u_lobe, float u_reflect, vec2 u_m, vec2 u_d) {
-    bool diffuse = diffuse_chosen(at, u_lobe);
-    vec3 drawn = normals_sample(at, u_m);
-    float c = dot3(at.wo, drawn);
-    float f_mean = mean3(fresnel(at, c));
-    bool reflects = u_reflect < reflect_probability(at, c, f_mean);
+    RoughDraw draw = rough_draw(at, u_lobe, u_m);
+    bool reflects = rough_reflects(at, draw, u_reflect);
     BsdfSample s;
-    if (diffuse || reflects) {
-        vec3 wi = diffuse ? diffuse_direction(u_d) : reflect_about(at.wo, drawn, c);
-        vec3 m = diffuse ? reflection_half_vector(at.wo, wi) : drawn;
-        bool valid = (diffuse || c > 0.0) && wi.z > 0.0;
-        uint lobe = diffuse ? LOBE_DIFFUSE : LOBE_REFLECTION;
-        s = sample_or_none(valid, wi, weak_at(at, wi, m), lobe);
+    if (draw.diffuse || reflects) {
+        s = rough_reflection_sample(at, draw, u_d);
     } else {
-        s = weak_transmission(at, refract_about(at, drawn, c), drawn);
+        s = weak_transmission(at, refract_about(at, draw.m, draw.c), draw.m);
     }
     return s;
 }
 
 BsdfValue weak_eval(Interaction at, vec3 wi) {
-    return weak_at(at, wi, reflection_half_vector(at.wo, wi));
+    return rough_reflection_at(at, wi, reflection_half_vector(at.wo, wi));
 }

@@ -13,6 +13,7 @@
 //! | [`choice`] | which lobe is drawn (5.1) |
 //! | [`snell`], [`facet`], [`reflection`], [`refraction`], [`transmission`], [`diffuse`] | one lobe's value and density (5.4 to 6) |
 //! | [`scaling`] | radiance or flux (7) |
+//! | [`rough`] | what the kinds with micro-normals share (5, 6) |
 //! | [`kind`] | lobes put together, one file a kind of material (5, 6, 8) |
 
 pub mod choice;
@@ -26,6 +27,7 @@ pub mod material;
 pub mod normals;
 pub mod reflection;
 pub mod refraction;
+pub mod rough;
 pub mod sample;
 pub mod scaling;
 pub mod snell;

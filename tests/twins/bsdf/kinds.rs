@@ -2,8 +2,11 @@
 
 use vkpt::kernel::Slot;
 use vkpt::prepared::MaterialKind;
-use vkpt::reference::bsdf::kind::{dielectric, glass, opaque, weak};
+use vkpt::reference::bsdf::kind::{dielectric, glass, weak};
 use vkpt::reference::bsdf::normals::normals_sample;
+use vkpt::reference::bsdf::rough::{
+    rough_draw, rough_reflection_at, rough_reflection_sample, rough_reflects,
+};
 use vkpt::reference::bsdf::{bsdf_eval, bsdf_sample};
 use vkpt::settings::Settings;
 
@@ -110,26 +113,38 @@ fn parts(settings: Settings) -> Twin {
     let glsl = format!(
         "Interaction at = in_interaction(); vec3 wi = in_vec3(); vec2 u = in_vec2();
         vec3 m = normals_sample(at, u);
-        BsdfValue v = opaque_at(at, wi, m); {OUT_VALUE}
+        BsdfValue v = rough_reflection_at(at, wi, m); {OUT_VALUE}
         v = dielectric_at(at, wi, m); {OUT_VALUE}
-        v = weak_at(at, wi, m); {OUT_VALUE}
         BsdfSample s = weak_transmission(at, wi, m); {OUT_SAMPLE}
-        s = glass_delta(at, u.x); {OUT_SAMPLE}"
+        s = glass_delta(at, u.x); {OUT_SAMPLE}
+        RoughDraw draw = rough_draw(at, u.y, u);
+        out_b(draw.diffuse); out_vec3(draw.m); out_f(draw.c); out_b(rough_reflects(at, draw, u.x));
+        s = rough_reflection_sample(at, draw, u); {OUT_SAMPLE}"
     );
     twin("dielectric_at", "bsdf/kind/dielectric", &settings)
-        .also(&["opaque_at", "weak_at", "weak_transmission", "glass_delta"])
-        .file("bsdf/kind/opaque")
+        .also(&["weak_transmission", "glass_delta"])
+        .also(&[
+            "rough_reflection_at",
+            "rough_draw",
+            "rough_reflects",
+            "rough_reflection_sample",
+        ])
         .file("bsdf/kind/weak")
         .file("bsdf/kind/glass")
         .glsl(&glsl)
         .rust(move |i, o| {
             let (at, wi, u) = (take(i), i.vec3(), i.vec2());
             let m = normals_sample(&settings, &at, u);
-            out_value(o, opaque::opaque_at(&settings, &at, wi, m));
+            out_value(o, rough_reflection_at(&settings, &at, wi, m));
             out_value(o, dielectric::dielectric_at(&settings, &at, wi, m));
-            out_value(o, weak::weak_at(&settings, &at, wi, m));
             out_sample(o, weak::weak_transmission(&settings, &at, wi, m));
             out_sample(o, glass::glass_delta(&settings, &at, u[0]));
+            let draw = rough_draw(&settings, &at, u[1], u);
+            o.b(draw.diffuse);
+            o.vec3(draw.m);
+            o.f(draw.c);
+            o.b(rough_reflects(&settings, &at, draw, u[0]));
+            out_sample(o, rough_reflection_sample(&settings, &at, draw, u));
         })
         .seeded(1000, |r| {
             let kinds = [

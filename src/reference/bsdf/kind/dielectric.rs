@@ -1,18 +1,16 @@
 //! A rough interface between two media, and Kd on wo's side; twin of `shaders/bsdf/kind/dielectric.glsl`.
 
-use crate::reference::bsdf::choice::reflect_probability;
-use crate::reference::bsdf::diffuse::mixed::{diffuse_chosen, diffuse_direction, with_diffuse};
+use crate::reference::bsdf::diffuse::mixed::{diffuse_direction, with_diffuse};
 use crate::reference::bsdf::facet::facet;
-use crate::reference::bsdf::fresnel::fresnel;
 use crate::reference::bsdf::interaction::Interaction;
-use crate::reference::bsdf::normals::normals_sample;
 use crate::reference::bsdf::reflection::{reflect_about, reflection_half_vector, reflection_lobe};
 use crate::reference::bsdf::refraction::refract_about;
+use crate::reference::bsdf::rough::{rough_draw, rough_reflects};
 use crate::reference::bsdf::sample::{
     BsdfSample, BsdfValue, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION, sample_or_none,
 };
 use crate::reference::bsdf::transmission::{transmission_half_vector, transmission_lobe};
-use crate::reference::math::{Real, Vec3, dot3, mean3};
+use crate::reference::math::{Real, Vec3};
 use crate::settings::Settings;
 
 /// Value and density of `wi` whose micro-normal is `m`.
@@ -41,15 +39,13 @@ pub fn dielectric_sample<F: Real>(
     u_m: [F; 2],
     u_d: [F; 2],
 ) -> BsdfSample<F> {
-    let diffuse = diffuse_chosen(settings, at, u_lobe);
-    let drawn = normals_sample(settings, at, u_m);
-    let c = dot3(at.wo, drawn);
-    let f_mean = mean3(fresnel(at, c));
-    let reflects = u_reflect < reflect_probability(settings, at, c, f_mean);
+    let draw = rough_draw(settings, at, u_lobe, u_m);
+    let diffuse = draw.diffuse;
+    let reflects = rough_reflects(settings, at, draw, u_reflect);
     let leaving = if reflects {
-        reflect_about(at.wo, drawn, c)
+        reflect_about(at.wo, draw.m, draw.c)
     } else {
-        refract_about(at, drawn, c)
+        refract_about(at, draw.m, draw.c)
     };
     let wi = if diffuse {
         diffuse_direction(u_d)
@@ -59,14 +55,14 @@ pub fn dielectric_sample<F: Real>(
     let m = if diffuse {
         reflection_half_vector(at.wo, wi)
     } else {
-        drawn
+        draw.m
     };
     let right_side = if reflects {
         wi.z > F::zero()
     } else {
         wi.z < F::zero()
     };
-    let valid = diffuse || (c > F::zero() && right_side);
+    let valid = diffuse || (draw.c > F::zero() && right_side);
     let lobe = if reflects {
         LOBE_REFLECTION
     } else {

@@ -1,0 +1,43 @@
+// What the kinds with micro-normals share: how a sample begins, and their reflecting side.
+// Twin of src/reference/bsdf/rough.rs.
+
+// uses: math/vec, bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection
+// uses: <fresnel>, <choice>, <normals>, <diffuse>
+
+// What a sample of a rough surface draws first.
+struct RoughDraw {
+    // The diffuse lobe was chosen.
+    bool diffuse;
+    // A micro-normal, whichever lobe was chosen; it may be one that wo cannot see.
+    vec3 m;
+    // wo.m
+    float c;
+};
+
+// The choice between Kd and the rest by u_lobe, and a micro-normal by u_m (model page, sections 5.1 to 5.3).
+RoughDraw rough_draw(Interaction at, float u_lobe, vec2 u_m) {
+    vec3 m = normals_sample(at, u_m);
+    return RoughDraw(diffuse_chosen(at, u_lobe), m, dot3(at.wo, m));
+}
+
+// Whether the drawn micro-normal reflects, with probability R(c); else it refracts.
+bool rough_reflects(Interaction at, RoughDraw draw, float u_reflect) {
+    float f_mean = mean3(fresnel(at, draw.c));
+    return u_reflect < reflect_probability(at, draw.c, f_mean);
+}
+
+// Value and density of wi on wo's side, whose micro-normal is m: Kd/pi and E_r.
+BsdfValue rough_reflection_at(Interaction at, vec3 wi, vec3 m) {
+    Facet x = facet(at, wi, m);
+    return with_diffuse(at, wi, reflection_lobe(at, wi, x));
+}
+
+// The sample on wo's side: a diffuse direction by u_d, or wo mirrored about the drawn micro-normal.
+BsdfSample rough_reflection_sample(Interaction at, RoughDraw draw, vec2 u_d) {
+    bool diffuse = draw.diffuse;
+    vec3 wi = diffuse ? diffuse_direction(u_d) : reflect_about(at.wo, draw.m, draw.c);
+    vec3 m = diffuse ? reflection_half_vector(at.wo, wi) : draw.m;
+    bool valid = (diffuse || draw.c > 0.0) && wi.z > 0.0;
+    uint lobe = diffuse ? LOBE_DIFFUSE : LOBE_REFLECTION;
+    return sample_or_none(valid, wi, rough_reflection_at(at, wi, m), lobe);
+}

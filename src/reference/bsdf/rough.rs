@@ -1,0 +1,88 @@
+//! What the kinds with micro-normals share: how a sample begins, and their reflecting side. Twin of
+//! `shaders/bsdf/rough.glsl`.
+
+use super::choice::reflect_probability;
+use super::diffuse::mixed::{diffuse_chosen, diffuse_direction, with_diffuse};
+use super::facet::facet;
+use super::fresnel::fresnel;
+use super::interaction::Interaction;
+use super::normals::normals_sample;
+use super::reflection::{reflect_about, reflection_half_vector, reflection_lobe};
+use super::sample::{BsdfSample, BsdfValue, LOBE_DIFFUSE, LOBE_REFLECTION, sample_or_none};
+use crate::reference::math::{Real, Vec3, dot3, mean3};
+use crate::settings::Settings;
+
+/// What a sample of a rough surface draws first.
+#[derive(Clone, Copy, Debug)]
+pub struct RoughDraw<F> {
+    /// The diffuse lobe was chosen.
+    pub diffuse: bool,
+    /// A micro-normal, whichever lobe was chosen; it may be one that wo cannot see.
+    pub m: Vec3<F>,
+    /// wo·m
+    pub c: F,
+}
+
+/// The choice between Kd and the rest by `u_lobe`, and a micro-normal by `u_m` (model page, sections 5.1 to 5.3).
+pub fn rough_draw<F: Real>(
+    settings: &Settings,
+    at: &Interaction<F>,
+    u_lobe: F,
+    u_m: [F; 2],
+) -> RoughDraw<F> {
+    let m = normals_sample(settings, at, u_m);
+    RoughDraw {
+        diffuse: diffuse_chosen(settings, at, u_lobe),
+        m,
+        c: dot3(at.wo, m),
+    }
+}
+
+/// Whether the drawn micro-normal reflects, with probability R(c); else it refracts.
+pub fn rough_reflects<F: Real>(
+    settings: &Settings,
+    at: &Interaction<F>,
+    draw: RoughDraw<F>,
+    u_reflect: F,
+) -> bool {
+    let f_mean = mean3(fresnel(at, draw.c));
+    u_reflect < reflect_probability(settings, at, draw.c, f_mean)
+}
+
+/// Value and density of `wi` on wo's side, whose micro-normal is `m`: Kd/π and E_r.
+pub fn rough_reflection_at<F: Real>(
+    settings: &Settings,
+    at: &Interaction<F>,
+    wi: Vec3<F>,
+    m: Vec3<F>,
+) -> BsdfValue<F> {
+    let x = facet(settings, at, wi, m);
+    with_diffuse(settings, at, wi, reflection_lobe(at, wi, x))
+}
+
+/// The sample on wo's side: a diffuse direction by `u_d`, or wo mirrored about the drawn micro-normal.
+pub fn rough_reflection_sample<F: Real>(
+    settings: &Settings,
+    at: &Interaction<F>,
+    draw: RoughDraw<F>,
+    u_d: [F; 2],
+) -> BsdfSample<F> {
+    let diffuse = draw.diffuse;
+    let wi = if diffuse {
+        diffuse_direction(u_d)
+    } else {
+        reflect_about(at.wo, draw.m, draw.c)
+    };
+    let m = if diffuse {
+        reflection_half_vector(at.wo, wi)
+    } else {
+        draw.m
+    };
+    let valid = (diffuse || draw.c > F::zero()) && wi.z > F::zero();
+    let lobe = if diffuse {
+        LOBE_DIFFUSE
+    } else {
+        LOBE_REFLECTION
+    };
+    sample_or_none(valid, wi, rough_reflection_at(settings, at, wi, m), lobe)
+}
