@@ -30,10 +30,10 @@ pub fn connect<F: Real>(
         return;
     };
     let arrived = shadow_ray(world, settings, c, &mut s.rays);
+    recorder.connection(s, &c, arrived);
     if let Some(light) = arrived {
         s.radiance += light;
     }
-    recorder.connection(s, &c, arrived);
 }
 
 fn shadow_to_light<F: Real>(

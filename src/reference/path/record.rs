@@ -13,7 +13,8 @@ pub trait Recorder<F: Real> {
     fn light(&mut self, _s: &PathState<F>, _light: usize) {}
     /// The state after the vertex `v` was shaded and the next direction drawn from `lobe`.
     fn vertex(&mut self, s: &PathState<F>, v: &Vertex<F>, lobe: u32);
-    /// A connection and the light that arrived over it.
+    /// A connection and the light that arrived over it, which is not yet in the radiance; the vertex that it belongs to
+    /// follows.
     fn connection(&mut self, s: &PathState<F>, c: &ShadowRay<F>, arrived: Option<Vec3<F>>);
     /// The path has left the scene.
     fn escape(&mut self, s: &PathState<F>);

@@ -3,7 +3,9 @@
 use std::fmt::Write;
 
 use crate::layout::Record;
+use crate::prepared::{Shape, ShapeKind};
 use crate::reference::bsdf::{LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION};
+use crate::reference::math::finite::is_finite3;
 use crate::reference::math::{Real, Vec3};
 use crate::reference::path::PathState;
 use crate::reference::path::flight::ShadowRay;
@@ -17,70 +19,104 @@ pub struct Event {
     pub numbers: Vec<(&'static str, Vec<f64>)>,
 }
 
-/// Events of a path of the reference, in order.
-pub struct Events(pub Vec<Event>);
+/// The shapes of a scene, by which an event names what was hit.
+#[derive(Clone, Copy, Debug)]
+pub struct Names<'a>(pub &'a [Shape]);
 
-impl<F: Real> Recorder<F> for Events {
+impl Names<'_> {
+    /// A shape by its index, its kind and the scene's line; `NONE` is the background.
+    fn of(self, shape: u32) -> String {
+        let Some(s) = self.0.get(shape as usize) else {
+            return "the background".to_owned();
+        };
+        let kind = match s.kind {
+            ShapeKind::Sphere => "sphere",
+            ShapeKind::Box => "box",
+            ShapeKind::Cylinder => "cylinder",
+            ShapeKind::Mesh => "mesh",
+        };
+        format!("shape {shape} ({kind} of line {})", s.line)
+    }
+}
+
+/// Events of a path of the reference, in order; the connection of a vertex comes after it.
+pub struct Events<'a> {
+    names: Names<'a>,
+    told: Vec<Event>,
+    /// The connection of the vertex under way, and the radiance before it.
+    pending: Option<(Event, Vec<f64>)>,
+}
+
+impl<'a> Events<'a> {
+    /// Nothing has happened yet.
+    pub fn new(names: Names<'a>) -> Self {
+        Self {
+            names,
+            told: Vec::new(),
+            pending: None,
+        }
+    }
+
+    /// What has happened.
+    pub fn told(self) -> Vec<Event> {
+        self.told
+    }
+}
+
+impl<F: Real> Recorder<F> for Events<'_> {
     fn vertex(&mut self, s: &PathState<F>, v: &Vertex<F>, lobe: u32) {
-        self.0.push(vertex(
-            lobe,
-            v.shape,
-            v.prim,
-            xyz(v.p),
-            s.pdf.f64(),
-            xyz(s.throughput),
-            xyz(s.radiance),
-        ));
+        let after = xyz(s.radiance);
+        let (connection, before) = match self.pending.take() {
+            Some((event, before)) => (Some(event), before),
+            None => (None, after.clone()),
+        };
+        // a broken throughput is added to the radiance at the vertex itself
+        let seen = if is_finite3(s.throughput) {
+            before
+        } else {
+            after.clone()
+        };
+        let on = self.names.of(v.shape);
+        let numbers = [xyz(v.p), vec![s.pdf.f64()], xyz(s.throughput), seen];
+        self.told.push(vertex(lobe, &on, v.prim, numbers));
+        if let Some(mut event) = connection {
+            event.numbers.push(("radiance", after));
+            self.told.push(event);
+        }
     }
 
     fn connection(&mut self, s: &PathState<F>, c: &ShadowRay<F>, arrived: Option<Vec3<F>>) {
-        self.0.push(connection(
-            c.target.shape,
-            xyz(c.ray.d),
-            arrived.map(xyz),
-            xyz(s.radiance),
-        ));
+        let to = self.names.of(c.target.shape);
+        let event = connection(&to, xyz(c.ray.d), arrived.map(xyz));
+        self.pending = Some((event, xyz(s.radiance)));
     }
 
     fn escape(&mut self, s: &PathState<F>) {
-        self.0
-            .push(escape(xyz(s.ray.d), xyz(s.throughput), xyz(s.radiance)));
+        let numbers = [xyz(s.ray.d), xyz(s.throughput), xyz(s.radiance)];
+        self.told.push(escape(numbers));
     }
 }
 
-/// `event` of a connection in `shaders/path/record/`; 1 is a vertex, anything else an escape.
+/// `event` of a vertex and of a connection in `shaders/path/record/`; anything else is an escape.
+const VERTEX: u32 = 1;
 const CONNECTION: u32 = 2;
 
-/// The events that the device wrote down, in the order of the reference. The kernel flies the connection of a vertex a
-/// turn later: it comes after its vertex there, whose radiance is then still without it.
-pub fn in_order(records: &[Record]) -> Vec<Event> {
-    let mut records = records.to_vec();
-    for i in 1..records.len() {
-        if records[i].event == CONNECTION {
-            records[i - 1].radiance = records[i].radiance;
-            records.swap(i - 1, i);
+/// What the device wrote down. It flies the connection of a vertex a turn later, so that one comes after the other.
+pub fn event(names: Names, r: &Record) -> Event {
+    let wide = |v: [f32; 3]| v.map(f64::from).to_vec();
+    let (p, throughput, radiance) = (wide(r.p), wide(r.throughput), wide(r.radiance));
+    let on = names.of(r.shape);
+    match r.event {
+        VERTEX => {
+            let numbers = [p, vec![f64::from(r.pdf)], throughput, radiance];
+            vertex(r.lobe, &on, r.prim, numbers)
         }
-    }
-    records.iter().map(Event::from).collect()
-}
-
-impl From<&Record> for Event {
-    fn from(r: &Record) -> Self {
-        let wide = |v: [f32; 3]| v.map(f64::from).to_vec();
-        let (p, throughput, radiance) = (wide(r.p), wide(r.throughput), wide(r.radiance));
-        match r.event {
-            1 => vertex(
-                r.lobe,
-                r.shape,
-                r.prim,
-                p,
-                f64::from(r.pdf),
-                throughput,
-                radiance,
-            ),
-            CONNECTION => connection(r.shape, p, (r.lobe != 0).then_some(throughput), radiance),
-            _ => escape(p, throughput, radiance),
+        CONNECTION => {
+            let mut event = connection(&on, p, (r.lobe != 0).then_some(throughput));
+            event.numbers.push(("radiance", radiance));
+            event
         }
+        _ => escape([p, throughput, radiance]),
     }
 }
 
@@ -88,15 +124,8 @@ fn xyz<F: Real>(v: Vec3<F>) -> Vec<f64> {
     v.f64().to_array().to_vec()
 }
 
-fn vertex(
-    lobe: u32,
-    shape: u32,
-    prim: u32,
-    p: Vec<f64>,
-    pdf: f64,
-    throughput: Vec<f64>,
-    radiance: Vec<f64>,
-) -> Event {
+/// `numbers`: point, pdf, throughput, radiance.
+fn vertex(lobe: u32, on: &str, prim: u32, numbers: [Vec<f64>; 4]) -> Event {
     let delta = if lobe >= LOBE_DELTA { "delta " } else { "" };
     let name = match lobe % LOBE_DELTA {
         LOBE_DIFFUSE => "diffuse",
@@ -104,18 +133,15 @@ fn vertex(
         LOBE_TRANSMISSION => "transmission",
         _ => "the path ends",
     };
+    let names = ["point", "pdf", "throughput", "radiance"];
     Event {
-        what: format!("vertex on shape {shape}, primitive {prim}: {delta}{name}"),
-        numbers: vec![
-            ("point", p),
-            ("pdf", vec![pdf]),
-            ("throughput", throughput),
-            ("radiance", radiance),
-        ],
+        what: format!("vertex on {on}, primitive {prim}: {delta}{name}"),
+        numbers: names.into_iter().zip(numbers).collect(),
     }
 }
 
-fn connection(shape: u32, d: Vec<f64>, arrived: Option<Vec<f64>>, radiance: Vec<f64>) -> Event {
+/// Without the radiance that the path then has.
+fn connection(to: &str, d: Vec<f64>, arrived: Option<Vec<f64>>) -> Event {
     let what = if arrived.is_some() {
         "arrives"
     } else {
@@ -123,19 +149,17 @@ fn connection(shape: u32, d: Vec<f64>, arrived: Option<Vec<f64>>, radiance: Vec<
     };
     let light = arrived.unwrap_or(vec![0.0; 3]);
     Event {
-        what: format!("connection to shape {} {what}", shape as i32),
-        numbers: vec![("direction", d), ("light", light), ("radiance", radiance)],
+        what: format!("connection to {to} {what}"),
+        numbers: vec![("direction", d), ("light", light)],
     }
 }
 
-fn escape(d: Vec<f64>, throughput: Vec<f64>, radiance: Vec<f64>) -> Event {
+/// `numbers`: direction, throughput, radiance.
+fn escape(numbers: [Vec<f64>; 3]) -> Event {
+    let names = ["direction", "throughput", "radiance"];
     Event {
         what: "leaves the scene".to_owned(),
-        numbers: vec![
-            ("direction", d),
-            ("throughput", throughput),
-            ("radiance", radiance),
-        ],
+        numbers: names.into_iter().zip(numbers).collect(),
     }
 }
 

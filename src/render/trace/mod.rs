@@ -9,7 +9,7 @@ use crate::gpu::Device;
 use crate::reference::math::Real;
 use crate::reference::path::{SampleId, trace_path};
 use crate::reference::world::World;
-use event::{Event, Events, in_order};
+use event::{Event, Events, Names, event};
 pub use side_by_side::Trace;
 
 /// The path of sample `index` of the pixel at column and row `pixel`.
@@ -27,7 +27,9 @@ pub fn trace(
         Target::Vulkan(selector) => {
             let device = Device::open(selector)?;
             let records = vulkan::records(job, &device, pixel, index)?;
-            (in_order(&records), device.info().name.clone(), 0.0)
+            let names = Names(&job.prepared.shapes);
+            let events = records.iter().map(|r| event(names, r)).collect();
+            (events, device.info().name.clone(), 0.0)
         }
         Target::CpuF32 | Target::CpuF64 => (
             reference::<f64>(job, pixel, index),
@@ -51,7 +53,7 @@ fn reference<F: Real>(job: &Job, [column, row]: [u32; 2], sample: u32) -> Vec<Ev
         sample,
         seed: job.seed,
     };
-    let mut events = Events(Vec::new());
+    let mut events = Events::new(Names(&job.prepared.shapes));
     trace_path(&world, &job.settings, id, &mut events);
-    events.0
+    events.told()
 }

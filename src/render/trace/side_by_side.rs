@@ -4,6 +4,9 @@ use std::fmt::{self, Display};
 
 use super::event::Event;
 
+/// Of the left column: the longest of usual events.
+const WIDTH: usize = 70;
+
 /// Events of one path on the device asked for and on the reference in f32, or on both references.
 pub struct Trace {
     pub(super) names: [String; 2],
@@ -27,7 +30,7 @@ impl Trace {
 impl Display for Trace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [a, b] = &self.names;
-        writeln!(f, "{:<60}  {b}", a)?;
+        writeln!(f, "{a:<WIDTH$}  {b}")?;
         let parting = self.parting();
         for i in 0..self.paths[0].len().max(self.paths[1].len()) {
             let mark = if Some(i) == parting {
@@ -39,7 +42,7 @@ impl Display for Trace {
             let sides = [0, 1].map(|k| self.paths[k].get(i).map_or(Vec::new(), Event::lines));
             for k in 0..sides[0].len().max(sides[1].len()) {
                 let [left, right] = [0, 1].map(|s| sides[s].get(k).map_or("", String::as_str));
-                writeln!(f, "{}", format!("{left:<60}  {right}").trim_end())?;
+                writeln!(f, "{}", format!("{left:<WIDTH$}  {right}").trim_end())?;
             }
         }
         match parting {
