@@ -50,7 +50,8 @@ pub struct World<F> {
     accel: Option<Accel<F>>,
 }
 
-/// Up to so many primitives are searched one by one.
+/// Up to so many primitives are searched one by one; from there on the hierarchy is faster, whatever their kind
+/// (`benches/2026-11-22-reference-search.md`).
 const LINEAR_PRIMITIVES: usize = 16;
 
 impl<F: Real> World<F> {

@@ -31,6 +31,8 @@ pub struct Slabs<F> {
     entering: Vec3<F>,
     /// The origin moved back, for planes that it leaves by.
     leaving: Vec3<F>,
+    /// On each axis which of a box's planes the ray enters by: 0, the lower, or 1.
+    first: [usize; 3],
 }
 
 impl<F: Real> Slabs<F> {
@@ -52,21 +54,20 @@ impl<F: Real> Slabs<F> {
             inverse: Vec3::one() / d,
             entering: o + shift,
             leaving: o - shift,
+            first: [d.x, d.y, d.z].map(|x| usize::from(x < zero)),
         }
     }
 
     /// Where the ray enters the grown box { lo ≤ x ≤ hi }, 0 if it starts within; `None` if it misses it or
     /// enters beyond `t_max`. At `t_max` itself counts: the nearest hit may be one of several at one distance.
-    pub fn entry(&self, lo: Vec3<F>, hi: Vec3<F>, t_max: F) -> Option<F> {
-        let zero = F::zero();
-        let i = self.inverse;
-        let pick = |i: F, lo: F, hi: F| if i < zero { (hi, lo) } else { (lo, hi) };
-        let (near_x, far_x) = pick(i.x, lo.x, hi.x);
-        let (near_y, far_y) = pick(i.y, lo.y, hi.y);
-        let (near_z, far_z) = pick(i.z, lo.z, hi.z);
-        let near = (vec3(near_x, near_y, near_z) - self.entering) * i;
-        let far = (vec3(far_x, far_y, far_z) - self.leaving) * i;
-        let entry = max2(max2(near.x, near.y), max2(near.z, zero));
+    #[inline]
+    pub fn entry(&self, lo_hi: &[Vec3<F>; 2], t_max: F) -> Option<F> {
+        // `& 1` and the length tell the compiler that no index is out of bounds
+        let at = self.first.map(|k| k & 1);
+        let plane = |x: usize, y: usize, z: usize| vec3(lo_hi[x].x, lo_hi[y].y, lo_hi[z].z);
+        let near = (plane(at[0], at[1], at[2]) - self.entering) * self.inverse;
+        let far = (plane(1 - at[0], 1 - at[1], 1 - at[2]) - self.leaving) * self.inverse;
+        let entry = max2(max2(near.x, near.y), max2(near.z, F::zero()));
         let exit = min2(min2(far.x, far.y), min2(far.z, t_max));
         (entry <= exit).then_some(entry)
     }
@@ -79,7 +80,7 @@ mod tests {
     fn entry(o: [f64; 3], d: [f64; 3], t_max: f64) -> Option<f64> {
         let v = |a: [f64; 3]| vec3(a[0] as f32, a[1] as f32, a[2] as f32);
         Slabs::new(v(o), v(d), 1.0)
-            .entry(v([-1.0; 3]), v([1.0; 3]), t_max as f32)
+            .entry(&[v([-1.0; 3]), v([1.0; 3])], t_max as f32)
             .map(f64::from)
     }
 

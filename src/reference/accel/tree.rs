@@ -25,8 +25,7 @@ pub struct Tree<F> {
 
 #[derive(Clone, Copy, Debug)]
 struct Node<F> {
-    lo: Vec3<F>,
-    hi: Vec3<F>,
+    lo_hi: [Vec3<F>; 2],
     /// Its first place in `order`, or the first of its two neighbouring children.
     first: u32,
     /// Primitives of a leaf; 0: an inner node.
@@ -89,18 +88,22 @@ impl<F: Real> Tree<F> {
     }
 
     /// The box of a node, if the ray enters it before or at `t_max`.
+    #[inline]
     fn meet(&self, node: u32, slabs: &Slabs<F>, t_max: F) -> Option<Met<F>> {
-        let Node { lo, hi, .. } = *self.nodes.get(node as usize)?;
-        let entry = slabs.entry(lo, hi, t_max)?;
+        let entry = slabs.entry(&self.nodes.get(node as usize)?.lo_hi, t_max)?;
         Some(Met { node, entry })
     }
 
     /// Of the two children from `first` on those that are met, the nearer one first.
     fn children(&self, first: u32, slabs: &Slabs<F>, t_max: F) -> (Option<Met<F>>, Option<Met<F>>) {
-        match [first, first + 1].map(|child| self.meet(child, slabs, t_max)) {
-            [Some(a), Some(b)] if b.entry < a.entry => (Some(b), Some(a)),
-            [None, b] => (b, None),
-            [a, b] => (a, b),
+        let (a, b) = (
+            self.meet(first, slabs, t_max),
+            self.meet(first + 1, slabs, t_max),
+        );
+        match (a, b) {
+            (Some(a), Some(b)) if b.entry < a.entry => (Some(b), Some(a)),
+            (None, b) => (b, None),
+            both => both,
         }
     }
 }
@@ -119,8 +122,7 @@ impl<F: Real> Node<F> {
             .iter()
             .fold(Bounds::EMPTY, |all, item| all.union(item.bounds));
         Self {
-            lo: Vec3::new(bounds.lo),
-            hi: Vec3::new(bounds.hi),
+            lo_hi: [bounds.lo, bounds.hi].map(Vec3::new),
             first: first as u32,
             count: items.len() as u32,
         }

@@ -32,6 +32,7 @@ pub struct BoxHit<F> {
 }
 
 /// The face on the side of `d` across axis `x`, else `y`, else z.
+#[inline(always)]
 pub fn box_face<F: Real>(x: bool, y: bool, d: Vec3<F>) -> u32 {
     let (axis, along) = if x {
         (0, d.x)
@@ -48,6 +49,7 @@ pub fn box_face<F: Real>(x: bool, y: bool, d: Vec3<F>) -> u32 {
 /// `start` is the ray's relation to this very box. To its outside: never. To its inside: where it leaves,
 /// t ≥ 0, always found. From elsewhere: the least t > 0, so that a ray which starts in the plane of a face
 /// is not stopped there. Slabs: Kay and Kajiya, Ray Tracing Complex Scenes, SIGGRAPH 1986.
+#[inline(always)]
 pub fn box_hit<F: Real>(o: Vec3<F>, d: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>, start: u32) -> BoxHit<F> {
     let x = slab(o.x, d.x, lo.x, hi.x, start);
     let y = slab(o.y, d.y, lo.y, hi.y, start);

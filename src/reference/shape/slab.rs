@@ -16,6 +16,7 @@ pub const PARALLEL: f64 = 1e-30;
 
 /// The stretch with lo ≤ o + t d ≤ hi along one axis. A parallel ray is between the planes or it is not;
 /// sliding along one of them it misses, unless it starts there to the inside.
+#[inline(always)]
 pub fn slab<F: Real>(o: F, d: F, lo: F, hi: F, start: u32) -> Slab<F> {
     let parallel = d.abs() < F::new(PARALLEL);
     let between = start == START_INSIDE || (lo < o && o < hi);
@@ -30,12 +31,14 @@ pub fn slab<F: Real>(o: F, d: F, lo: F, hi: F, start: u32) -> Slab<F> {
 }
 
 /// Whether a ray meets a convex solid, which it crosses along the stretch `s`, where it enters.
+#[inline(always)]
 pub fn enters<F: Real>(s: Slab<F>, start: u32) -> bool {
     s.near > F::zero() && start == START_ELSEWHERE
 }
 
 /// Where a ray first meets a convex solid that it crosses along the stretch `s`, or −1. To its outside: never. To its
 /// inside: where it leaves, t ≥ 0, always found. From elsewhere: the least t > 0.
+#[inline(always)]
 pub fn first_of<F: Real>(s: Slab<F>, start: u32) -> F {
     let found = s.near <= s.far && s.far > F::zero() && start == START_ELSEWHERE;
     let t = if enters(s, start) { s.near } else { s.far };
