@@ -3,48 +3,18 @@
 use std::mem::ManuallyDrop;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
-use std::time::Duration;
 
-use ash::vk;
+use ash::{khr, vk};
 
 use super::error::GpuError;
 use super::info::{DeviceInfo, compute_family, enumerate};
 use super::instance::Instance;
 use super::limits::Limits;
+use super::options::Options;
+use super::pipeline_cache::Owner;
 use super::queue::Queue;
 use super::selector::Selector;
-
-/// How a device is opened.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Options {
-    /// Run under the Khronos validation layer, synchronisation included; an error where it is not installed.
-    pub validation: bool,
-    /// Keep all buffers in memory that the host does not see, as on a discrete GPU.
-    pub always_stage: bool,
-    /// How long to wait for one piece of work.
-    pub patience: Duration,
-}
-
-impl Options {
-    /// Validation where the environment says `VKPT_VALIDATION=1`.
-    pub fn from_env() -> Self {
-        let validation = std::env::var_os("VKPT_VALIDATION").is_some_and(|v| v == "1");
-        Self {
-            validation,
-            ..Self::default()
-        }
-    }
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            validation: false,
-            always_stage: false,
-            patience: Duration::from_secs(120),
-        }
-    }
-}
+use super::statistics;
 
 /// A Vulkan device with one compute queue. Clones share it.
 #[derive(Clone)]
@@ -59,6 +29,10 @@ pub(super) struct Inner {
     /// Bytes that this device has from each heap.
     pub allocated: Mutex<[u64; vk::MAX_MEMORY_HEAPS]>,
     pub options: Options,
+    /// Whose compiled kernels the cache on disk may hold.
+    pub cache_owner: Owner,
+    /// Where statistics were asked for and the device has them.
+    pub statistics: Option<khr::pipeline_executable_properties::Device>,
     pub loop_limit: OnceLock<Option<u32>>,
     queue: Mutex<Queue>,
     /// Set after a time-out: the device may still be writing, so nothing it uses may be freed.
@@ -89,7 +63,8 @@ impl Device {
             reason: "it has no compute queue".into(),
         };
         let (family, properties) = compute_family(&instance, physical).ok_or_else(no_queue)?;
-        let raw = create(&instance, physical, family)?;
+        let counts = options.statistics && statistics::are_offered(&instance, physical);
+        let raw = create(&instance, physical, family, counts)?;
         let queue = match Queue::new(&raw, family, properties.timestamp_valid_bits) {
             Ok(queue) => queue,
             Err(error) => {
@@ -103,6 +78,9 @@ impl Device {
             // SAFETY: the handle comes from this instance.
             memory: unsafe { instance.raw.get_physical_device_memory_properties(physical) },
             allocated: Mutex::new([0; vk::MAX_MEMORY_HEAPS]),
+            cache_owner: Owner::of(&instance, physical, &info),
+            statistics: counts
+                .then(|| khr::pipeline_executable_properties::Device::new(&instance.raw, &raw)),
             loop_limit: OnceLock::new(),
             abandoned: AtomicBool::new(false),
             queue: Mutex::new(queue),
@@ -136,12 +114,21 @@ fn create(
     instance: &Instance,
     physical: vk::PhysicalDevice,
     family: u32,
+    counts: bool,
 ) -> Result<ash::Device, GpuError> {
     let queues = [vk::DeviceQueueCreateInfo::default()
         .queue_family_index(family)
         .queue_priorities(&[1.0])];
-    let info = vk::DeviceCreateInfo::default().queue_create_infos(&queues);
-    // SAFETY: the handle comes from this instance, the family from the device.
+    let extensions = [khr::pipeline_executable_properties::NAME.as_ptr()];
+    let mut feature = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR::default()
+        .pipeline_executable_info(true);
+    let mut info = vk::DeviceCreateInfo::default().queue_create_infos(&queues);
+    if counts {
+        info = info
+            .enabled_extension_names(&extensions)
+            .push_next(&mut feature);
+    }
+    // SAFETY: the handle comes from this instance, the family from the device; `counts` only where it is offered.
     unsafe { instance.raw.create_device(physical, &info, None) }
         .map_err(GpuError::of("vkCreateDevice"))
 }

@@ -5,6 +5,7 @@
 
 mod barrier;
 mod buffer;
+mod cache_folder;
 mod device;
 mod dispatch;
 mod error;
@@ -12,18 +13,23 @@ mod info;
 mod instance;
 mod limits;
 mod memory;
+mod options;
 mod pipeline;
+mod pipeline_cache;
 mod probe;
 mod queue;
 mod selector;
+mod statistics;
 mod transfer;
 
 pub use buffer::Buffer;
-pub use device::{Device, Options};
+pub use device::Device;
 pub use error::GpuError;
 pub use info::{DeviceInfo, DeviceKind, devices};
 pub use limits::Limits;
+pub use options::Options;
 pub use pipeline::Pipeline;
 pub use selector::Selector;
+pub use statistics::{Statistic, Value};
 
 pub use crate::layout::BufferUse;

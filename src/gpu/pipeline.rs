@@ -6,6 +6,7 @@ use ash::vk;
 
 use super::device::{Device, Inner};
 use super::error::GpuError;
+use super::pipeline_cache::PipelineCache;
 use crate::kernel::Spirv;
 use crate::layout::BufferUse;
 
@@ -161,6 +162,11 @@ impl Pipeline {
 
     fn make_pipeline(&mut self, kernel: &Spirv) -> Result<(), GpuError> {
         let raw = &self.device.raw;
+        let cache = PipelineCache::open(&self.device, kernel);
+        let flags = match self.device.statistics {
+            Some(_) => vk::PipelineCreateFlags::CAPTURE_STATISTICS_KHR,
+            None => vk::PipelineCreateFlags::empty(),
+        };
         let code = vk::ShaderModuleCreateInfo::default().code(&kernel.words);
         // SAFETY: the words come from `kernel::compile`, whose output is valid SPIR-V with the entry point `main`;
         // the module may go once the pipeline is made.
@@ -173,13 +179,15 @@ impl Pipeline {
                 .module(module)
                 .name(c"main");
             let info = vk::ComputePipelineCreateInfo::default()
+                .flags(flags)
                 .stage(stage)
                 .layout(self.layout);
-            let made = raw.create_compute_pipelines(vk::PipelineCache::null(), &[info], None);
+            let made = raw.create_compute_pipelines(cache.raw(), &[info], None);
             raw.destroy_shader_module(module, None);
             self.raw =
                 made.map_err(|(_, result)| GpuError::of("vkCreateComputePipelines")(result))?[0];
         }
+        cache.keep();
         Ok(())
     }
 }

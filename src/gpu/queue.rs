@@ -8,7 +8,7 @@ use super::barrier;
 use super::device::Inner;
 use super::error::GpuError;
 
-/// A compute queue with a command buffer, a fence and two timestamps.
+/// A compute queue with a command buffer, two timestamps and, once there was work, a fence.
 pub(super) struct Queue {
     raw: vk::Queue,
     pool: vk::CommandPool,
@@ -56,9 +56,6 @@ impl Queue {
             self.commands = device
                 .allocate_command_buffers(&one)
                 .map_err(GpuError::of("vkAllocateCommandBuffers"))?[0];
-            self.fence = device
-                .create_fence(&Default::default(), None)
-                .map_err(GpuError::of("vkCreateFence"))?;
             self.queries = device
                 .create_query_pool(&queries, None)
                 .map_err(GpuError::of("vkCreateQueryPool"))?;
@@ -109,7 +106,8 @@ impl Queue {
 
     /// # Safety
     /// As of [`run`](Self::run), the commands recorded.
-    unsafe fn submit_and_wait(&self, device: &Inner) -> Result<(), GpuError> {
+    unsafe fn submit_and_wait(&mut self, device: &Inner) -> Result<(), GpuError> {
+        self.make_fence(&device.raw)?;
         let commands = [self.commands];
         let submits = [vk::SubmitInfo::default().command_buffers(&commands)];
         let patience = device.options.patience;
@@ -155,6 +153,16 @@ impl Queue {
             }
             raw.cmd_write_timestamp(self.commands, stage, self.queries, index);
         }
+    }
+
+    /// With the first work: a driver that only compiles (radv's null hardware) has no fences.
+    fn make_fence(&mut self, device: &ash::Device) -> Result<(), GpuError> {
+        if self.fence == vk::Fence::null() {
+            // SAFETY: the create info is complete and the device alive.
+            self.fence = unsafe { device.create_fence(&Default::default(), None) }
+                .map_err(GpuError::of("vkCreateFence"))?;
+        }
+        Ok(())
     }
 
     /// Time between the two timestamps, `None` where the queue has none.

@@ -1,0 +1,247 @@
+//! A folder of small files that processes leave for later ones. Any of them may be gone, broken or another's: a file
+//! is read back only as it was written, under the same key, and whatever fails here is no more than a file that is
+//! not there.
+
+use std::fs::{self, File};
+use std::hash::{DefaultHasher, Hasher};
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+use etcetera::BaseStrategy;
+
+/// What all files begin with: the format and its version.
+const MAGIC: [u8; 8] = *b"vkptkc01";
+/// Magic and checksum.
+const HEADER: usize = 16;
+/// The ending of all files, and what [`CacheFolder::trim`] goes by: a folder may hold others' files too.
+const ENDING: &str = "vkpt-cache";
+/// Files that are kept.
+const FILES: usize = 64;
+/// Bytes that are kept, in all files together.
+const BYTES: u64 = 64 << 20;
+
+/// The folder that `VKPT_CACHE` names, none where that is empty; else the user's, `~/.cache/vkpt` on most systems.
+pub(super) fn from_env() -> Option<PathBuf> {
+    match std::env::var_os("VKPT_CACHE") {
+        Some(folder) if folder.is_empty() => None,
+        Some(folder) => Some(folder.into()),
+        None => Some(
+            etcetera::choose_base_strategy()
+                .ok()?
+                .cache_dir()
+                .join("vkpt"),
+        ),
+    }
+}
+
+/// Files by key: any text that says what the content depends on.
+pub(super) struct CacheFolder<'a>(pub &'a Path);
+
+impl CacheFolder<'_> {
+    /// What was written last under `key`.
+    pub fn read(&self, key: &str) -> Option<Vec<u8>> {
+        let path = self.path(key);
+        let metadata = fs::metadata(&path).ok()?;
+        // What is no file (a pipe, say) could keep its reader waiting.
+        if !metadata.is_file() || metadata.len() > BYTES {
+            return None;
+        }
+        let mut file = File::open(path).ok()?;
+        let mut bytes = Vec::new();
+        file.read_to_end(&mut bytes).ok()?;
+        let content = unseal(key, &bytes)?.to_vec();
+        // The files that go first are those that nobody has read for long. A failure makes this one go earlier.
+        let _ = file.set_modified(SystemTime::now());
+        Some(content)
+    }
+
+    /// Leaves `content` under `key`. Readers in other processes see the old file or the new one, each whole.
+    pub fn write(&self, key: &str, content: &[u8]) -> io::Result<()> {
+        fs::create_dir_all(self.0)?;
+        let mut file = tempfile::Builder::new()
+            .suffix(&format!(".{ENDING}"))
+            .tempfile_in(self.0)?;
+        file.write_all(&MAGIC)?;
+        file.write_all(&checksum(key, content))?;
+        file.write_all(content)?;
+        file.persist(self.path(key))?;
+        self.trim()
+    }
+
+    fn path(&self, key: &str) -> PathBuf {
+        self.0
+            .join(format!("{:016x}.{ENDING}", hash(key.as_bytes())))
+    }
+
+    /// Removes the files that were used longest ago, what a crash left behind among them.
+    fn trim(&self) -> io::Result<()> {
+        let used = |entry: fs::DirEntry| {
+            let (path, metadata) = (entry.path(), entry.metadata().ok()?);
+            let ours = path.extension().is_some_and(|e| e == ENDING) && metadata.is_file();
+            ours.then_some((metadata.modified().ok()?, metadata.len(), path))
+        };
+        let mut files: Vec<_> = fs::read_dir(self.0)?.flatten().filter_map(used).collect();
+        files.sort_unstable_by(|a, b| b.cmp(a));
+        let mut total = 0;
+        for (i, (_, bytes, path)) in files.into_iter().enumerate() {
+            total += bytes;
+            if i >= FILES || total > BYTES {
+                // Another process may have been faster.
+                let _ = fs::remove_file(path);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The content of a file that was written whole under `key`.
+fn unseal<'a>(key: &str, file: &'a [u8]) -> Option<&'a [u8]> {
+    let (header, content) = file.split_at_checked(HEADER)?;
+    (header == [MAGIC, checksum(key, content)].concat()).then_some(content)
+}
+
+/// Of key and content together: a file of another key fails as a broken one does.
+fn checksum(key: &str, content: &[u8]) -> [u8; 8] {
+    let mut hasher = DefaultHasher::new();
+    hasher.write_usize(key.len());
+    hasher.write(key.as_bytes());
+    hasher.write(content);
+    hasher.finish().to_le_bytes()
+}
+
+/// SipHash. Another release of Rust's library may hash otherwise: its files are then strangers to each other.
+pub(super) fn hash(bytes: &[u8]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    hasher.write(bytes);
+    hasher.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::time::Duration;
+
+    use super::*;
+
+    fn names(folder: &Path) -> BTreeSet<PathBuf> {
+        let entries = fs::read_dir(folder).expect("a folder").flatten();
+        entries.map(|entry| entry.path()).collect()
+    }
+
+    #[test]
+    fn what_is_written_is_read_back_under_its_key_alone() {
+        let temporary = tempfile::tempdir().expect("a folder");
+        let path = temporary.path().join("is/made");
+        let folder = CacheFolder(&path);
+        assert_eq!(folder.read("a"), None);
+        for content in [&b"long ago"[..], b"", b"now"] {
+            folder.write("a", content).expect("written");
+            assert_eq!(folder.read("a").as_deref(), Some(content));
+        }
+        assert_eq!(folder.read("b"), None);
+        fs::copy(folder.path("a"), folder.path("b")).expect("copied");
+        assert_eq!(folder.read("b"), None, "a file of another key");
+        folder.write("b", b"b's own").expect("replaced");
+        assert_eq!(folder.read("b").as_deref(), Some(&b"b's own"[..]));
+    }
+
+    /// Every bit, every length, and what is no file.
+    #[test]
+    fn a_broken_file_is_as_good_as_none() {
+        let temporary = tempfile::tempdir().expect("a folder");
+        let folder = CacheFolder(temporary.path());
+        folder.write("key", b"some content").expect("written");
+        let (path, whole) = (
+            folder.path("key"),
+            fs::read(folder.path("key")).expect("read"),
+        );
+        let broken = |bytes: &[u8]| {
+            fs::write(&path, bytes).expect("written");
+            folder.read("key").is_none()
+        };
+        for bit in 0..8 * whole.len() {
+            let mut bytes = whole.clone();
+            bytes[bit / 8] ^= 1 << (bit % 8);
+            assert!(broken(&bytes), "bit {bit}");
+        }
+        for length in 0..whole.len() {
+            assert!(broken(&whole[..length]), "{length} bytes");
+        }
+        assert!(broken(&[&whole[..], &[0]].concat()), "one byte more");
+        assert!(!broken(&whole), "the whole file again");
+        fs::remove_file(&path).expect("removed");
+        fs::create_dir(&path).expect("a folder in its place");
+        assert_eq!(folder.read("key"), None);
+        assert!(folder.write("key", b"content").is_err());
+        let files = names(temporary.path());
+        assert_eq!(files, BTreeSet::from([path]), "nothing temporary is left");
+    }
+
+    #[test]
+    fn a_folder_that_cannot_be_is_an_error_and_holds_nothing() {
+        let file = tempfile::NamedTempFile::new().expect("a file");
+        let path = file.path().join("below a file");
+        assert!(CacheFolder(&path).write("key", b"content").is_err());
+        assert_eq!(CacheFolder(&path).read("key"), None);
+    }
+
+    #[test]
+    fn the_files_used_longest_ago_go_first() {
+        let temporary = tempfile::tempdir().expect("a folder");
+        let folder = CacheFolder(temporary.path());
+        let others = temporary.path().join("another's.txt");
+        fs::write(&others, b"keep").expect("written");
+        let start = SystemTime::now() - Duration::from_secs(1000);
+        let key = |i: usize| format!("key {i}");
+        for i in 0..FILES {
+            folder.write(&key(i), b"content").expect("written");
+            let file = File::open(folder.path(&key(i))).expect("a file");
+            file.set_modified(start + Duration::from_secs(i as u64))
+                .expect("dated");
+        }
+        assert!(folder.read(&key(0)).is_some(), "used again");
+        folder.write(&key(FILES), b"content").expect("written");
+        let gone: Vec<_> = (0..=FILES)
+            .filter(|i| folder.read(&key(*i)).is_none())
+            .collect();
+        assert_eq!(gone, [1]);
+        assert_eq!(names(temporary.path()).len(), FILES + 1);
+        assert!(others.exists());
+    }
+
+    #[test]
+    fn many_bytes_go_as_many_files_do() {
+        let temporary = tempfile::tempdir().expect("a folder");
+        let folder = CacheFolder(temporary.path());
+        folder.write("old", b"content").expect("written");
+        // Sparse: what a driver of huge kernels would have left.
+        let large = File::create(temporary.path().join("large.vkpt-cache")).expect("a file");
+        large.set_len(BYTES).expect("grown");
+        folder.write("new", b"content").expect("written");
+        assert!(folder.read("new").is_some());
+        assert_eq!(names(temporary.path()).len(), 1);
+    }
+
+    /// Threads stand for processes: they share nothing but the folder.
+    #[test]
+    fn readers_see_whole_files_while_others_write() {
+        let temporary = tempfile::tempdir().expect("a folder");
+        let contents: Vec<_> = (1..=4u8).map(|i| vec![i; 100_000 * i as usize]).collect();
+        std::thread::scope(|scope| {
+            for content in &contents {
+                let path = temporary.path();
+                scope.spawn(move || {
+                    (0..50).for_each(|_| CacheFolder(path).write("key", content).expect("written"))
+                });
+            }
+            for _ in 0..200 {
+                let seen = CacheFolder(temporary.path()).read("key");
+                assert!(seen.is_none_or(|content| contents.contains(&content)));
+            }
+        });
+        let last = CacheFolder(temporary.path()).read("key");
+        assert!(last.is_some_and(|content| contents.contains(&content)));
+        assert_eq!(names(temporary.path()).len(), 1);
+    }
+}
