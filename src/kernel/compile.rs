@@ -10,7 +10,7 @@ use naga::{Module, ShaderStage, WithSpan, back, front};
 use super::composed::Composed;
 use super::error::KernelError;
 use super::spirv::Spirv;
-use super::{audit, no_contraction, uninitialised};
+use super::{audit, no_contraction, single_store, uninitialised};
 
 /// Compiles a composed kernel: what `main` does not reach is left out, operations whose result a driver may
 /// choose are refused, and every float operation is marked `NoContraction`.
@@ -23,7 +23,8 @@ pub fn compile(kernel: &Composed) -> Result<Spirv, KernelError> {
         audit::refuse_driver_maths(&module, &info, kernel)?;
         let words = back::spv::write_vec(&module, &info, &options(), None)
             .map_err(|e| KernelError::Spirv(e.to_string()))?;
-        let words = no_contraction::decorate(&uninitialised::strip_null_arrays(&words)?)?;
+        let words = single_store::forward(&uninitialised::strip_null_arrays(&words)?)?;
+        let words = no_contraction::decorate(&words)?;
         Ok(Spirv::new(
             words,
             functions(&module),

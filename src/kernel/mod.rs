@@ -20,6 +20,7 @@ mod error;
 mod no_contraction;
 mod reflect;
 pub mod scene;
+mod single_store;
 mod sources;
 mod spirv;
 mod uninitialised;
