@@ -30,6 +30,7 @@ fn record() -> Record {
         machine: Machine {
             device: "llvmpipe".to_owned(),
             driver: "Mesa 22.3.6".to_owned(),
+            kernel: Some("composed"),
             features: vec!["sphere".to_owned(), "ggx".to_owned()],
         },
         work: Work::new(&seconds, 7_680_000, 40_000_000, Dropped::default(), 0),
@@ -63,6 +64,7 @@ fn json_holds_every_field_by_name() {
         },
         "device": "llvmpipe",
         "driver": "Mesa 22.3.6",
+        "kernel": "composed",
         "features": ["sphere", "ggx"],
         "seconds": {
             "read": 0.012, "prepare": 0.0, "compose": 0.004, "gpu": 7.25, "compile": 0.5, "render": 7.5, "write": 0.02,

@@ -195,6 +195,42 @@ fn the_device_equals_the_reference_on_every_scene() {
     }
 }
 
+/// A surface that is not there among shapes of one kind, a light and a floor: kernels without any switch, on which
+/// Mesa 22.3's compiler crashed.
+#[test]
+fn the_device_equals_the_reference_where_all_shapes_are_of_one_kind() {
+    if !cpu_driver() {
+        return;
+    }
+    let cube = common::meshes::cube();
+    let mesh = cube.path().display().to_string();
+    let kinds = [
+        ["sphere 0 0 4 1", "sphere 0 0 -51 51", "sphere 0 0 1 1"].map(String::from),
+        [
+            "box -1 -1 4 2 2 1",
+            "box -5 -5 -1 10 10 1",
+            "box -1 -1 .1 2 2 2",
+        ]
+        .map(String::from),
+        [
+            "cylinder -1 0 4 2 0 0 1",
+            "cylinder 0 0 -1 0 0 1 9",
+            "cylinder 0 0 .1 0 0 2 1",
+        ]
+        .map(String::from),
+        ["0 0 4 .5", "0 0 -9 9", "0 0 1.1 1"].map(|place| format!("mesh {mesh} {place}")),
+    ];
+    for [light, floor, stain] in kinds {
+        let text = format!(
+            "screen 32 24\ncamera 0 -6 3 .35 x 65\nlight 6 5 4\n{light}\n\
+             brdf .6 .5 .4 0 0 0 1\n{floor}\nbrdf 0 0 0 0 0 0 1 .5 .7 .9 1\n{stain}\n"
+        );
+        let settings = Settings::default();
+        let scene = prepared(&text, &settings);
+        device_equals_reference(&job(&scene, settings, 4, 1), &text);
+    }
+}
+
 /// 8192 × 8192 pixels: a gibibyte of film in tiles. A crop of it must be the same pixels.
 #[test]
 #[ignore = "3 GiB of memory, a minute"]

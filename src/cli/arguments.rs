@@ -11,7 +11,8 @@ use super::job::Request;
 use super::values::{self, Output, Preset, SamplePath, choice};
 use crate::film::Aov;
 use crate::gpu::Selector;
-use crate::render::Target;
+use crate::render::{KernelChoice, Target};
+use crate::report::names::Named;
 use crate::settings::{
     Absorption, Connect, DistributionRule, Fresnel, LobeChoice, Normals, Roulette, Settings,
 };
@@ -110,6 +111,17 @@ pub struct RenderArguments {
     /// reference renderer: cpu-f64, cpu-f32 [default: the best Vulkan device]
     #[arg(long, value_name = "DEVICE", help_heading = "Rendering", value_parser = values::device)]
     device: Option<Target>,
+
+    /// What the Vulkan kernel holds: composed, what scene and settings need, or full, what any scene
+    /// could need. The picture does not depend on it
+    #[arg(
+        long,
+        value_name = "KERNEL",
+        help_heading = "Rendering",
+        default_value = "composed"
+    )]
+    #[arg(value_parser = choice::<KernelChoice>(), hide_possible_values = true)]
+    pub kernel: KernelChoice<'static>,
 
     #[command(flatten)]
     pub settings: SettingArguments,
@@ -244,6 +256,11 @@ impl RenderArguments {
         self.device
             .clone()
             .unwrap_or(Target::Vulkan(Selector::Best))
+    }
+
+    /// Which kernel renders; `None` for the reference.
+    pub fn kernel_name(&self) -> Option<&'static str> {
+        matches!(self.target(), Target::Vulkan(_)).then(|| self.kernel.name())
     }
 }
 

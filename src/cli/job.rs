@@ -6,7 +6,7 @@ use std::time::Instant;
 use super::arguments::usage;
 use super::exit::{Failure, point_out, warn};
 use crate::prepared::{self, Prepared};
-use crate::render::Job;
+use crate::render::{Job, KernelChoice};
 use crate::scene;
 use crate::settings::Settings;
 
@@ -75,6 +75,7 @@ impl Ready {
             seed: request.seed,
             crop: request.crop,
             aovs: &[],
+            kernel: KernelChoice::Composed,
         })
     }
 }

@@ -44,6 +44,7 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
 fn develop(arguments: &RenderArguments, ready: &Ready) -> Result<Outcome, Failure> {
     let job = render::Job {
         aovs: &arguments.aov,
+        kernel: arguments.kernel,
         ..ready.job(&arguments.request()?)?
     };
     let stop = stop_flag();
@@ -133,6 +134,7 @@ fn record(
         machine: Machine {
             device: stats.device.clone(),
             driver: stats.driver.clone(),
+            kernel: arguments.kernel_name(),
             features: stats.features.clone(),
         },
         work: Work::new(

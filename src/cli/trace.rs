@@ -12,7 +12,10 @@ use crate::render;
 pub fn trace(arguments: &RenderArguments, path: SamplePath) -> Result<Ending, Failure> {
     let request = arguments.request()?;
     let ready = Ready::new(&request)?;
-    let job = ready.job(&request)?;
+    let job = render::Job {
+        kernel: arguments.kernel,
+        ..ready.job(&request)?
+    };
     let [x, y] = path.pixel;
     let (width, height) = (ready.prepared.width, ready.prepared.height);
     if x >= width || y >= height {

@@ -6,7 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::gpu::Selector;
 use crate::image::Format;
-use crate::render::Target;
+use crate::render::{KernelChoice, Target};
 use crate::report::names::Named;
 use crate::scene::LARGEST_SIDE;
 use crate::settings::{Distribution, DistributionRule, Roulette};
@@ -34,6 +34,11 @@ pub struct SamplePath {
 
 impl Named for Preset {
     const ALL: &'static [(Self, &'static str)] = &[(Self::Handout, "handout")];
+}
+
+impl Named for KernelChoice<'static> {
+    const ALL: &'static [(Self, &'static str)] =
+        &[(Self::Composed, "composed"), (Self::Full, "full")];
 }
 
 /// One of few, by name.

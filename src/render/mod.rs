@@ -9,6 +9,7 @@ mod vulkan;
 
 use std::sync::atomic::AtomicBool;
 
+use crate::features::Features;
 use crate::film::{Aov, Film};
 pub use crate::gpu::Selector;
 use crate::gpu::{Device, GpuError};
@@ -28,6 +29,18 @@ pub enum Target {
     CpuF64,
 }
 
+/// Which kernel renders on a Vulkan device. The picture does not depend on it; the reference has none.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum KernelChoice<'a> {
+    /// What scene and settings need, and nothing else.
+    #[default]
+    Composed,
+    /// What any scene could need: [`Features::full`].
+    Full,
+    /// These features, which must hold what scene and settings need.
+    Given(&'a Features),
+}
+
 /// What is to be rendered.
 #[derive(Clone, Copy, Debug)]
 pub struct Job<'a> {
@@ -41,9 +54,19 @@ pub struct Job<'a> {
     pub crop: Option<[u32; 4]>,
     /// What to make beside the picture, which it does not change.
     pub aovs: &'a [Aov],
+    pub kernel: KernelChoice<'a>,
 }
 
 impl Job<'_> {
+    /// What the kernel of this job holds.
+    pub fn features(&self) -> Features {
+        match self.kernel {
+            KernelChoice::Composed => Features::of(self.prepared, &self.settings, self.aovs),
+            KernelChoice::Full => Features::full(&self.settings, self.aovs),
+            KernelChoice::Given(features) => features.clone(),
+        }
+    }
+
     /// The pixels to be rendered.
     fn area(&self) -> Tile {
         let [left, top, right, bottom] =
@@ -125,8 +148,15 @@ pub struct Stats {
 pub enum RenderError {
     #[error(transparent)]
     Gpu(#[from] GpuError),
-    #[error("the kernel of this scene does not compile, which is a mistake of vkpt's:\n{0}")]
-    Kernel(#[from] KernelError),
+    #[error(
+        "the kernel of this scene does not compile, which is a mistake of vkpt's:\n{error}\n\
+         It was to hold {features}"
+    )]
+    Kernel {
+        #[source]
+        error: KernelError,
+        features: Box<Features>,
+    },
     #[error(
         "the driver ended loops of {0} paths before their end: the picture would be wrong. \
          Try another driver, or --device cpu-f32"

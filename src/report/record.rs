@@ -40,6 +40,8 @@ pub struct Job {
 pub struct Machine {
     pub device: String,
     pub driver: String,
+    /// `composed` or `full`; `None` for the reference, which has no kernel.
+    pub kernel: Option<&'static str>,
     /// What the kernel holds.
     pub features: Vec<String>,
 }

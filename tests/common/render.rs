@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use vkpt::film::Film;
 use vkpt::prepared::{Prepared, prepare};
-use vkpt::render::{DispatchLimits, Job, Outcome, Target, render, render_on};
+use vkpt::render::{DispatchLimits, Job, KernelChoice, Outcome, Target, render, render_on};
 use vkpt::settings::Settings;
 
 /// A scene from text, prepared.
@@ -32,6 +32,7 @@ pub fn job(prepared: &Prepared, settings: Settings, spp: u64, seed: u32) -> Job<
         seed,
         crop: None,
         aovs: &[],
+        kernel: KernelChoice::Composed,
     }
 }
 

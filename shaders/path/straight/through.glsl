@@ -12,11 +12,11 @@ struct Passage {
 };
 
 bool goes_straight(Hit hit) {
-    bool straight = false;
-    if (hit.shape != NONE) {
-        straight = materials[shapes[hit.shape].material].kind == KIND_NOTHING;
-    }
-    return straight;
+    // Any shape will do where none is hit: an `if` about the two reads crashed Mesa 22.3's compiler in kernels of one kind
+    // of shape.
+    uint shape = hit.shape == NONE ? 0u : hit.shape;
+    bool straight = materials[shapes[shape].material].kind == KIND_NOTHING;
+    return straight && hit.shape != NONE;
 }
 
 Passage pass(Ray ray, Hit hit) {

@@ -41,6 +41,7 @@ impl Element {
 pub struct Binding {
     pub name: &'static str,
     pub element: Element,
+    /// Elements that mean something. The buffer has one at least, zeros that no kernel reads.
     pub count: usize,
     pub buffer_use: BufferUse,
 }
@@ -60,7 +61,7 @@ pub fn declare_binding(binding: &Binding, index: usize) -> String {
             let extent = if one {
                 String::new()
             } else {
-                format!("[{count}]")
+                format!("[{}]", count.max(&1))
             };
             format!(
                 "layout(std140, set = 0, binding = {index}) uniform {name}_block {{ {ty} {name}{extent}; }};\n"

@@ -1,5 +1,6 @@
 //! Rendering on a Vulkan device: tiles × slices of samples, until every pixel has its samples.
 
+mod absent;
 mod develop;
 mod limits;
 mod outcomes;
@@ -12,7 +13,6 @@ use std::time::{Duration, Instant};
 
 use super::slices::Slices;
 use super::{Job, Outcome, Progress, RenderError, Stats};
-use crate::features::Features;
 use crate::gpu::Device;
 use crate::kernel::Spirv;
 use crate::kernel::scene::Recording;
@@ -31,7 +31,7 @@ pub fn render(
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Outcome, RenderError> {
     let start = Instant::now();
-    let features = Features::of(job.prepared, &job.settings, job.aovs);
+    let features = job.features();
     let mut run = Run::new(job, device, &features, limits, Recording::Nothing)?;
     let compose_s = start.elapsed().as_secs_f64();
     let compile_s = run.compile()?.as_secs_f64();
@@ -67,7 +67,7 @@ pub fn render(
 
 /// The kernel that renders the job on `device`.
 pub fn kernel(job: &Job, device: &Device) -> Result<Spirv, RenderError> {
-    let features = Features::of(job.prepared, &job.settings, job.aovs);
+    let features = job.features();
     Ok(run::scene_and_kernel(job, device, &features, Recording::Nothing)?.1)
 }
 
@@ -110,7 +110,7 @@ pub fn records(
         crop: Some([column, row, column + 1, row + 1]),
         ..*job
     };
-    let features = Features::of(job.prepared, &job.settings, job.aovs);
+    let features = job.features();
     let limits = DispatchLimits::of(device)?;
     let mut run = Run::new(&job, device, &features, limits, Recording::Events(CAPACITY))?;
     run.sample_begin = index;

@@ -3,7 +3,6 @@
 use super::limits::DispatchLimits;
 use super::run::Run;
 use super::tile_film::TileFilm;
-use crate::features::Features;
 use crate::gpu::Device;
 use crate::kernel::scene::Recording;
 use crate::layout::PathOutcome;
@@ -25,7 +24,7 @@ impl<'a> Outcomes<'a> {
         tile_pixels: u32,
         room: u32,
     ) -> Result<Self, RenderError> {
-        let features = Features::of(job.prepared, &job.settings, job.aovs);
+        let features = job.features();
         let limits = DispatchLimits::of(device)?;
         let limits = DispatchLimits {
             tile_pixels: limits.tile_pixels.min(tile_pixels),

@@ -165,6 +165,11 @@ pub fn scene_and_kernel(
     recording: Recording,
 ) -> Result<(SceneBuffers, Spirv), RenderError> {
     let scene = SceneBuffers::new(device, job.prepared, features, job.seed)?;
-    let composed = kernel::scene::compose(features, &scene.parameters(job, recording))?;
-    Ok((scene, kernel::compile(&composed)?))
+    let spirv = kernel::scene::compose(features, &scene.parameters(job, recording))
+        .and_then(|composed| kernel::compile(&composed))
+        .map_err(|error| RenderError::Kernel {
+            error,
+            features: Box::new(features.clone()),
+        })?;
+    Ok((scene, spirv))
 }

@@ -3,12 +3,13 @@
 
 use bytemuck::NoUninit;
 
+use super::absent;
 use crate::features::Features;
 use crate::flat;
 use crate::gpu::{Buffer, BufferUse, Device};
 use crate::kernel::scene::{Binding, Element, Parameters, Recording};
 use crate::layout::GpuStruct;
-use crate::prepared::{Light, LightKind, Prepared, ShapeKind};
+use crate::prepared::{LightKind, Prepared, ShapeKind};
 use crate::render::{Job, RenderError};
 
 /// The buffers of one scene, in the order of their bindings.
@@ -17,6 +18,7 @@ pub struct SceneBuffers {
     bindings: Vec<Binding>,
     /// Entries of the hierarchy's traversal stack that can be needed at once, and its reach.
     bvh: Option<(u32, f32)>,
+    background_light: Option<u32>,
 }
 
 impl SceneBuffers {
@@ -53,16 +55,17 @@ impl SceneBuffers {
                 &flat::triangle_shapes(prepared),
             )?;
             if features.shading_normals {
-                all.words("normal_words", Element::Float, &flat::normals(prepared))?;
+                all.words("normal_words", Element::Float, &absent::normals(prepared))?;
             }
         }
         if !features.lights.is_empty() {
-            all.records("lights", &flat::lights(prepared))?;
+            all.records("lights", &absent::lights(prepared, features))?;
         }
         if features.many_lights {
-            all.words("light_cdf", Element::Uint, &prepared.light_cdf)?;
+            let cdf = absent::light_cdf(prepared, features);
+            all.words("light_cdf", Element::Uint, &cdf)?;
         }
-        if !prepared.triangle_cdf.is_empty() {
+        if features.lights.contains(&LightKind::Mesh) {
             all.words("triangle_cdf", Element::Uint, &prepared.triangle_cdf)?;
         }
         let mut hierarchy = None;
@@ -77,22 +80,17 @@ impl SceneBuffers {
             buffers: all.buffers,
             bindings: all.bindings,
             bvh: hierarchy,
+            background_light: absent::background_light(prepared, features),
         })
     }
 
     /// What the text of the kernel needs to know of the buffers and of the job.
     pub fn parameters<'a>(&'a self, job: &'a Job, recording: Recording) -> Parameters<'a> {
-        let is_background = |l: &Light| l.kind == LightKind::Background;
         Parameters {
             settings: &job.settings,
             bindings: &self.bindings,
             bvh: self.bvh,
-            background_light: job
-                .prepared
-                .lights
-                .iter()
-                .position(is_background)
-                .map(|i| i as u32),
+            background_light: self.background_light,
             recording,
         }
     }
@@ -115,20 +113,17 @@ struct Upload<'a> {
 impl Upload<'_> {
     /// An array of structs: a uniform where it fits.
     fn records<T: GpuStruct>(&mut self, name: &'static str, data: &[T]) -> Result<(), RenderError> {
-        let bytes = size_of_val(data) as u64;
-        let buffer_use = if bytes <= self.device.limits().uniform_buffer {
+        let none = [T::default()];
+        // An array has one element at least, in GLSL and so in its buffer.
+        let stored = if data.is_empty() { &none } else { data };
+        let buffer_use = if size_of_val(stored) as u64 <= self.device.limits().uniform_buffer {
             BufferUse::Uniform
         } else {
             BufferUse::Storage
         };
         let element = Element::Struct(T::NAME);
-        self.add(
-            name,
-            element,
-            buffer_use,
-            data.len(),
-            bytemuck::cast_slice(data),
-        )
+        let bytes = bytemuck::cast_slice(stored);
+        self.add(name, element, buffer_use, data.len(), bytes)
     }
 
     /// An array of plain words, always in storage: std140 would spread each over 16 bytes.

@@ -1,10 +1,13 @@
 //! What a scene with its settings needs of the kernel: decided here and nowhere else.
 //!
 //! Small sets that print, compare and hash. They choose which files are in the kernel; never a buffer's
-//! layout, never the order in which random numbers are drawn.
+//! layout, never the order in which random numbers are drawn. So a kernel that holds more than its scene needs,
+//! up to [`Features::full`], makes the same picture.
+
+mod member;
+mod names;
 
 use std::collections::BTreeSet;
-use std::fmt::Debug;
 
 use glam::DVec3;
 
@@ -13,6 +16,7 @@ use crate::prepared::{LightKind, Material, MaterialKind, Prepared, ShapeKind};
 use crate::settings::{
     Absorption, Connect, Distribution, Fresnel, LobeChoice, Normals, Roulette, Settings,
 };
+pub use member::Member;
 
 /// Which of the three roulettes, apart from its parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -57,6 +61,7 @@ pub struct Features {
 const LINEAR_PRIMITIVES: usize = 32;
 
 impl Features {
+    /// What this scene needs.
     pub fn of(prepared: &Prepared, settings: &Settings, aovs: &[Aov]) -> Self {
         let used: Vec<&Material> = prepared
             .shapes
@@ -65,7 +70,6 @@ impl Features {
             .collect();
         let shapes: BTreeSet<ShapeKind> = prepared.shapes.iter().map(|s| s.kind).collect();
         let in_bvh = |kind: &ShapeKind| prepared.primitives(*kind) > LINEAR_PRIMITIVES;
-        let (model, estimator) = (&settings.model, &settings.estimator);
         Self {
             in_bvh: shapes.iter().copied().filter(in_bvh).collect(),
             shapes,
@@ -83,6 +87,37 @@ impl Features {
                 .collect(),
             lights: prepared.lights.iter().map(|l| l.kind).collect(),
             many_lights: prepared.lights.len() > 1,
+            absorption: used
+                .iter()
+                .any(|m| Prepared::is_transmissive(m) && m.sigma != DVec3::ZERO)
+                .then_some(settings.model.absorption),
+            shading_normals: !prepared.normals.is_empty(),
+            ..Self::bare(settings, aovs)
+        }
+    }
+
+    /// What any scene could need. Settings of model and estimator stay those chosen, and so does what is made beside
+    /// the picture: they are alternatives, where a kernel holds one or the other.
+    pub fn full(settings: &Settings, aovs: &[Aov]) -> Self {
+        Member::all(settings.model.absorption)
+            .into_iter()
+            .fold(Self::bare(settings, aovs), |features, member| {
+                features.with(member)
+            })
+    }
+
+    /// What the settings alone decide: all that an empty scene needs.
+    fn bare(settings: &Settings, aovs: &[Aov]) -> Self {
+        let (model, estimator) = (&settings.model, &settings.estimator);
+        Self {
+            shapes: BTreeSet::new(),
+            in_bvh: BTreeSet::new(),
+            materials: BTreeSet::new(),
+            diffuse_beside: false,
+            distributions: BTreeSet::new(),
+            fresnel: BTreeSet::new(),
+            lights: BTreeSet::new(),
+            many_lights: false,
             normals: estimator.normals,
             lobe: estimator.lobe,
             connect: estimator.connect,
@@ -92,12 +127,9 @@ impl Features {
                 Roulette::Off => RouletteKind::Off,
             },
             radiance_scaling: model.radiance_scaling,
-            absorption: used
-                .iter()
-                .any(|m| Prepared::is_transmissive(m) && m.sigma != DVec3::ZERO)
-                .then_some(model.absorption),
+            absorption: None,
             max_depth: model.max_depth.is_some(),
-            shading_normals: !prepared.normals.is_empty(),
+            shading_normals: false,
             aovs: aovs.iter().copied().collect(),
         }
     }
@@ -111,30 +143,6 @@ impl Features {
     pub fn keeps_moments(&self) -> bool {
         self.aovs.contains(&Aov::Stderr)
     }
-
-    /// One phrase a feature, for people and for the JSON report.
-    pub fn names(&self) -> Vec<String> {
-        let set = |name: &str, members: String| format!("{name}: {members}");
-        let mut names = vec![
-            set("shapes", list(&self.shapes)),
-            set("in a hierarchy", list(&self.in_bvh)),
-            set("materials", list(&self.materials)),
-            set("distributions", list(&self.distributions)),
-            set("fresnel", list(&self.fresnel)),
-            set("lights", list(&self.lights)),
-            set("normals", lower(&self.normals)),
-            set("lobe", lower(&self.lobe)),
-            set("connect", lower(&self.connect)),
-            set("roulette", lower(&self.roulette)),
-        ];
-        if let Some(absorption) = self.absorption {
-            names.push(set("absorption", lower(&absorption)));
-        }
-        if !self.aovs.is_empty() {
-            names.push(set("beside the picture", list(&self.aovs)));
-        }
-        names
-    }
 }
 
 fn is_rough(kind: MaterialKind) -> bool {
@@ -144,15 +152,4 @@ fn is_rough(kind: MaterialKind) -> bool {
 
 fn is_specular(kind: MaterialKind) -> bool {
     is_rough(kind) || matches!(kind, MaterialKind::Mirror | MaterialKind::Glass)
-}
-
-fn lower(member: &impl Debug) -> String {
-    format!("{member:?}").to_lowercase()
-}
-
-fn list<T: Debug>(set: &BTreeSet<T>) -> String {
-    if set.is_empty() {
-        return "none".into();
-    }
-    set.iter().map(lower).collect::<Vec<_>>().join(", ")
 }

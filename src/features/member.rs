@@ -1,0 +1,157 @@
+//! What a scene may bring into a kernel, part by part.
+
+use std::collections::BTreeSet;
+
+use super::Features;
+use crate::prepared::{LightKind, MaterialKind, ShapeKind};
+use crate::settings::{Absorption, Distribution, Fresnel};
+
+/// One part of a kernel that some scenes need and others do not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Member {
+    Shape(ShapeKind),
+    /// Shapes of this kind are found through the hierarchy.
+    InBvh(ShapeKind),
+    Material(MaterialKind),
+    DiffuseBeside,
+    Distribution(Distribution),
+    Fresnel(Fresnel),
+    Light(LightKind),
+    ManyLights,
+    Absorption(Absorption),
+    ShadingNormals,
+}
+
+const SHAPES: [ShapeKind; 4] = [
+    ShapeKind::Sphere,
+    ShapeKind::Box,
+    ShapeKind::Cylinder,
+    ShapeKind::Mesh,
+];
+const MATERIALS: [MaterialKind; 8] = [
+    MaterialKind::Black,
+    MaterialKind::Diffuse,
+    MaterialKind::Opaque,
+    MaterialKind::Mirror,
+    MaterialKind::Dielectric,
+    MaterialKind::Glass,
+    MaterialKind::Weak,
+    MaterialKind::Nothing,
+];
+const DISTRIBUTIONS: [Distribution; 3] = [
+    Distribution::Phong,
+    Distribution::Beckmann,
+    Distribution::Ggx,
+];
+const FRESNEL: [Fresnel; 2] = [Fresnel::Schlick, Fresnel::Exact];
+const LIGHTS: [LightKind; 5] = [
+    LightKind::Sphere,
+    LightKind::Box,
+    LightKind::Cylinder,
+    LightKind::Mesh,
+    LightKind::Background,
+];
+
+impl Member {
+    /// Every member there is, where the model has this rule of absorption.
+    pub fn all(absorption: Absorption) -> BTreeSet<Self> {
+        let mut all = BTreeSet::from([
+            Self::DiffuseBeside,
+            Self::ManyLights,
+            Self::Absorption(absorption),
+            Self::ShadingNormals,
+        ]);
+        all.extend(SHAPES.map(Self::Shape));
+        all.extend(SHAPES.map(Self::InBvh));
+        all.extend(MATERIALS.map(Self::Material));
+        all.extend(DISTRIBUTIONS.map(Self::Distribution));
+        all.extend(FRESNEL.map(Self::Fresnel));
+        all.extend(LIGHTS.map(Self::Light));
+        all
+    }
+}
+
+impl Features {
+    /// The members that are there.
+    pub fn members(&self) -> BTreeSet<Member> {
+        let flags = [
+            (self.diffuse_beside, Member::DiffuseBeside),
+            (self.many_lights, Member::ManyLights),
+            (self.shading_normals, Member::ShadingNormals),
+        ];
+        let mut all: BTreeSet<Member> = flags.iter().filter(|f| f.0).map(|f| f.1).collect();
+        all.extend(self.shapes.iter().copied().map(Member::Shape));
+        all.extend(self.in_bvh.iter().copied().map(Member::InBvh));
+        all.extend(self.materials.iter().copied().map(Member::Material));
+        all.extend(self.distributions.iter().copied().map(Member::Distribution));
+        all.extend(self.fresnel.iter().copied().map(Member::Fresnel));
+        all.extend(self.lights.iter().copied().map(Member::Light));
+        all.extend(self.absorption.map(Member::Absorption));
+        all
+    }
+
+    /// These features with one more member, and with what it cannot do without.
+    #[must_use]
+    pub fn with(&self, member: Member) -> Self {
+        let mut features = self.clone();
+        features.many_lights |= needs_choice(self, member);
+        features.shapes.extend(shape_needed(member));
+        features.put(member, true);
+        features
+    }
+
+    /// These features without a member, and without what cannot do without it.
+    #[must_use]
+    pub fn without(&self, member: Member) -> Self {
+        let mut features = self.clone();
+        if let Member::Shape(kind) = member {
+            let needs = |m: &Member| shape_needed(*m) == Some(kind);
+            self.members()
+                .into_iter()
+                .filter(needs)
+                .for_each(|m| features.put(m, false));
+        }
+        features.put(member, false);
+        features
+    }
+
+    fn put(&mut self, member: Member, there: bool) {
+        match member {
+            Member::Shape(kind) => put(&mut self.shapes, kind, there),
+            Member::InBvh(kind) => put(&mut self.in_bvh, kind, there),
+            Member::Material(kind) => put(&mut self.materials, kind, there),
+            Member::Distribution(distribution) => put(&mut self.distributions, distribution, there),
+            Member::Fresnel(form) => put(&mut self.fresnel, form, there),
+            Member::Light(kind) => put(&mut self.lights, kind, there),
+            Member::DiffuseBeside => self.diffuse_beside = there,
+            Member::ManyLights => self.many_lights = there,
+            Member::Absorption(rule) => self.absorption = there.then_some(rule),
+            Member::ShadingNormals => self.shading_normals = there,
+        }
+    }
+}
+
+fn put<T: Ord>(set: &mut BTreeSet<T>, member: T, there: bool) {
+    if there {
+        set.insert(member);
+    } else {
+        set.remove(&member);
+    }
+}
+
+/// The kind of shape whose buffers a member reads.
+fn shape_needed(member: Member) -> Option<ShapeKind> {
+    match member {
+        Member::InBvh(kind) => Some(kind),
+        Member::Light(LightKind::Sphere) => Some(ShapeKind::Sphere),
+        Member::Light(LightKind::Box) => Some(ShapeKind::Box),
+        Member::Light(LightKind::Cylinder) => Some(ShapeKind::Cylinder),
+        Member::Light(LightKind::Mesh) | Member::ShadingNormals => Some(ShapeKind::Mesh),
+        _ => None,
+    }
+}
+
+/// Among no lights the table chooses: it gives each the probability 0.
+fn needs_choice(features: &Features, member: Member) -> bool {
+    matches!(member, Member::Light(_)) && features.lights.is_empty()
+}

@@ -1,0 +1,58 @@
+//! Features in words.
+
+use std::collections::BTreeSet;
+use std::fmt::{self, Debug};
+
+use super::Features;
+
+impl Features {
+    /// One phrase a feature, for people and for the JSON report; two kernels that differ have different ones.
+    pub fn names(&self) -> Vec<String> {
+        let set = |name: &str, members: String| format!("{name}: {members}");
+        let mut names = vec![
+            set("shapes", list(&self.shapes)),
+            set("in a hierarchy", list(&self.in_bvh)),
+            set("materials", list(&self.materials)),
+            set("distributions", list(&self.distributions)),
+            set("fresnel", list(&self.fresnel)),
+            set("lights", list(&self.lights)),
+            set("normals", lower(&self.normals)),
+            set("lobe", lower(&self.lobe)),
+            set("connect", lower(&self.connect)),
+            set("roulette", lower(&self.roulette)),
+        ];
+        if let Some(absorption) = self.absorption {
+            names.push(set("absorption", lower(&absorption)));
+        }
+        let optional = [
+            (self.diffuse_beside, "diffuse beside specular"),
+            (self.many_lights, "choice of a light"),
+            (self.shading_normals, "shading normals"),
+            (self.radiance_scaling, "radiance scaling"),
+            (self.max_depth, "longest path"),
+        ];
+        names.extend(optional.iter().filter(|o| o.0).map(|o| o.1.to_owned()));
+        if !self.aovs.is_empty() {
+            names.push(set("beside the picture", list(&self.aovs)));
+        }
+        names
+    }
+}
+
+/// All names in one line.
+impl fmt::Display for Features {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.names().join("; "))
+    }
+}
+
+fn lower(member: &impl Debug) -> String {
+    format!("{member:?}").to_lowercase()
+}
+
+fn list<T: Debug>(set: &BTreeSet<T>) -> String {
+    if set.is_empty() {
+        return "none".into();
+    }
+    set.iter().map(lower).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,63 @@
+//! What a kernel may look for though the scene does not have it: data that takes part in no path. A kernel that holds
+//! what the scene needs and no more gets the scene's own data.
+
+use crate::features::Features;
+use crate::flat;
+use crate::layout;
+use crate::prepared::{Light, LightKind, NONE, Prepared};
+
+/// The scene's lights, and behind them the one that is not there, if the kernel looks for it.
+pub fn lights(prepared: &Prepared, features: &Features) -> Vec<layout::Light> {
+    let mut lights = flat::lights(prepared);
+    if looks_for_more(prepared, features) {
+        lights.push(DARK);
+    }
+    lights
+}
+
+/// Their counts out of 2²⁴; the light that is not there has none, so that nothing chooses it and its probability is 0.
+pub fn light_cdf(prepared: &Prepared, features: &Features) -> Vec<u32> {
+    let mut cdf = prepared.light_cdf.clone();
+    if cdf.is_empty() {
+        cdf.push(0);
+    }
+    if looks_for_more(prepared, features) {
+        cdf.extend(cdf.last().copied());
+    }
+    cdf
+}
+
+/// Index of the background among [`lights`]: the scene's, or the one that is not there.
+pub fn background_light(prepared: &Prepared, features: &Features) -> Option<u32> {
+    let own = prepared.lights.iter().position(is_background);
+    let dark = looks_for_more(prepared, features).then_some(prepared.lights.len());
+    own.or(dark).map(|i| i as u32)
+}
+
+/// The corners' shading normals: zeros, as for a mesh that gives none, where no mesh gives any.
+pub fn normals(prepared: &Prepared) -> Vec<[[f32; 3]; 3]> {
+    let mut normals = flat::normals(prepared);
+    normals.resize(prepared.triangles.len(), [[0.0; 3]; 3]);
+    normals
+}
+
+/// A background that does not shine.
+const DARK: layout::Light = layout::Light {
+    radiance: [0.0; 3],
+    kind: LightKind::Background as u32,
+    shape: NONE,
+    first: 0,
+    count: 0,
+    cdf: 0,
+};
+
+/// Whether the kernel has a use for lights, or for a background, that the scene lacks.
+fn looks_for_more(prepared: &Prepared, features: &Features) -> bool {
+    let background = features.lights.contains(&LightKind::Background)
+        && !prepared.lights.iter().any(is_background);
+    background || (prepared.lights.is_empty() && !features.lights.is_empty())
+}
+
+fn is_background(light: &Light) -> bool {
+    light.kind == LightKind::Background
+}
