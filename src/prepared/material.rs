@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use super::{Material, MaterialKind, OPAQUE_SIGMA};
-use crate::scene::Brdf;
+use crate::scene::{Brdf, WordLines};
 use crate::settings::{Distribution, DistributionRule, Fresnel, Model};
 
 /// Below this |ior − 1| the surface is not there.
@@ -50,6 +50,7 @@ pub fn material(brdf: &Brdf, model: &Model, line: usize) -> Material {
         p_d,
         p_r,
         line,
+        words: WordLines::default(),
     }
 }
 
@@ -72,6 +73,7 @@ pub fn light(radiance: DVec3, line: usize) -> Material {
         p_d: 0.0,
         p_r: 0.0,
         line,
+        words: WordLines::default(),
     }
 }
 

@@ -13,6 +13,7 @@ mod prepare;
 
 use glam::DVec3;
 
+pub use crate::scene::WordLines;
 use crate::settings::{Distribution, Fresnel};
 pub use prepare::{PrepareError, prepare};
 
@@ -43,6 +44,8 @@ pub struct Prepared {
     pub triangle_cdf: Vec<u32>,
     /// Radiance of everything outside.
     pub background: DVec3,
+    /// The scene file's line, 0 where none says so.
+    pub background_line: usize,
     /// Material whose inside the eye stands in, or [`NONE`].
     pub eye_medium: u32,
     /// What the user should know, each once.
@@ -169,6 +172,8 @@ pub struct Material {
     pub p_r: f64,
     /// The scene file's line, 0 for the default material.
     pub line: usize,
+    /// Those whose words it goes by.
+    pub words: WordLines,
 }
 
 /// σ of a channel with Kt = 0: finite, so that no product is NaN, and black after 1e-28 units.

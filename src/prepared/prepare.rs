@@ -30,7 +30,10 @@ pub fn prepare(
         .materials
         .iter()
         .map(|m| match &m.kind {
-            SceneMaterial::Brdf(brdf) => material::material(brdf, &settings.model, m.line),
+            SceneMaterial::Brdf(brdf) => Material {
+                words: m.words,
+                ..material::material(brdf, &settings.model, m.line)
+            },
             SceneMaterial::Light(radiance) => material::light(*radiance, m.line),
         })
         .collect();
@@ -63,6 +66,7 @@ pub fn prepare(
         light_cdf: lights.light_cdf,
         triangle_cdf: lights.triangle_cdf,
         background: scene.background,
+        background_line: scene.background_line,
         eye_medium,
         warnings,
     })

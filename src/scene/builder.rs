@@ -6,7 +6,9 @@ use glam::DVec3;
 
 use super::log::Log;
 use super::text::Token;
-use super::{Brdf, Camera, Errors, Geometry, Material, MaterialKind, Read, Scene, Screen, Shape};
+use super::{
+    Brdf, Camera, Errors, Geometry, Material, MaterialKind, Read, Scene, Screen, Shape, WordLines,
+};
 use crate::settings::{Distribution, Fresnel};
 
 /// A command that counts once: unseen, seen on a line but wrong, or set there.
@@ -38,11 +40,14 @@ pub(super) struct Builder {
     path: PathBuf,
     pub screen: Once<Screen>,
     pub camera: Once<Camera>,
-    pub background: Once<DVec3>,
+    /// With its line.
+    pub background: Once<(DVec3, usize)>,
     /// For the materials that follow.
     pub distribution: Option<Distribution>,
     /// For the materials that follow.
     pub fresnel: Option<Fresnel>,
+    /// Of these two words.
+    pub words: WordLines,
     /// For the shapes that follow.
     material: Material,
     /// The index of `material`, once a shape has taken it.
@@ -62,6 +67,7 @@ impl Builder {
             background: Once::Unseen,
             distribution: None,
             fresnel: None,
+            words: WordLines::default(),
             material: default_material(),
             taken: None,
             materials: Vec::new(),
@@ -76,7 +82,11 @@ impl Builder {
 
     /// The material of the shapes that follow.
     pub fn set_material(&mut self, line: usize, kind: MaterialKind) {
-        self.material = Material { line, kind };
+        self.material = Material {
+            line,
+            words: self.words,
+            kind,
+        };
         self.taken = None;
     }
 
@@ -94,25 +104,31 @@ impl Builder {
     }
 
     /// The scene, if nothing is wrong; with `strict` a warning is.
-    pub fn finish(mut self, strict: bool) -> Result<Read, Errors> {
+    pub fn finish(mut self, text: String, strict: bool) -> Result<Read, Errors> {
         self.required(self.screen.is_unseen(), "screen W H");
         self.required(self.camera.is_unseen(), "camera ex ey ez  ry  ORIENTATION");
+        let (background, background_line) = match self.background {
+            Once::Set(background) => background,
+            Once::Unseen | Once::Wrong => (DVec3::ZERO, 0),
+        };
         let scene = match (self.screen, self.camera) {
             (Once::Set(screen), Once::Set(camera)) => Some(Scene {
                 path: self.path,
                 screen,
                 camera,
-                background: match self.background {
-                    Once::Set(radiance) => radiance,
-                    Once::Unseen | Once::Wrong => DVec3::ZERO,
-                },
+                background,
+                background_line,
                 materials: self.materials,
                 shapes: self.shapes,
             }),
             _ => None,
         };
         let (scene, warnings) = self.log.finish(scene, strict)?;
-        Ok(Read { scene, warnings })
+        Ok(Read {
+            scene,
+            warnings,
+            text,
+        })
     }
 
     /// An error if the command that `usage` begins with is not there.
@@ -140,6 +156,7 @@ fn default_material() -> Material {
     };
     Material {
         line: 0,
+        words: WordLines::default(),
         kind: MaterialKind::Brdf(brdf),
     }
 }

@@ -96,6 +96,10 @@ pub(super) fn distribution(builder: &mut Builder, arguments: &mut Arguments) {
     ];
     if let Some(chosen) = choice(arguments, &mut builder.log, &choices) {
         builder.distribution = chosen;
+        builder.words.distribution = match chosen {
+            Some(_) => arguments.command().place.line,
+            None => 0,
+        };
     }
 }
 
@@ -104,6 +108,7 @@ pub(super) fn fresnel(builder: &mut Builder, arguments: &mut Arguments) {
     let choices = [("schlick", Fresnel::Schlick), ("exact", Fresnel::Exact)];
     if let Some(chosen) = choice(arguments, &mut builder.log, &choices) {
         builder.fresnel = Some(chosen);
+        builder.words.fresnel = arguments.command().place.line;
     }
 }
 

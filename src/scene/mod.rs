@@ -38,6 +38,8 @@ pub struct Read {
     pub scene: Scene,
     /// In file order.
     pub warnings: Vec<Diagnostic>,
+    /// What was read, line by line.
+    pub text: String,
 }
 
 /// A scene file longer than this, in bytes, is taken for something else.
@@ -79,5 +81,5 @@ pub fn parse(text: &str, path: &Path, strict: bool) -> Result<Read, Errors> {
     for line in text::lines(&text) {
         commands::read_line(&mut builder, line);
     }
-    builder.finish(strict)
+    builder.finish(text, strict)
 }

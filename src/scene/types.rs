@@ -14,6 +14,8 @@ pub struct Scene {
     pub camera: Camera,
     /// Radiance of everything outside.
     pub background: DVec3,
+    /// The line that says so, 0 where none does.
+    pub background_line: usize,
     pub materials: Vec<Material>,
     /// In file order.
     pub shapes: Vec<Shape>,
@@ -39,7 +41,15 @@ pub struct Camera {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     pub line: usize,
+    pub words: WordLines,
     pub kind: MaterialKind,
+}
+
+/// The lines whose words a material goes by, 0 where there is none.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct WordLines {
+    pub distribution: usize,
+    pub fresnel: usize,
 }
 
 #[derive(Clone, Debug, PartialEq)]

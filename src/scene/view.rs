@@ -59,8 +59,9 @@ pub(super) fn camera(builder: &mut Builder, arguments: &mut Arguments) {
 pub(super) fn background(builder: &mut Builder, arguments: &mut Arguments) {
     let log = &mut builder.log;
     let radiance = arguments.numbers(log, RADIANCE);
+    let line = arguments.command().place.line;
     builder.background.set(
-        radiance.map(|radiance| vector(&radiance)),
+        radiance.map(|radiance| (vector(&radiance), line)),
         arguments.command(),
         log,
     );

@@ -33,6 +33,7 @@ impl Builder {
             light_cdf: Vec::new(),
             triangle_cdf: Vec::new(),
             background: DVec3::ZERO,
+            background_line: 0,
             eye_medium: NONE,
             warnings: Vec::new(),
         })
