@@ -58,6 +58,7 @@ pub fn render<F: Real>(
         },
         long_paths: film.count(|p| p.long_paths),
         features: Vec::new(),
+        buffers: Vec::new(),
     };
     Outcome {
         film: film.picture(done),

@@ -2,6 +2,7 @@
 
 mod cpu;
 mod paired;
+mod plan;
 mod slices;
 mod tiles;
 mod trace;
@@ -17,6 +18,7 @@ use crate::kernel::{KernelError, Spirv};
 use crate::prepared::Prepared;
 use crate::settings::Settings;
 pub use paired::paired;
+pub use plan::{ArrayPlan, HierarchyPlan, Plan, PlanLimits, StatePlan};
 use tiles::Tile;
 pub use trace::{Trace, trace};
 pub use vulkan::DispatchLimits;
@@ -141,6 +143,8 @@ pub struct Stats {
     pub long_paths: u64,
     /// What the kernel holds.
     pub features: Vec<String>,
+    /// Names and bytes of the buffers on the device, in the order of their bindings.
+    pub buffers: Vec<(String, u64)>,
 }
 
 /// Why there is no picture.
@@ -207,5 +211,5 @@ pub fn render_on(
 
 /// The kernel that renders the job on `device`, composed and compiled for its scene and settings.
 pub fn kernel(job: &Job, device: &Device) -> Result<Spirv, RenderError> {
-    vulkan::kernel(job, device)
+    Plan::new(job, PlanLimits::of(device))?.compile()
 }

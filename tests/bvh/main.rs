@@ -3,6 +3,7 @@
 mod brute;
 #[path = "../common/mod.rs"]
 mod common;
+mod cost;
 mod cpu;
 mod gpu;
 #[path = "../common/icosphere.rs"]

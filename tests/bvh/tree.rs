@@ -81,7 +81,7 @@ fn walk(
     }
 }
 
-fn bounds(prepared: &Prepared, reference: u32) -> Bounds {
+pub fn bounds(prepared: &Prepared, reference: u32) -> Bounds {
     match decode(reference) {
         (ShapeKind::Sphere, i) => Bounds::of_sphere(&prepared.spheres[i]),
         (ShapeKind::Box, i) => Bounds::of_box(&prepared.boxes[i]),

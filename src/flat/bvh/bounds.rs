@@ -39,6 +39,13 @@ impl Bounds {
         (0..3).all(|k| self.lo[k] <= other.lo[k] && other.hi[k] <= self.hi[k])
     }
 
+    /// Of its surface; 0 where it is empty.
+    pub fn area(self) -> f64 {
+        let [x, y, z] =
+            std::array::from_fn(|k| (f64::from(self.hi[k]) - f64::from(self.lo[k])).max(0.0));
+        2.0 * (x * y + y * z + z * x)
+    }
+
     pub fn of_triangle(triangle: &Triangle) -> Self {
         let [a, b, c] = triangle.v.map(rounded);
         Self::spanning(a.min(b).min(c), a.max(b).max(c))

@@ -4,6 +4,7 @@
 //! Twin: `shaders/shape/bvh/`, which reads these words.
 
 pub mod bounds;
+mod cost;
 mod leaf;
 mod quantise;
 pub mod reference;
@@ -13,6 +14,7 @@ use obvhs::cwbvh::node::CwBvhNode;
 
 use crate::prepared::{Prepared, ShapeKind};
 use bounds::Bounds;
+pub use cost::Cost;
 pub use leaf::leaf_text;
 use quantise::{Grid, Planes};
 
@@ -34,6 +36,7 @@ pub struct Bvh {
     pub stack: u32,
     /// The largest absolute coordinate of any primitive.
     pub reach: f32,
+    pub cost: Cost,
 }
 
 /// The hierarchy of all primitives of the given kinds. The same bits every time.
@@ -60,6 +63,7 @@ fn over(references: &[u32], bounds: &[Bounds]) -> Bvh {
             references: Vec::new(),
             stack: 1,
             reach: 0.0,
+            cost: Cost::default(),
         };
     }
     let tree = topology::topology(bounds);
@@ -75,6 +79,9 @@ fn over(references: &[u32], bounds: &[Bounds]) -> Bvh {
         references: order.iter().map(|&i| references[i as usize]).collect(),
         stack: stack_bound(&tree.nodes).max(1),
         reach: (root.lo.iter().chain(&root.hi)).fold(0.0, |most, x| x.abs().max(most)),
+        cost: Cost::of(&tree.nodes, &boxes, |node| {
+            child_bounds(node, &boxes, &bounds)
+        }),
     }
 }
 

@@ -26,7 +26,8 @@ impl Element {
         }
     }
 
-    fn glsl(self) -> &'static str {
+    /// The name of the type in GLSL.
+    pub fn glsl(self) -> &'static str {
         match self {
             Self::Float => "float",
             Self::Uint => "uint",

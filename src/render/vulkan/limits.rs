@@ -30,7 +30,7 @@ impl DispatchLimits {
 }
 
 /// A CPU gains from more samples a dispatch, a GPU from more threads; the paths under way must fit one buffer.
-fn tile_pixels(device: &Device) -> u32 {
+pub fn tile_pixels(device: &Device) -> u32 {
     let wanted = match device.info().kind {
         DeviceKind::Cpu => 1 << 16,
         _ => 1 << 20,

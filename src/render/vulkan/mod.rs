@@ -1,6 +1,5 @@
 //! Rendering on a Vulkan device: tiles × slices of samples, until every pixel has its samples.
 
-mod absent;
 mod develop;
 mod limits;
 mod outcomes;
@@ -14,11 +13,10 @@ use std::time::{Duration, Instant};
 use super::slices::Slices;
 use super::{Job, Outcome, Progress, RenderError, Stats};
 use crate::gpu::Device;
-use crate::kernel::Spirv;
 use crate::kernel::scene::Recording;
 use crate::layout::Record;
 use develop::Counts;
-pub use limits::DispatchLimits;
+pub use limits::{DispatchLimits, tile_pixels};
 pub use outcomes::Outcomes;
 use run::Run;
 
@@ -54,6 +52,7 @@ pub fn render(
         dropped: counts.dropped,
         long_paths: counts.long_paths,
         features: features.names(),
+        buffers: run.buffers(),
     };
     Ok(Outcome {
         film: develop::picture(&run.tiles, job.area(), done),
@@ -63,12 +62,6 @@ pub fn render(
         interrupted: done < job.spp,
         stats,
     })
-}
-
-/// The kernel that renders the job on `device`.
-pub fn kernel(job: &Job, device: &Device) -> Result<Spirv, RenderError> {
-    let features = job.features();
-    Ok(run::scene_and_kernel(job, device, &features, Recording::Nothing)?.1)
 }
 
 /// Slices of samples over all tiles; returns how many samples each pixel has.

@@ -4,12 +4,13 @@ use std::time::{Duration, Instant};
 
 use super::limits::DispatchLimits;
 use super::scene_buffers::SceneBuffers;
-use super::tile_film::{DeviceFilm, TileFilm, array};
+use super::tile_film::{DeviceFilm, TileFilm, buffer};
 use crate::features::Features;
-use crate::gpu::{Buffer, BufferUse, Device, Pipeline};
+use crate::gpu::{Buffer, Device, Pipeline};
+use crate::kernel::Spirv;
 use crate::kernel::scene::Recording;
-use crate::kernel::{self, Spirv};
 use crate::layout::{PathOutcome, Record, Slice};
+use crate::render::plan::{ScenePlan, StatePlan, compiled, composed, hierarchy};
 use crate::render::tiles::{Tile, tiles};
 use crate::render::{Job, RenderError};
 
@@ -48,15 +49,11 @@ impl<'a> Run<'a> {
         let tiles = tiles(job.area(), limits.tile_pixels.max(1));
         let largest = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
         let moments = features.keeps_moments();
-        let film = DeviceFilm::new(device, largest, moments)?;
-        let recorded = match recording {
-            Recording::Nothing => None,
-            Recording::Events(n) => Some(array::<Record>(device, "records", n)?),
-            Recording::Outcomes(n) => Some(array::<PathOutcome>(device, "outcomes", n * largest)?),
-        };
+        let state = StatePlan::new(features, largest, recording);
+        let film = DeviceFilm::new(device, &state)?;
+        let recorded = state.recorded.map(|r| buffer(device, &r)).transpose()?;
         let mut uses = scene.uses();
-        uses.extend(film.buffers().map(|_| BufferUse::Storage));
-        uses.extend(recorded.iter().map(|_| BufferUse::Storage));
+        uses.extend(state.plans().map(|array| array.binding.buffer_use));
         let pipeline = device.pipeline(&spirv, &uses, size_of::<Slice>() as u32)?;
         Ok(Self {
             job,
@@ -138,6 +135,15 @@ impl<'a> Run<'a> {
         Ok(time)
     }
 
+    /// Names and bytes of all buffers, in the order of their bindings.
+    pub fn buffers(&self) -> Vec<(String, u64)> {
+        let mut buffers = self.scene.buffers();
+        buffers.extend(self.film.buffers());
+        buffers.extend(&self.recorded);
+        let told = |b: &Buffer| (b.name().to_owned(), b.bytes());
+        buffers.into_iter().map(told).collect()
+    }
+
     /// What the samples of the tile that was advanced last came to: as many a pixel as the kernel has room for.
     pub fn outcomes(&self) -> Result<Vec<PathOutcome>, RenderError> {
         let buffer = self.recorded.as_ref();
@@ -158,18 +164,14 @@ impl<'a> Run<'a> {
 }
 
 /// The scene's buffers on the device, and the kernel that is composed for them.
-pub fn scene_and_kernel(
+fn scene_and_kernel(
     job: &Job,
     device: &Device,
     features: &Features,
     recording: Recording,
 ) -> Result<(SceneBuffers, Spirv), RenderError> {
-    let scene = SceneBuffers::new(device, job.prepared, features, job.seed)?;
-    let spirv = kernel::scene::compose(features, &scene.parameters(job, recording))
-        .and_then(|composed| kernel::compile(&composed))
-        .map_err(|error| RenderError::Kernel {
-            error,
-            features: Box::new(features.clone()),
-        })?;
-    Ok((scene, spirv))
+    let bvh = hierarchy(job.prepared, features);
+    let plan = ScenePlan::new(job, features, bvh.as_ref(), device.limits().uniform_buffer);
+    let spirv = compiled(&composed(&plan, features, recording)?, features)?;
+    Ok((SceneBuffers::new(device, &plan)?, spirv))
 }

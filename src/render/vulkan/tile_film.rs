@@ -1,8 +1,9 @@
 //! What the host keeps of a tile: the film of its pixels, row by row, and all that goes with it.
 
-use crate::gpu::{Buffer, BufferUse, Device};
+use crate::gpu::{Buffer, Device};
 use crate::layout::{FilmMoments, FilmPixel, PathState};
 use crate::render::RenderError;
+use crate::render::plan::{ArrayPlan, StatePlan};
 use crate::render::tiles::Tile;
 
 /// A tile between two of its slices.
@@ -39,14 +40,12 @@ pub struct DeviceFilm {
 }
 
 impl DeviceFilm {
-    /// Room for tiles of `pixels` pixels.
-    pub fn new(device: &Device, pixels: u32, moments: bool) -> Result<Self, RenderError> {
+    /// As planned, zeros.
+    pub fn new(device: &Device, plan: &StatePlan) -> Result<Self, RenderError> {
         Ok(Self {
-            paths: array::<PathState>(device, "paths", pixels)?,
-            film: array::<FilmPixel>(device, "film", pixels)?,
-            moments: moments
-                .then(|| array::<FilmMoments>(device, "moments", pixels))
-                .transpose()?,
+            paths: buffer(device, &plan.paths)?,
+            film: buffer(device, &plan.film)?,
+            moments: plan.moments.map(|m| buffer(device, &m)).transpose()?,
         })
     }
 
@@ -91,8 +90,8 @@ impl DeviceFilm {
     }
 }
 
-/// `count` records of `T`, zeros.
-pub fn array<T>(device: &Device, name: &str, count: u32) -> Result<Buffer, RenderError> {
-    let bytes = u64::from(count) * size_of::<T>() as u64;
-    Ok(device.buffer(name, BufferUse::Storage, bytes)?)
+/// Zeros, as many as planned.
+pub fn buffer(device: &Device, plan: &ArrayPlan) -> Result<Buffer, RenderError> {
+    let binding = plan.binding;
+    Ok(device.buffer(binding.name, binding.buffer_use, plan.bytes)?)
 }

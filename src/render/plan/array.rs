@@ -1,0 +1,112 @@
+//! One array of a rendering: its name, what it is made of, its size, and how its content is made.
+
+use bytemuck::NoUninit;
+
+use crate::kernel::scene::{Binding, Element};
+use crate::layout::{BufferUse, GpuStruct};
+
+/// An array that a kernel is to find in a buffer of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ArrayPlan {
+    /// How the kernel is told of it.
+    pub binding: Binding,
+    /// Size of the buffer.
+    pub bytes: u64,
+}
+
+impl ArrayPlan {
+    /// `count` structs, or room for one: an array has one element at least, in GLSL and so in its buffer.
+    pub fn records<T: GpuStruct>(name: &'static str, count: usize, buffer_use: BufferUse) -> Self {
+        let binding = Binding {
+            name,
+            element: Element::Struct(T::NAME),
+            count,
+            buffer_use,
+        };
+        let bytes = (count.max(1) * size_of::<T>()) as u64;
+        Self { binding, bytes }
+    }
+
+    /// `count` plain words, always in storage: std140 would spread each over 16 bytes.
+    fn words(name: &'static str, element: Element, count: usize) -> Self {
+        let binding = Binding {
+            name,
+            element,
+            count,
+            buffer_use: BufferUse::Storage,
+        };
+        let bytes = (count * element.bytes()) as u64;
+        Self { binding, bytes }
+    }
+}
+
+/// An array of a scene. Its content is made once it is asked for: no two lie in the host's memory at once.
+pub struct SceneArray<'a> {
+    pub plan: ArrayPlan,
+    make: Box<dyn Fn() -> Box<dyn Content + 'a> + 'a>,
+}
+
+/// Records that are about to be uploaded.
+pub trait Content {
+    fn bytes(&self) -> &[u8];
+}
+
+impl<T: NoUninit> Content for Vec<T> {
+    fn bytes(&self) -> &[u8] {
+        bytemuck::cast_slice(self)
+    }
+}
+
+impl<T: NoUninit> Content for &[T] {
+    fn bytes(&self) -> &[u8] {
+        bytemuck::cast_slice(self)
+    }
+}
+
+impl<'a> SceneArray<'a> {
+    /// `count` structs, which `make` makes: a uniform where they fit into `uniform_buffer` bytes.
+    pub fn records<T: GpuStruct>(
+        name: &'static str,
+        count: usize,
+        uniform_buffer: u64,
+        make: impl Fn() -> Vec<T> + 'a,
+    ) -> Self {
+        let fits = (count.max(1) * size_of::<T>()) as u64 <= uniform_buffer;
+        let buffer_use = match fits {
+            true => BufferUse::Uniform,
+            false => BufferUse::Storage,
+        };
+        Self {
+            plan: ArrayPlan::records::<T>(name, count, buffer_use),
+            make: Box::new(move || Box::new(make())),
+        }
+    }
+
+    /// The words of `count` records of `T`, which `make` makes.
+    pub fn words<T: NoUninit>(
+        name: &'static str,
+        element: Element,
+        count: usize,
+        make: impl Fn() -> Vec<T> + 'a,
+    ) -> Self {
+        let words = count * size_of::<T>() / element.bytes();
+        Self {
+            plan: ArrayPlan::words(name, element, words),
+            make: Box::new(move || Box::new(make())),
+        }
+    }
+
+    /// The words of records that are there already.
+    pub fn lent<T: NoUninit>(name: &'static str, element: Element, records: &'a [T]) -> Self {
+        let words = size_of_val(records) / element.bytes();
+        Self {
+            plan: ArrayPlan::words(name, element, words),
+            make: Box::new(move || Box::new(records)),
+        }
+    }
+
+    /// Makes the content: as many bytes as were planned, or none where there is no element.
+    pub fn content(&self) -> Box<dyn Content + 'a> {
+        (self.make)()
+    }
+}

@@ -1,0 +1,134 @@
+//! What a rendering brings to a device, known without one: its arrays, its hierarchy, its kernel.
+
+mod absent;
+mod array;
+mod scene;
+mod state;
+
+pub use array::ArrayPlan;
+pub use scene::{ScenePlan, hierarchy};
+pub use state::StatePlan;
+
+use super::tiles::{Tile, tiles};
+use super::vulkan::tile_pixels;
+use super::{Job, RenderError};
+use crate::features::Features;
+use crate::flat::bvh::Cost;
+use crate::gpu::Device;
+use crate::kernel::scene::Recording;
+use crate::kernel::{self, Composed, KernelError, Spirv};
+
+/// What a plan depends on of its device.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PlanLimits {
+    /// The most bytes in a uniform buffer.
+    pub uniform_buffer: u64,
+    /// Pixels under way at once.
+    pub tile_pixels: u32,
+}
+
+impl PlanLimits {
+    pub fn of(device: &Device) -> Self {
+        Self {
+            uniform_buffer: device.limits().uniform_buffer,
+            tile_pixels: tile_pixels(device),
+        }
+    }
+}
+
+/// Those of most GPUs.
+impl Default for PlanLimits {
+    fn default() -> Self {
+        Self {
+            uniform_buffer: 1 << 16,
+            tile_pixels: 1 << 20,
+        }
+    }
+}
+
+/// A rendering before it begins.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    pub features: Features,
+    /// What the kernel reads: of the scene, in the order of bindings.
+    pub scene: Vec<ArrayPlan>,
+    /// What it writes: paths and film of a tile, in the order of bindings.
+    pub state: StatePlan,
+    pub hierarchy: Option<HierarchyPlan>,
+    /// Pixels of the picture, or of its crop.
+    pub pixels: u64,
+    /// Of so many pixels at most, rendered one after the other.
+    pub tiles: usize,
+    pub tile_pixels: u32,
+    pub kernel: Composed,
+}
+
+/// A bounding volume hierarchy in figures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HierarchyPlan {
+    pub nodes: usize,
+    pub primitives: usize,
+    /// Entries of a traversal's stack.
+    pub stack: u32,
+    pub cost: Cost,
+}
+
+impl Plan {
+    /// What rendering `job` on a device of these limits would bring to it.
+    ///
+    /// # Errors
+    /// If the kernel can't be composed, which would be a mistake in this program.
+    pub fn new(job: &Job, limits: PlanLimits) -> Result<Self, RenderError> {
+        let features = job.features();
+        let bvh = hierarchy(job.prepared, &features);
+        let scene = ScenePlan::new(job, &features, bvh.as_ref(), limits.uniform_buffer);
+        let kernel = composed(&scene, &features, Recording::Nothing)?;
+        let tiles = tiles(job.area(), limits.tile_pixels.max(1));
+        let tile_pixels = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
+        Ok(Self {
+            scene: scene.plans().collect(),
+            state: StatePlan::new(&features, tile_pixels, Recording::Nothing),
+            hierarchy: bvh.as_ref().map(|bvh| HierarchyPlan {
+                nodes: bvh.nodes.len(),
+                primitives: bvh.references.len(),
+                stack: bvh.stack,
+                cost: bvh.cost,
+            }),
+            pixels: u64::from(job.area().pixels()),
+            tiles: tiles.len(),
+            tile_pixels,
+            kernel,
+            features,
+        })
+    }
+
+    /// The kernel as a device gets it.
+    pub fn compile(&self) -> Result<Spirv, RenderError> {
+        compiled(&self.kernel, &self.features)
+    }
+
+    /// All that is to lie on the device.
+    pub fn device_bytes(&self) -> u64 {
+        let arrays = self.scene.iter().copied().chain(self.state.plans());
+        arrays.map(|a| a.bytes).sum()
+    }
+}
+
+/// The kernel of these features for the arrays of `scene`.
+pub fn composed(
+    scene: &ScenePlan,
+    features: &Features,
+    recording: Recording,
+) -> Result<Composed, RenderError> {
+    kernel::scene::compose(features, &scene.parameters(recording)).map_err(mistake(features))
+}
+
+/// A kernel of these features as a device gets it.
+pub fn compiled(kernel: &Composed, features: &Features) -> Result<Spirv, RenderError> {
+    kernel::compile(kernel).map_err(mistake(features))
+}
+
+fn mistake(features: &Features) -> impl FnOnce(KernelError) -> RenderError {
+    let features = Box::new(features.clone());
+    move |error| RenderError::Kernel { error, features }
+}

@@ -1,0 +1,170 @@
+//! Which arrays a scene brings to a kernel: decided here, for uploading and for telling of it.
+//!
+//! Small arrays are uniforms, which is what makes kernels fast to compile and to run on CPU drivers; the rest lies
+//! in storage.
+
+use bytemuck::NoUninit;
+
+use super::absent;
+use super::array::{ArrayPlan, SceneArray};
+use crate::features::Features;
+use crate::flat::bvh::Bvh;
+use crate::flat::{self, bvh};
+use crate::kernel::scene::{Binding, Element, Parameters, Recording};
+use crate::layout::{BufferUse, GpuStruct};
+use crate::prepared::{LightKind, Prepared, ShapeKind};
+use crate::render::Job;
+
+/// The arrays of one scene, in the order of their bindings, and its hierarchy.
+pub struct ScenePlan<'a> {
+    job: &'a Job<'a>,
+    arrays: Vec<SceneArray<'a>>,
+    bindings: Vec<Binding>,
+    bvh: Option<&'a Bvh>,
+    background_light: Option<u32>,
+}
+
+/// The hierarchy that a kernel of these features searches, if it searches one.
+pub fn hierarchy(prepared: &Prepared, features: &Features) -> Option<Bvh> {
+    let kinds: Vec<ShapeKind> = features.in_bvh.iter().copied().collect();
+    (!kinds.is_empty()).then(|| bvh::build(prepared, &kinds))
+}
+
+impl<'a> ScenePlan<'a> {
+    /// What a kernel of these features reads, and nothing else. `bvh` is their [`hierarchy`]; `uniform_buffer` the
+    /// most bytes in a uniform buffer.
+    pub fn new(
+        job: &'a Job<'a>,
+        features: &Features,
+        bvh: Option<&'a Bvh>,
+        uniform_buffer: u64,
+    ) -> Self {
+        let mut all = Arrays {
+            all: Vec::new(),
+            uniform_buffer,
+        };
+        all.scene(job.prepared, job.seed);
+        all.solids(job.prepared, features);
+        if features.shapes.contains(&ShapeKind::Mesh) {
+            all.triangles(job.prepared, features);
+        }
+        all.lights(job.prepared, features);
+        if let Some(bvh) = bvh {
+            all.lent("bvh_words", Element::Uvec4, &bvh.nodes);
+            all.lent("bvh_references", Element::Uint, &bvh.references);
+        }
+        let arrays = all.all;
+        Self {
+            job,
+            bindings: arrays.iter().map(|a| a.plan.binding).collect(),
+            arrays,
+            bvh,
+            background_light: absent::background_light(job.prepared, features),
+        }
+    }
+
+    pub fn arrays(&self) -> &[SceneArray<'a>] {
+        &self.arrays
+    }
+
+    pub fn plans(&self) -> impl Iterator<Item = ArrayPlan> {
+        self.arrays.iter().map(|a| a.plan)
+    }
+
+    pub fn uses(&self) -> Vec<BufferUse> {
+        self.bindings.iter().map(|b| b.buffer_use).collect()
+    }
+
+    /// What the text of the kernel needs to know of the arrays and of the job.
+    pub fn parameters(&self, recording: Recording) -> Parameters<'_> {
+        Parameters {
+            settings: &self.job.settings,
+            bindings: &self.bindings,
+            bvh: self.bvh.map(|bvh| (bvh.stack, bvh.reach)),
+            background_light: self.background_light,
+            recording,
+        }
+    }
+}
+
+/// The arrays so far.
+struct Arrays<'a> {
+    all: Vec<SceneArray<'a>>,
+    uniform_buffer: u64,
+}
+
+impl<'a> Arrays<'a> {
+    /// What every scene has.
+    fn scene(&mut self, prepared: &'a Prepared, seed: u32) {
+        let (materials, shapes) = (prepared.materials.len(), prepared.shapes.len());
+        self.records("camera", 1, move || vec![flat::camera(prepared, seed)]);
+        self.records("materials", materials, || flat::materials(prepared));
+        self.records("shapes", shapes, || flat::shapes(prepared));
+    }
+
+    fn solids(&mut self, prepared: &'a Prepared, features: &Features) {
+        let has = |kind| features.shapes.contains(&kind);
+        if has(ShapeKind::Sphere) {
+            let count = prepared.spheres.len();
+            self.records("spheres", count, || flat::spheres(prepared));
+        }
+        if has(ShapeKind::Box) {
+            let count = prepared.boxes.len();
+            self.records("boxes", count, || flat::boxes(prepared));
+        }
+        if has(ShapeKind::Cylinder) {
+            let count = prepared.cylinders.len();
+            self.records("cylinders", count, || flat::cylinders(prepared));
+        }
+    }
+
+    fn triangles(&mut self, prepared: &'a Prepared, features: &Features) {
+        let (float, uint) = (Element::Float, Element::Uint);
+        let count = prepared.triangles.len();
+        self.words("triangle_words", float, count, || flat::triangles(prepared));
+        self.words("triangle_shapes", uint, count, || {
+            flat::triangle_shapes(prepared)
+        });
+        if features.shading_normals {
+            self.words("normal_words", float, count, || absent::normals(prepared));
+        }
+    }
+
+    fn lights(&mut self, prepared: &'a Prepared, features: &Features) {
+        if !features.lights.is_empty() {
+            let lights = absent::lights(prepared, features);
+            self.records("lights", lights.len(), move || lights.clone());
+        }
+        if features.many_lights {
+            let cdf = absent::light_cdf(prepared, features);
+            self.words("light_cdf", Element::Uint, cdf.len(), move || cdf.clone());
+        }
+        if features.lights.contains(&LightKind::Mesh) {
+            self.lent("triangle_cdf", Element::Uint, &prepared.triangle_cdf);
+        }
+    }
+
+    fn records<T: GpuStruct>(
+        &mut self,
+        name: &'static str,
+        count: usize,
+        make: impl Fn() -> Vec<T> + 'a,
+    ) {
+        let array = SceneArray::records(name, count, self.uniform_buffer, make);
+        self.all.push(array);
+    }
+
+    fn words<T: NoUninit>(
+        &mut self,
+        name: &'static str,
+        element: Element,
+        count: usize,
+        make: impl Fn() -> Vec<T> + 'a,
+    ) {
+        self.all.push(SceneArray::words(name, element, count, make));
+    }
+
+    fn lent<T: NoUninit>(&mut self, name: &'static str, element: Element, records: &'a [T]) {
+        self.all.push(SceneArray::lent(name, element, records));
+    }
+}
