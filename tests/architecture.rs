@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// A room of `src/` and the rooms that it may name.
-const ROOMS: [(&str, &[&str]); 16] = [
+const ROOMS: [(&str, &[&str]); 17] = [
     ("settings", &[]),
     ("scene", &["settings"]),
     ("prepared", &["scene", "settings"]),
@@ -37,10 +37,17 @@ const ROOMS: [(&str, &[&str]); 16] = [
     ("metrics", &["film", "image", "sample"]),
     ("report", &["film", "metrics", "settings"]),
     (
+        "explain",
+        &[
+            "features", "film", "flat", "kernel", "layout", "prepared", "render", "report",
+            "settings",
+        ],
+    ),
+    (
         "cli",
         &[
-            "film", "gpu", "image", "metrics", "prepared", "render", "report", "sample", "scene",
-            "settings",
+            "explain", "film", "gpu", "image", "metrics", "prepared", "render", "report", "sample",
+            "scene", "settings",
         ],
     ),
 ];

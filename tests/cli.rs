@@ -1,7 +1,10 @@
 //! The program itself: help, refusals, exit codes, and that a refusal leaves no file.
 
+mod common;
+
 mod cli {
     mod compare;
+    mod explain;
     mod help;
     mod interrupt;
     mod paired;

@@ -7,6 +7,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 
 use super::compare::CompareArguments;
 use super::exit::Failure;
+use super::explain::ExplainArguments;
 use super::job::Request;
 use super::values::{self, Output, Preset, SamplePath, choice};
 use crate::film::Aov;
@@ -49,6 +50,8 @@ enum Command {
     Devices,
     /// Compare pictures, or what several renderers make of a scene
     Compare(Box<CompareArguments>),
+    /// Tell what the kernel of a scene holds and why, without rendering
+    Explain(Box<ExplainArguments>),
 }
 
 /// What one rendering needs to know.
@@ -211,6 +214,7 @@ pub enum Task {
     Render(RenderArguments),
     Trace(RenderArguments, SamplePath),
     Compare(Box<CompareArguments>),
+    Explain(Box<ExplainArguments>),
     Devices,
 }
 
@@ -220,6 +224,7 @@ pub fn task() -> Result<Task, Failure> {
     match (command, render.trace) {
         (Some(Command::Devices), _) => Ok(Task::Devices),
         (Some(Command::Compare(arguments)), _) => Ok(Task::Compare(arguments)),
+        (Some(Command::Explain(arguments)), _) => Ok(Task::Explain(arguments)),
         (None, Some(path)) => Ok(Task::Trace(render, path)),
         (None, None) => Ok(Task::Render(render)),
     }
@@ -265,12 +270,17 @@ impl RenderArguments {
 }
 
 impl SettingArguments {
+    /// The values that hold where no flag says otherwise, and where they come from.
+    pub fn preset(&self) -> (&'static str, Settings) {
+        match self.model {
+            Some(Preset::Handout) => ("--model handout", Settings::handout()),
+            None => ("the default", Settings::default()),
+        }
+    }
+
     /// The preset's values, or the defaults, with what the flags say put over them.
     pub fn settings(&self) -> Settings {
-        let mut settings = match self.model {
-            Some(Preset::Handout) => Settings::handout(),
-            None => Settings::default(),
-        };
+        let (_, mut settings) = self.preset();
         let Settings { model, estimator } = &mut settings;
         model.fresnel = self.fresnel.or(model.fresnel);
         replace(&mut model.distribution, self.distribution);

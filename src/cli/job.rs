@@ -33,6 +33,11 @@ pub struct Ready {
 impl Ready {
     /// Reads and prepares the scene that the command line names.
     pub fn new(request: &Request) -> Result<Self, Failure> {
+        Self::with_text(request).map(|(ready, _)| ready)
+    }
+
+    /// The same, with the text of the scene file.
+    pub fn with_text(request: &Request) -> Result<(Self, String), Failure> {
         let settings = request.settings;
         let start = Instant::now();
         let read = scene::read(request.scene, request.strict).map_err(Failure::Scene)?;
@@ -48,13 +53,14 @@ impl Ready {
         }
         prepared.warnings.iter().for_each(|warning| warn(warning));
         warnings.extend(prepared.warnings.iter().cloned());
-        Ok(Self {
+        let ready = Self {
             prepared,
             settings,
             warnings,
             read_s,
             prepare_s,
-        })
+        };
+        Ok((ready, read.text))
     }
 
     /// The job that the command line describes.

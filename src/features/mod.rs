@@ -58,7 +58,7 @@ pub struct Features {
 }
 
 /// Up to so many primitives of a kind a loop over them is faster than a hierarchy.
-const LINEAR_PRIMITIVES: usize = 32;
+pub const LINEAR_PRIMITIVES: usize = 32;
 
 impl Features {
     /// What this scene needs.
@@ -145,11 +145,13 @@ impl Features {
     }
 }
 
-fn is_rough(kind: MaterialKind) -> bool {
+/// Whether micro-normals are drawn on it.
+pub fn is_rough(kind: MaterialKind) -> bool {
     use MaterialKind::{Dielectric, Opaque, Weak};
     matches!(kind, Opaque | Dielectric | Weak)
 }
 
-fn is_specular(kind: MaterialKind) -> bool {
+/// Whether it reflects by Fresnel's law, rough or smooth.
+pub fn is_specular(kind: MaterialKind) -> bool {
     is_rough(kind) || matches!(kind, MaterialKind::Mirror | MaterialKind::Glass)
 }

@@ -46,6 +46,21 @@ impl Composed {
         &self.text
     }
 
+    /// The same with a comment before each file that names it.
+    pub fn by_file(&self) -> String {
+        let mut text = String::new();
+        let mut last = None;
+        for (line, &(file, _)) in self.text.lines().zip(&self.lines) {
+            if last != Some(file) && file > 0 {
+                text += &format!("\n// ──── {} ────\n", heading(&self.files[file]));
+            }
+            last = Some(file);
+            text += line;
+            text.push('\n');
+        }
+        text
+    }
+
     /// What the kernel is made of, in order: files, `<slot>`s filled with text, `<prelude>`.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.files.iter().skip(1).map(String::as_str)
@@ -76,5 +91,34 @@ impl Composed {
             line,
             text: text.to_owned(),
         }
+    }
+}
+
+/// A file's path in the repository, or what a text that was made for the scene is for.
+fn heading(name: &str) -> String {
+    match name {
+        "<prelude>" => "constants, structs and buffers of the scene".to_owned(),
+        slot if slot.starts_with('<') => format!("{slot}: made for the scene"),
+        root if root.ends_with(".comp") => format!("shaders/{root}"),
+        file => format!("shaders/{file}.glsl"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::{Composer, compile};
+
+    #[test]
+    fn headings_are_comments_and_change_no_module() {
+        let kernel = Composer::new()
+            .compose(&["probe/loop_limit.comp"])
+            .expect("a kernel");
+        let text = kernel.by_file();
+        let heading = "\n// ──── shaders/probe/loop_limit.comp ────\n";
+        assert_eq!(text.replacen(heading, "", 1), kernel.text());
+        let mut again = Composed::new();
+        again.append("all", text.trim_start_matches("#version 450\n"));
+        assert_eq!(compile(&again), compile(&kernel));
     }
 }

@@ -14,7 +14,7 @@ pub fn count(n: f64) -> String {
     format!("{n:.2e}")
 }
 
-/// Decimals that make three digits of a number in [1, 999.5).
+/// Decimals that make three digits of a number in [1, 999.5), and two of a smaller one.
 fn decimals(n: f64) -> usize {
     match n {
         n if n < 9.995 => 2,
@@ -42,6 +42,32 @@ pub fn duration(seconds: f64) -> String {
 /// `1 sample`, `2 samples`.
 pub fn plural(n: u64, noun: &str) -> String {
     format!("{n} {noun}{}", if n == 1 { "" } else { "s" })
+}
+
+/// `1,234,567`
+pub fn thousands(n: u64) -> String {
+    let digits = n.to_string();
+    let groups: Vec<&str> = digits
+        .as_bytes()
+        .rchunks(3)
+        .rev()
+        .map(|group| std::str::from_utf8(group).unwrap_or_default())
+        .collect();
+    groups.join(",")
+}
+
+/// A size in three digits: `512 B`, `1.25 KiB`, `20.0 MiB`.
+pub fn bytes(n: u64) -> String {
+    let mut scaled = n as f64;
+    for unit in ["B", "KiB", "MiB", "GiB"] {
+        // 999.5 would round to a fourth digit: the next unit has it.
+        if scaled < 999.5 {
+            let digits = if unit == "B" { 0 } else { decimals(scaled) };
+            return format!("{scaled:.digits$} {unit}");
+        }
+        scaled /= 1024.0;
+    }
+    format!("{scaled:.2} TiB")
 }
 
 #[cfg(test)]
@@ -90,6 +116,23 @@ mod tests {
         for (seconds, text) in cases {
             assert_eq!(duration(seconds), text);
         }
+    }
+
+    #[test]
+    fn sizes_have_three_digits() {
+        let cases = [
+            (0, "0 B"),
+            (999, "999 B"),
+            (1000, "0.98 KiB"),
+            (1 << 20, "1.00 MiB"),
+            (20 << 20, "20.0 MiB"),
+            (5 << 40, "5.00 TiB"),
+        ];
+        for (n, text) in cases {
+            assert_eq!(bytes(n), text);
+        }
+        assert_eq!(thousands(0), "0");
+        assert_eq!(thousands(1_234_567), "1,234,567");
     }
 
     #[test]

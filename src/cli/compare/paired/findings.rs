@@ -1,7 +1,7 @@
 //! What three comparisons amount to.
 
-use super::table::thousands;
 use crate::metrics::paired::{Comparison, Verdict};
+use crate::report::human::thousands;
 use crate::sample::Address;
 
 /// The pairs of renderers, in the order of [`Findings::pairs`].

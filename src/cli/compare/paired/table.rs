@@ -2,6 +2,7 @@
 
 use super::findings::{Findings, PAIRS};
 use crate::metrics::paired::{Closeness, Comparison, Parted, Verdict};
+use crate::report::human::thousands;
 
 /// A label and what each pair has to say to it.
 type Row = (&'static str, [String; PAIRS.len()]);
@@ -112,18 +113,6 @@ fn small(x: f64) -> String {
     } else {
         format!("{x:.1e}")
     }
-}
-
-/// `1,234,567`
-pub fn thousands(n: u64) -> String {
-    let digits = n.to_string();
-    let groups: Vec<&str> = digits
-        .as_bytes()
-        .rchunks(3)
-        .rev()
-        .map(|group| std::str::from_utf8(group).unwrap_or_default())
-        .collect();
-    groups.join(",")
 }
 
 /// `100 %` and `0 %` of all and none; else with two digits of what is missing, to 0 or to 100: `99.9921 %`.

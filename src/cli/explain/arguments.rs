@@ -1,0 +1,82 @@
+//! Every flag of `vkpt explain`, with its help.
+
+use std::path::PathBuf;
+
+use crate::cli::arguments::SettingArguments;
+use crate::cli::job::Request;
+use crate::cli::values::{self, choice};
+use crate::film::Aov;
+use crate::gpu::Selector;
+use crate::render::KernelChoice;
+
+const EXIT_CODES: &str = "\
+Exit codes:
+    0  explained
+    1  the kernel does not compile, which is a mistake of vkpt's
+    2  the command line is wrong
+    3  the scene or one of its meshes is wrong; nothing was written
+    4  there is no such Vulkan device as --device asks for
+    5  a file could not be written";
+
+/// What is to be explained.
+#[derive(clap::Args, Debug)]
+#[command(after_help = EXIT_CODES, max_term_width = 100)]
+pub struct ExplainArguments {
+    /// The scene file
+    pub scene: PathBuf,
+
+    /// Width and height in pixels [default: the scene's]
+    #[arg(long, value_name = "WxH", value_parser = values::size)]
+    pub size: Option<[u32; 2]>,
+
+    /// Only these pixels, counted from the top left; X1 and Y1 are excluded
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = values::crop)]
+    pub crop: Option<[u32; 4]>,
+
+    /// What else is to be written beside the picture: stderr
+    #[arg(long, value_name = "WHAT", value_delimiter = ',')]
+    #[arg(value_parser = choice::<Aov>(), hide_possible_values = true)]
+    pub aov: Vec<Aov>,
+
+    /// Keep the limits of this Vulkan device, by its index or part of its name [default: the best
+    /// there is; where there is none, limits that most GPUs have]
+    #[arg(long, value_name = "DEVICE", value_parser = values::vulkan_device)]
+    pub device: Option<Selector>,
+
+    /// Take every warning about the scene as an error
+    #[arg(long)]
+    pub strict: bool,
+
+    /// What the kernel is to hold: composed, what scene and settings need, or full, what any scene
+    /// could need
+    #[arg(long, value_name = "KERNEL", default_value = "composed")]
+    #[arg(value_parser = choice::<KernelChoice>(), hide_possible_values = true)]
+    pub kernel: KernelChoice<'static>,
+
+    /// Print the kernel's GLSL, file by file, and nothing else
+    #[arg(long)]
+    pub glsl: bool,
+
+    /// Write the kernel's SPIR-V
+    #[arg(long, value_name = "FILE")]
+    pub spirv: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub settings: SettingArguments,
+}
+
+impl ExplainArguments {
+    /// The scene and what would be rendered of it.
+    pub fn request(&self) -> Request<'_> {
+        Request {
+            scene: &self.scene,
+            settings: self.settings.settings(),
+            size: self.size,
+            crop: self.crop,
+            // No kernel and no buffer depends on either.
+            spp: 1,
+            seed: 0,
+            strict: self.strict,
+        }
+    }
+}

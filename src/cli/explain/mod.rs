@@ -1,0 +1,74 @@
+//! `vkpt explain SCENE`: what a rendering would bring to a device and why, without rendering.
+
+mod arguments;
+
+use std::io::Write;
+
+use super::exit::{Ending, Failure};
+use super::job::Ready;
+use crate::explain::{Preset, Subject, explain as explanation};
+use crate::gpu::{Device, Selector};
+use crate::image::file::{check_writable, write_whole};
+use crate::render::{Job, KernelChoice, Plan, PlanLimits};
+use crate::report::explanation::page;
+pub use arguments::ExplainArguments;
+
+/// Prints the page, or the kernel's GLSL; writes its SPIR-V where it is asked for.
+pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
+    if let Some(path) = &arguments.spirv {
+        check_writable(path).map_err(|error| Failure::Files(vec![error]))?;
+    }
+    let request = arguments.request();
+    let (ready, text) = Ready::with_text(&request)?;
+    let job = Job {
+        aovs: &arguments.aov,
+        kernel: arguments.kernel,
+        ..ready.job(&request)?
+    };
+    let (limits, device) = limits(arguments.device.as_ref())?;
+    let plan = Plan::new(&job, limits).map_err(Failure::Render)?;
+    let spirv = plan.compile().map_err(Failure::Render)?;
+    if let Some(path) = &arguments.spirv {
+        write_whole(path, |out| out.write_all(spirv.bytes()))
+            .map_err(|error| Failure::Files(vec![error]))?;
+    }
+    let out = if arguments.glsl {
+        plan.kernel.by_file()
+    } else {
+        let full = Job {
+            kernel: KernelChoice::Full,
+            ..job
+        };
+        let full = Plan::new(&full, limits).map_err(Failure::Render)?;
+        let full_spirv = full.compile().map_err(Failure::Render)?;
+        let subject = Subject {
+            job: &job,
+            plan: &plan,
+            scene: &arguments.scene.display().to_string(),
+            text: &text,
+            preset: preset(arguments),
+            device: &device,
+        };
+        page(&explanation(&subject, &spirv, (&full, &full_spirv)))
+    };
+    // A reader that has gone away is no reason to fail.
+    let _ = write!(std::io::stdout(), "{out}");
+    Ok(Ending::Complete)
+}
+
+/// Those of the device that is asked for, else of the best there is, else those of most GPUs; and whose they are.
+fn limits(device: Option<&Selector>) -> Result<(PlanLimits, String), Failure> {
+    match (Device::open(device.unwrap_or(&Selector::Best)), device) {
+        (Ok(opened), _) => Ok((PlanLimits::of(&opened), opened.info().name.clone())),
+        (Err(error), Some(_)) => Err(Failure::Render(error.into())),
+        (Err(_), None) => {
+            let name = "those of most GPUs (there is no Vulkan device here)";
+            Ok((PlanLimits::default(), name.to_owned()))
+        }
+    }
+}
+
+fn preset(arguments: &ExplainArguments) -> Preset {
+    let (name, settings) = arguments.settings.preset();
+    Preset { name, settings }
+}

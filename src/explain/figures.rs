@@ -1,0 +1,85 @@
+//! Sizes: of kernels, of buffers, of memory.
+
+use super::Compiled;
+use crate::film::Aov;
+use crate::flat::bvh::NODE_WORDS;
+use crate::layout::BufferUse;
+use crate::prepared::Prepared;
+use crate::render::{ArrayPlan, HierarchyPlan, Job, Plan};
+use crate::report::explanation::{Buffer, Hierarchy, KernelSize, Memory};
+
+pub fn kernel((plan, spirv): Compiled) -> KernelSize {
+    KernelSize {
+        files: plan.kernel.files().count(),
+        lines: plan.kernel.text().lines().count(),
+        functions: spirv.functions.len(),
+        spirv_bytes: spirv.bytes().len(),
+        instructions: spirv.instructions().count(),
+    }
+}
+
+pub fn buffers(plan: &Plan) -> Vec<Buffer> {
+    let buffer = |array: ArrayPlan, written: bool| Buffer {
+        name: array.binding.name,
+        element: array.binding.element.glsl(),
+        count: array.binding.count,
+        bytes: array.bytes,
+        uniform: array.binding.buffer_use == BufferUse::Uniform,
+        written,
+    };
+    let read = plan.scene.iter().map(|&a| buffer(a, false));
+    read.chain(plan.state.plans().map(|a| buffer(a, true)))
+        .collect()
+}
+
+pub fn hierarchy(h: &HierarchyPlan) -> Hierarchy {
+    Hierarchy {
+        nodes: h.nodes,
+        node_bytes: NODE_WORDS * size_of::<u32>(),
+        primitives: h.primitives,
+        stack: h.stack,
+        node_visits: h.cost.nodes,
+        primitive_tests: h.cost.primitives,
+    }
+}
+
+pub fn memory(job: &Job, plan: &Plan) -> Memory {
+    // A tile on the device holds as much a pixel as the host keeps of it, but for its paths.
+    let kept = [Some(plan.state.film), plan.state.moments];
+    let a_pixel: u64 = kept
+        .into_iter()
+        .flatten()
+        .map(|array| array.bytes / u64::from(plan.tile_pixels))
+        .sum();
+    let films = 1 + job.aovs.contains(&Aov::Stderr) as u64;
+    Memory {
+        device: plan.device_bytes(),
+        tile_pixels: plan.tile_pixels,
+        tiles: plan.tiles,
+        scene: scene(job.prepared),
+        films: plan.pixels * a_pixel,
+        pictures: films * plan.pixels * size_of::<[f32; 3]>() as u64,
+    }
+}
+
+/// Triangles, and shapes that are no mesh.
+pub fn primitives(p: &Prepared) -> usize {
+    p.shapes.iter().map(|s| s.count as usize).sum()
+}
+
+/// Bytes of the arrays of the prepared scene.
+fn scene(p: &Prepared) -> u64 {
+    let arrays = [
+        size_of_val(&p.shapes[..]),
+        size_of_val(&p.spheres[..]),
+        size_of_val(&p.boxes[..]),
+        size_of_val(&p.cylinders[..]),
+        size_of_val(&p.triangles[..]),
+        size_of_val(&p.normals[..]),
+        size_of_val(&p.materials[..]),
+        size_of_val(&p.lights[..]),
+        size_of_val(&p.light_cdf[..]),
+        size_of_val(&p.triangle_cdf[..]),
+    ];
+    arrays.iter().sum::<usize>() as u64
+}

@@ -1,0 +1,136 @@
+//! What the scene decides: each member of the features, with the lines that bring it in.
+
+use super::Subject;
+use super::lines::{lines, materials};
+use super::reasons::reason;
+use super::setting::by;
+use crate::features::Member;
+use crate::prepared::{LightKind, Material, NONE, ShapeKind};
+use crate::report::explanation::Part;
+use crate::report::names::Named;
+use crate::settings::{Distribution, DistributionRule, Fresnel};
+
+/// The member as a part of the kernel: there, or left out.
+pub fn part(subject: &Subject, member: Member) -> Part {
+    let present = subject.plan.features.members().contains(&member);
+    let found = lines(subject.job.prepared, member);
+    let why = match (present, found.is_empty()) {
+        (true, false) => remark(subject, member),
+        (true, true) => "--kernel full".to_owned(),
+        (false, _) => reason(subject, member).to_owned(),
+    };
+    let (group, name) = name(subject, member);
+    let first = found.first().copied().unwrap_or(0);
+    let default_material = first == 0 && !found.is_empty();
+    Part {
+        group,
+        name,
+        present,
+        quote: match default_material {
+            true => "no material precedes the shape".to_owned(),
+            false => subject.quote(first),
+        },
+        lines: found.into_iter().filter(|&line| line > 0).collect(),
+        why,
+    }
+}
+
+fn name(subject: &Subject, member: Member) -> (&'static str, String) {
+    let lower = |name: &dyn std::fmt::Debug| format!("{name:?}").to_lowercase();
+    match member {
+        Member::Shape(kind) => ("shape", shape(kind).to_owned()),
+        Member::InBvh(kind) => ("search", shape(kind).to_owned()),
+        Member::Material(kind) => ("material", lower(&kind)),
+        Member::DiffuseBeside => ("diffuse lobe", "and specular".to_owned()),
+        Member::Distribution(distribution) => ("distribution", distribution.name().to_owned()),
+        Member::Fresnel(form) => ("fresnel", form.name().to_owned()),
+        Member::Light(kind) => ("light", lower(&kind)),
+        Member::ManyLights => match subject.job.prepared.lights.len() {
+            n if n > 1 => ("light choice", format!("among {n}")),
+            _ => ("light choice", "among many".to_owned()),
+        },
+        Member::Absorption(rule) => ("absorption", rule.name().to_owned()),
+        Member::ShadingNormals => ("normals", "of meshes".to_owned()),
+    }
+}
+
+/// As the scene spells it.
+pub fn shape(kind: ShapeKind) -> &'static str {
+    match kind {
+        ShapeKind::Sphere => "sphere",
+        ShapeKind::Box => "box",
+        ShapeKind::Cylinder => "cylinder",
+        ShapeKind::Mesh => "mesh",
+    }
+}
+
+/// What the quoted line does not say by itself.
+fn remark(subject: &Subject, member: Member) -> String {
+    let first = materials(subject.job.prepared, member).next();
+    match (member, first) {
+        (Member::Distribution(distribution), Some(m)) => chosen(subject, m, distribution),
+        (Member::Fresnel(form), Some(m)) => form_of(subject, m, form),
+        (Member::Light(kind), _) if kind != LightKind::Background => light(subject, kind),
+        (Member::ManyLights, _) => "chosen for each connection, by power".to_owned(),
+        (Member::Absorption(_), Some(m)) => absorbing(subject, m),
+        _ => String::new(),
+    }
+}
+
+/// Who chose the distribution of a material: a flag, a word of the scene, or its alpha.
+fn chosen(subject: &Subject, m: &Material, distribution: Distribution) -> String {
+    let kind = match distribution {
+        Distribution::Phong => "an exponent",
+        _ => "a width",
+    };
+    let own = format!("alpha {} is {kind}", shortest(m.alpha));
+    match (
+        subject.job.settings.model.distribution,
+        m.words.distribution,
+    ) {
+        (DistributionRule::Always(d), _) => format!("--distribution {}", d.name()),
+        (DistributionRule::Auto, _) => format!("--distribution auto: {own}"),
+        (DistributionRule::Scene, 0) => own,
+        (DistributionRule::Scene, line) => format!("line {line}: {}", subject.quote(line)),
+    }
+}
+
+/// Who chose the form of Fresnel's reflectance: a flag, a word of the scene, or nobody.
+fn form_of(subject: &Subject, m: &Material, form: Fresnel) -> String {
+    use crate::prepared::MaterialKind::{Mirror, Opaque};
+    match (subject.job.settings.model.fresnel, m.words.fresnel) {
+        _ if matches!(m.kind, Opaque | Mirror) => "opaque: no index for the exact form".to_owned(),
+        (Some(_), _) => format!("--fresnel {}", form.name()),
+        (None, 0) => "the default".to_owned(),
+        (None, line) => format!("line {line}: {}", subject.quote(line)),
+    }
+}
+
+/// How much a material lets through, and the flag behind the rule of absorption.
+fn absorbing(subject: &Subject, m: &Material) -> String {
+    let [r, g, b] = m.sigma.to_array().map(|sigma| shortest((-sigma).exp()));
+    let kt = format!("Kt {r} {g} {b} per unit");
+    match by(subject, "absorption", |s| s.absorption.to_owned()) {
+        flag if flag.starts_with("--") => format!("{flag}; {kt}"),
+        _ => kt,
+    }
+}
+
+fn light(subject: &Subject, kind: LightKind) -> String {
+    let prepared = subject.job.prepared;
+    let shapes = prepared
+        .lights
+        .iter()
+        .filter(|l| l.kind == kind && l.shape != NONE);
+    let line = shapes
+        .map(|l| &prepared.shapes[l.shape as usize])
+        .min_by_key(|s| s.line)
+        .map_or(0, |s| prepared.materials[s.material as usize].line);
+    format!("line {line}: {}", subject.quote(line))
+}
+
+/// Up to six decimals, no zeros behind.
+fn shortest(x: f64) -> String {
+    let text = format!("{x:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}

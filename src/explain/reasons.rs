@@ -1,0 +1,83 @@
+//! Why a scene does not need what is left out.
+
+use super::Subject;
+use crate::features::Member;
+use crate::prepared::{LightKind, MaterialKind, ShapeKind};
+use crate::settings::{Distribution, DistributionRule, Fresnel};
+
+/// A few words that complete "it is left out: …".
+pub fn reason(subject: &Subject, member: Member) -> &'static str {
+    match member {
+        Member::Shape(kind) | Member::InBvh(kind) => shape(kind),
+        Member::Material(kind) => material(kind),
+        Member::DiffuseBeside => "no surface has Kd beside Ks or Kt",
+        Member::Distribution(which) => distribution(subject, which),
+        Member::Fresnel(form) => fresnel(subject, form),
+        Member::Light(kind) => light(kind),
+        Member::ManyLights => match subject.job.prepared.lights.len() {
+            0 => "there is no light",
+            _ => "one light needs no choice",
+        },
+        Member::Absorption(_) => "no surface lets through a part of the light: Kt is 0 or 1",
+        Member::ShadingNormals => match subject.plan.features.shapes.contains(&ShapeKind::Mesh) {
+            true => "no mesh file gives normals",
+            false => "there is no mesh",
+        },
+    }
+}
+
+fn shape(kind: ShapeKind) -> &'static str {
+    match kind {
+        ShapeKind::Sphere => "the scene has no sphere",
+        ShapeKind::Box => "the scene has no box",
+        ShapeKind::Cylinder => "the scene has no cylinder",
+        ShapeKind::Mesh => "the scene has no mesh",
+    }
+}
+
+/// The limits are those of the model page, section 8.
+fn material(kind: MaterialKind) -> &'static str {
+    match kind {
+        MaterialKind::Black => "no shape is a light or perfectly black",
+        MaterialKind::Diffuse => "no opaque surface has Kd alone",
+        MaterialKind::Opaque => "no opaque surface has a Ks and is rough",
+        MaterialKind::Mirror => "no opaque surface has a Ks and is perfectly smooth",
+        MaterialKind::Dielectric => "no surface with a Kt is rough",
+        MaterialKind::Glass => "no surface with a Kt is perfectly smooth",
+        MaterialKind::Weak => "no rough surface with a Kt has |ior - 1| < 1e-5 / alpha",
+        MaterialKind::Nothing => "no surface with a Kt has the index 1",
+    }
+}
+
+fn distribution(subject: &Subject, which: Distribution) -> &'static str {
+    let rough = !subject.plan.features.distributions.is_empty();
+    match (rough, subject.job.settings.model.distribution, which) {
+        (false, ..) => "nothing is rough",
+        (true, DistributionRule::Always(_), _) => "a flag chose another for every surface",
+        (true, _, Distribution::Phong) => {
+            "no rough surface has an exponent (alpha above 1) or the word"
+        }
+        (true, _, Distribution::Beckmann) => "no word asks for it",
+        (true, _, Distribution::Ggx) => {
+            "no rough surface has a width (alpha up to 1) without a word"
+        }
+    }
+}
+
+fn fresnel(subject: &Subject, form: Fresnel) -> &'static str {
+    match (subject.plan.features.fresnel.is_empty(), form) {
+        (true, _) => "nothing reflects like a mirror, smooth or rough",
+        (false, Fresnel::Schlick) => "every surface that reflects goes by the exact form",
+        (false, Fresnel::Exact) => "no surface with a Kt has the word, and no flag asks for it",
+    }
+}
+
+fn light(kind: LightKind) -> &'static str {
+    match kind {
+        LightKind::Sphere => "no sphere shines",
+        LightKind::Box => "no box shines",
+        LightKind::Cylinder => "no cylinder shines",
+        LightKind::Mesh => "no mesh shines",
+        LightKind::Background => "the background is black",
+    }
+}

@@ -1,0 +1,148 @@
+//! What settings and flags decide. Whether such a part is there, the kernel's own list of files says.
+
+use super::Subject;
+use crate::report::SettingsRecord;
+use crate::report::explanation::Part;
+use crate::settings::{Connect, LobeChoice, Normals, Roulette};
+
+/// A part of the kernel that a flag decides on.
+struct Setting {
+    group: &'static str,
+    name: String,
+    /// Its file of `shaders/`.
+    file: &'static str,
+    /// Who brings it in.
+    by: String,
+    /// Why it may be missing.
+    absent: &'static str,
+}
+
+pub fn parts(subject: &Subject) -> Vec<Part> {
+    let all = estimator(subject).into_iter().chain(model(subject));
+    let part = |s: Setting| {
+        let present = subject.holds(s.file);
+        Part {
+            group: s.group,
+            name: s.name,
+            present,
+            lines: Vec::new(),
+            why: if present { s.by } else { s.absent.to_owned() },
+            quote: String::new(),
+        }
+    };
+    all.chain(beside()).map(part).collect()
+}
+
+/// The flag that gave a setting the value `now`, unless it is the preset's.
+pub fn by(subject: &Subject, flag: &str, value: impl Fn(&SettingsRecord) -> String) -> String {
+    let now = value(&SettingsRecord::from(&subject.job.settings));
+    let preset = value(&SettingsRecord::from(&subject.preset.settings));
+    match now == preset {
+        true => subject.preset.name.to_owned(),
+        false => format!("--{flag} {now}"),
+    }
+}
+
+fn estimator(subject: &Subject) -> [Setting; 5] {
+    let settings = &subject.job.settings.estimator;
+    let names = SettingsRecord::from(&subject.job.settings);
+    let connect = by(subject, "connect", |s| s.connect.to_owned());
+    [
+        Setting {
+            group: "micronormals",
+            name: names.normals.to_owned(),
+            file: match settings.normals {
+                Normals::Visible => "bsdf/normals/visible",
+                Normals::Distribution => "bsdf/normals/distribution",
+            },
+            by: by(subject, "normals", |s| s.normals.to_owned()),
+            absent: "nothing is rough: no micro-normal is drawn",
+        },
+        Setting {
+            group: "lobe choice",
+            name: names.lobe.to_owned(),
+            file: match settings.lobe {
+                LobeChoice::Fresnel => "bsdf/choice/fresnel",
+                LobeChoice::Norms => "bsdf/choice/norms",
+            },
+            by: by(subject, "lobe", |s| s.lobe.to_owned()),
+            absent: "no surface has two lobes",
+        },
+        Setting {
+            group: "light found",
+            name: "by connections".to_owned(),
+            file: "path/direct/sample",
+            by: connect.clone(),
+            absent: match settings.connect {
+                Connect::Bsdf => "--connect bsdf: paths find the light themselves",
+                _ => "there is no light",
+            },
+        },
+        Setting {
+            group: "light found",
+            name: format!("weights: {}", names.connect),
+            file: match settings.connect {
+                Connect::Mis => "path/connect/mis",
+                Connect::Light => "path/connect/light",
+                Connect::Bsdf => "path/connect/bsdf",
+            },
+            by: connect,
+            absent: "there is no light",
+        },
+        Setting {
+            group: "roulette",
+            name: names.roulette,
+            file: match settings.roulette {
+                Roulette::Throughput => "path/roulette/throughput",
+                Roulette::Constant(_) => "path/roulette/constant",
+                Roulette::Off => "path/roulette/off",
+            },
+            by: by(subject, "roulette", |s| s.roulette.clone()),
+            absent: "",
+        },
+    ]
+}
+
+fn model(subject: &Subject) -> [Setting; 2] {
+    let depth = subject.job.settings.model.max_depth;
+    let scaling = |s: &SettingsRecord| if s.radiance_scaling { "on" } else { "off" }.to_owned();
+    [
+        Setting {
+            group: "scaling",
+            name: "radiance, eta²".to_owned(),
+            file: "bsdf/scaling/radiance",
+            by: by(subject, "radiance-scaling", scaling),
+            absent: match subject.preset.settings.model.radiance_scaling {
+                true => "--radiance-scaling off",
+                false => subject.preset.name,
+            },
+        },
+        Setting {
+            group: "longest path",
+            name: depth.map_or("capped".to_owned(), |n| format!("{n} bounces")),
+            file: "path/depth/capped",
+            by: depth.map_or(String::new(), |n| format!("--max-depth {n}")),
+            absent: "no --max-depth is given: roulette alone ends paths",
+        },
+    ]
+}
+
+/// What is kept beside the picture.
+fn beside() -> [Setting; 2] {
+    [
+        Setting {
+            group: "beside film",
+            name: "standard errors".to_owned(),
+            file: "film/moments/welford",
+            by: "--aov stderr".to_owned(),
+            absent: "no --aov stderr is given: a pixel's sum is enough",
+        },
+        Setting {
+            group: "beside film",
+            name: "events of paths".to_owned(),
+            file: "path/record/on",
+            by: "--trace".to_owned(),
+            absent: "only --trace writes them down",
+        },
+    ]
+}
