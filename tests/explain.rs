@@ -159,7 +159,7 @@ fn what_a_scene_lacks_is_left_out_and_the_reason_told() {
     );
     for (group, name, word) in [
         ("shape", "mesh", "mesh"),
-        ("search", "hierarchy", "32"),
+        ("search", "hierarchy", "one by one"),
         ("material", "glass", "Kt"),
         ("material", "opaque", "Ks"),
         ("diffuse lobe", "and specular", "Kd"),

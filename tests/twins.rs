@@ -137,7 +137,7 @@ fn all() -> Vec<Twin> {
 
 /// Dispatch that is generated for a scene. Each branch calls a function that has a row; that it is the right one show
 /// whole paths in `tests/same_bits.rs`.
-const GENERATED: [&str; 10] = [
+const GENERATED: [&str; 11] = [
     "bsdf_eval",
     "bsdf_sample",
     "distribution_d",
@@ -148,6 +148,7 @@ const GENERATED: [&str; 10] = [
     "light_pdf",
     "light_sample",
     "nearest",
+    "read_primitives",
 ];
 
 #[test]

@@ -1,33 +1,31 @@
-//! How the nearest hit is found: a loop over each kind of shape, a hierarchy, or both.
+//! How the nearest hit is found: primitives tried one by one, a hierarchy, or both.
 
 use super::Subject;
 use super::member::shape;
-use crate::features::LINEAR_PRIMITIVES;
+use crate::features::WRITTEN_OUT;
 use crate::prepared::ShapeKind;
+use crate::render::KernelChoice;
 use crate::report::explanation::Part;
 use crate::report::human::{plural, thousands};
 
-/// The loop and the hierarchy.
+/// One by one, and the hierarchy.
 pub fn parts(subject: &Subject) -> [Part; 2] {
     let features = &subject.plan.features;
-    let looped = features.shapes.difference(&features.in_bvh);
-    let looped = counts(subject, looped.copied());
+    let tried = counts(subject, features.written_out());
     let within = counts(subject, features.in_bvh.iter().copied());
-    // A hierarchy over few is there because all is.
-    let few = |kind: &ShapeKind| subject.job.prepared.primitives(*kind) <= LINEAR_PRIMITIVES;
-    let many = match features.in_bvh.iter().any(few) {
-        true => "--kernel full".to_owned(),
-        false => format!("{within}: faster above {LINEAR_PRIMITIVES} of a kind"),
+    let many = match subject.job.kernel {
+        KernelChoice::Full => "--kernel full".to_owned(),
+        _ => format!("{within}: faster above {WRITTEN_OUT} in all"),
     };
     let absent = match features.shapes.is_empty() {
         true => "there is no shape".to_owned(),
-        false => format!("up to {LINEAR_PRIMITIVES} primitives of a kind a loop is faster"),
+        false => format!("up to {WRITTEN_OUT} primitives are found faster one by one"),
     };
     [
         part(
-            "loops",
-            !looped.is_empty(),
-            &format!("{looped}: faster up to {LINEAR_PRIMITIVES} of a kind"),
+            "one by one",
+            !tried.is_empty(),
+            &format!("{tried}: faster up to {WRITTEN_OUT} in all"),
             match within.is_empty() {
                 true => "there is no shape",
                 false => "all shapes are in the hierarchy",

@@ -30,7 +30,7 @@ pub enum RouletteKind {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Features {
     pub shapes: BTreeSet<ShapeKind>,
-    /// Those of them that are found through a bounding volume hierarchy, not by a loop over all.
+    /// Those of them that are found through a bounding volume hierarchy; the others are tried one by one.
     pub in_bvh: BTreeSet<ShapeKind>,
     /// Kinds of the materials that shapes have.
     pub materials: BTreeSet<MaterialKind>,
@@ -57,8 +57,8 @@ pub struct Features {
     pub aovs: BTreeSet<Aov>,
 }
 
-/// Up to so many primitives of a kind a loop over them is faster than a hierarchy.
-pub const LINEAR_PRIMITIVES: usize = 32;
+/// Up to so many primitives it is faster to try one after the other, each written out, than to search a hierarchy.
+pub const WRITTEN_OUT: usize = 24;
 
 impl Features {
     /// What this scene needs.
@@ -69,9 +69,8 @@ impl Features {
             .map(|s| &prepared.materials[s.material as usize])
             .collect();
         let shapes: BTreeSet<ShapeKind> = prepared.shapes.iter().map(|s| s.kind).collect();
-        let in_bvh = |kind: &ShapeKind| prepared.primitives(*kind) > LINEAR_PRIMITIVES;
         Self {
-            in_bvh: shapes.iter().copied().filter(in_bvh).collect(),
+            in_bvh: in_bvh(prepared, &shapes),
             shapes,
             materials: used.iter().map(|m| m.kind).collect(),
             diffuse_beside: used.iter().any(|m| is_specular(m.kind) && m.kd_mean > 0.0),
@@ -134,6 +133,11 @@ impl Features {
         }
     }
 
+    /// The kinds whose primitives are tried one by one.
+    pub fn written_out(&self) -> impl Iterator<Item = ShapeKind> {
+        self.shapes.difference(&self.in_bvh).copied()
+    }
+
     /// A surface of this scene is not there: |ior − 1| < 1e-7.
     pub fn goes_straight(&self) -> bool {
         self.materials.contains(&MaterialKind::Nothing)
@@ -143,6 +147,25 @@ impl Features {
     pub fn keeps_moments(&self) -> bool {
         self.aovs.contains(&Aov::Stderr)
     }
+}
+
+/// All kinds but the rarest, which together have few primitives.
+fn in_bvh(prepared: &Prepared, shapes: &BTreeSet<ShapeKind>) -> BTreeSet<ShapeKind> {
+    let mut kinds: Vec<(usize, ShapeKind)> = shapes
+        .iter()
+        .map(|&kind| (prepared.primitives(kind), kind))
+        .collect();
+    kinds.sort_unstable();
+    let mut total = 0;
+    let few = |(count, _): &(usize, ShapeKind)| {
+        total += count;
+        total <= WRITTEN_OUT
+    };
+    kinds
+        .into_iter()
+        .skip_while(few)
+        .map(|(_, kind)| kind)
+        .collect()
 }
 
 /// Whether micro-normals are drawn on it.

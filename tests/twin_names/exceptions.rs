@@ -60,6 +60,7 @@ pub const ARGUMENTS: &[(&str, &str)] = &[
         "the place of the mesh's part of the table instead of a slice",
     ),
     ("self_distance", "the kernel looks the kind of the shape up"),
+    ("triangle_surface", "the kernel looks the triangle up"),
 ];
 
 /// Free functions of the reference without a twin, by name or by the start of their file.
@@ -75,6 +76,7 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
         "the first half of connect, which the kernel has in one piece",
     ),
     ("path/flight", "the two halves of fly"),
+    ("shape/linear", "the loops that a kernel has written out"),
     ("spawn_ray", "the kernel sets the fields of its state"),
     ("trace_path", "the loop of path_trace.comp"),
     ("vec3", "a constructor"),

@@ -28,7 +28,7 @@ impl fmt::Display for Function {
 }
 
 /// Types of arguments that stand for what a kernel has in its slots, buffers and push constants, or that record.
-const GIVEN_TO_RUST: [&str; 10] = [
+const GIVEN_TO_RUST: [&str; 9] = [
     "&Settings",
     "&World<F>",
     "&mut impl Recorder<F>",
@@ -37,7 +37,6 @@ const GIVEN_TO_RUST: [&str; 10] = [
     "Connect",
     "Roulette",
     "&[",
-    "&Triangle<F>",
     "Option<&[",
 ];
 /// Where a kernel keeps its counts, and the number of the pixel, which Rust has in a `SampleId`.

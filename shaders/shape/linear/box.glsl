@@ -1,18 +1,10 @@
-// The nearest hit among all boxes, one after the other.
-// Twin of nearest_boxes in src/reference/shape/linear.rs.
+// A box's part in the search for the nearest hit.
+// Twin of nearer_box in src/reference/shape/linear.rs.
 
-// uses: math/steps, shape/ray, shape/box, shape/linear/nearer
+// uses: shape/ray, shape/box, shape/linear/solid
 
-Hit nearest_boxes(Ray ray, Target skip, Hit best) {
-    Hit nearest = best;
-    uint i = 0u;
-    while (i < BOXES) {
-        loop_steps += 1u;
-        uint shape = boxes[i].shape;
-        BoxHit hit = box_hit(ray.o, ray.d, boxes[i].lo, boxes[i].hi, start_on(ray, shape));
-        nearest = nearer_solid(hit.t, shape, hit.face, skip, nearest);
-        i += 1u;
-    }
-    loop_failed = loop_failed || i < BOXES;
-    return nearest;
+// The nearer of `best` and the hit with `cuboid`. A shadow ray's target is passed over.
+Hit nearer_box(Ray ray, Target skip, Hit best, Cuboid cuboid) {
+    BoxHit hit = box_hit(ray.o, ray.d, cuboid.lo, cuboid.hi, start_on(ray, cuboid.shape));
+    return nearer_solid(hit.t, cuboid.shape, hit.face, skip, best);
 }

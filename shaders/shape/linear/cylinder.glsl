@@ -1,18 +1,10 @@
-// The nearest hit among all cylinders, one after the other.
-// Twin of nearest_cylinders in src/reference/shape/linear.rs.
+// A cylinder's part in the search for the nearest hit.
+// Twin of nearer_cylinder in src/reference/shape/linear.rs.
 
-// uses: math/steps, shape/ray, shape/cylinder, shape/linear/nearer
+// uses: shape/ray, shape/cylinder, shape/linear/solid
 
-Hit nearest_cylinders(Ray ray, Target skip, Hit best) {
-    Hit nearest = best;
-    uint i = 0u;
-    while (i < CYLINDERS) {
-        loop_steps += 1u;
-        uint shape = cylinders[i].shape;
-        CylinderHit hit = cylinder_hit(ray.o, ray.d, cylinders[i], start_on(ray, shape), ray.prim);
-        nearest = nearer_solid(hit.t, shape, hit.part, skip, nearest);
-        i += 1u;
-    }
-    loop_failed = loop_failed || i < CYLINDERS;
-    return nearest;
+// The nearer of `best` and the hit with `cylinder`. A shadow ray's target is passed over.
+Hit nearer_cylinder(Ray ray, Target skip, Hit best, Cylinder cylinder) {
+    CylinderHit hit = cylinder_hit(ray.o, ray.d, cylinder, start_on(ray, cylinder.shape), ray.prim);
+    return nearer_solid(hit.t, cylinder.shape, hit.part, skip, best);
 }

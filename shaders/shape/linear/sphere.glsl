@@ -1,18 +1,10 @@
-// The nearest hit among all spheres, one after the other.
-// Twin of nearest_spheres in src/reference/shape/linear.rs.
+// A sphere's part in the search for the nearest hit.
+// Twin of nearer_sphere in src/reference/shape/linear.rs.
 
-// uses: math/steps, shape/ray, shape/sphere, shape/linear/nearer
+// uses: shape/ray, shape/sphere, shape/linear/solid
 
-Hit nearest_spheres(Ray ray, Target skip, Hit best) {
-    Hit nearest = best;
-    uint i = 0u;
-    while (i < SPHERES) {
-        loop_steps += 1u;
-        uint shape = spheres[i].shape;
-        float t = sphere_hit(ray.o, ray.d, spheres[i].centre, spheres[i].radius, start_on(ray, shape));
-        nearest = nearer_solid(t, shape, 0u, skip, nearest);
-        i += 1u;
-    }
-    loop_failed = loop_failed || i < SPHERES;
-    return nearest;
+// The nearer of `best` and the hit with `sphere`. A shadow ray's target is passed over.
+Hit nearer_sphere(Ray ray, Target skip, Hit best, Sphere sphere) {
+    float t = sphere_hit(ray.o, ray.d, sphere.centre, sphere.radius, start_on(ray, sphere.shape));
+    return nearer_solid(t, sphere.shape, 0u, skip, best);
 }

@@ -3,16 +3,13 @@
 
 // uses: shape/ray, shape/triangle/hit, shape/triangle/origin, <triangles>
 
-// The nearer of `best` and the hit with triangle number `prim`. A shadow ray's target is passed over.
-Hit nearer_triangle(Ray ray, RayShear shear, Target skip, Hit best, uint prim) {
-    vec3 v0 = triangle_vertex(prim, 0u);
-    vec3 v1 = triangle_vertex(prim, 1u);
-    vec3 v2 = triangle_vertex(prim, 2u);
-    TriangleHit hit = triangle_hit(ray.o, shear, v0, v1, v2);
+// The nearer of `best` and the hit with `triangle`, which is number `prim`. A shadow ray's target is passed over.
+Hit nearer_triangle(Ray ray, RayShear shear, Target skip, Hit best, Triangle triangle, uint prim) {
+    TriangleHit hit = triangle_hit(ray.o, shear, triangle.v0, triangle.v1, triangle.v2);
     Hit nearer = best;
     if (hit.t > 0.0 && hit.t <= best.t && prim != skip.prim) {
-        uint shape = triangle_shape(prim);
-        if (closer(hit.t, shape, prim, best) && !is_origin(ray, v0, v1, v2, shape, prim, hit)) {
+        uint shape = triangle.shape;
+        if (closer(hit.t, shape, prim, best) && !is_origin(ray, triangle.v0, triangle.v1, triangle.v2, shape, prim, hit)) {
             nearer = Hit(hit.t, shape, prim, vec2(hit.u, hit.v));
         }
     }

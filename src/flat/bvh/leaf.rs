@@ -10,7 +10,7 @@ use crate::prepared::ShapeKind;
 pub fn leaf_text(kinds: impl IntoIterator<Item = ShapeKind>) -> String {
     let kinds: Vec<ShapeKind> = kinds.into_iter().collect();
     let mut uses = vec!["shape/ray"];
-    uses.extend(kinds.iter().flat_map(|&kind| files(kind)));
+    uses.extend(kinds.iter().map(|&kind| file(kind)));
     let mut text = format!("// uses: {}\n", uses.join(", "));
     text += if kinds.contains(&ShapeKind::Mesh) {
         "RayShear leaf_shear;\nvoid begin_leaves(Ray ray) { leaf_shear = ray_shear(ray.d); }\n"
@@ -25,41 +25,27 @@ pub fn leaf_text(kinds: impl IntoIterator<Item = ShapeKind>) -> String {
             1 => String::new(),
             _ => format!("if (reference >> {INDEX_BITS}u == {}u) ", kind as u32),
         };
-        let _ = writeln!(text, "    {condition}{{\n{}    }}", test(kind));
+        let _ = writeln!(text, "    {condition}{{ nearest = {}; }}", test(kind));
     }
     text + "    return nearest;\n}\n"
 }
 
-/// What the test of a kind is made of.
-fn files(kind: ShapeKind) -> [&'static str; 2] {
+/// The file with the test of a kind.
+fn file(kind: ShapeKind) -> &'static str {
     match kind {
-        ShapeKind::Sphere => ["shape/sphere", "shape/linear/nearer"],
-        ShapeKind::Box => ["shape/box", "shape/linear/nearer"],
-        ShapeKind::Cylinder => ["shape/cylinder", "shape/linear/nearer"],
-        ShapeKind::Mesh => ["shape/triangle/hit", "shape/triangle/nearer"],
+        ShapeKind::Sphere => "shape/linear/sphere",
+        ShapeKind::Box => "shape/linear/box",
+        ShapeKind::Cylinder => "shape/linear/cylinder",
+        ShapeKind::Mesh => "shape/triangle/nearer",
     }
 }
 
-/// The body of the loop in `shaders/shape/linear/`.
+/// The call of it.
 fn test(kind: ShapeKind) -> &'static str {
     match kind {
-        ShapeKind::Sphere => {
-            "        uint shape = spheres[i].shape;
-        float t = sphere_hit(ray.o, ray.d, spheres[i].centre, spheres[i].radius, start_on(ray, shape));
-        nearest = nearer_solid(t, shape, 0u, skip, nearest);\n"
-        }
-        ShapeKind::Box => {
-            "        uint shape = boxes[i].shape;
-        BoxHit hit = box_hit(ray.o, ray.d, boxes[i].lo, boxes[i].hi, start_on(ray, shape));
-        nearest = nearer_solid(hit.t, shape, hit.face, skip, nearest);\n"
-        }
-        ShapeKind::Cylinder => {
-            "        uint shape = cylinders[i].shape;
-        CylinderHit hit = cylinder_hit(ray.o, ray.d, cylinders[i], start_on(ray, shape), ray.prim);
-        nearest = nearer_solid(hit.t, shape, hit.part, skip, nearest);\n"
-        }
-        ShapeKind::Mesh => {
-            "        nearest = nearer_triangle(ray, leaf_shear, skip, nearest, i);\n"
-        }
+        ShapeKind::Sphere => "nearer_sphere(ray, skip, nearest, spheres[i])",
+        ShapeKind::Box => "nearer_box(ray, skip, nearest, boxes[i])",
+        ShapeKind::Cylinder => "nearer_cylinder(ray, skip, nearest, cylinders[i])",
+        ShapeKind::Mesh => "nearer_triangle(ray, leaf_shear, skip, nearest, triangle_at(i), i)",
     }
 }

@@ -47,7 +47,7 @@ pub struct Binding {
     pub buffer_use: BufferUse,
 }
 
-/// The declaration of one array, or of one struct where the name says that there is one.
+/// The declaration of one array, or of the one camera, which the kernel copies into a variable.
 pub fn declare_binding(binding: &Binding, index: usize) -> String {
     let Binding {
         name,
@@ -59,13 +59,13 @@ pub fn declare_binding(binding: &Binding, index: usize) -> String {
     let one = *name == "camera";
     match buffer_use {
         BufferUse::Uniform => {
-            let extent = if one {
-                String::new()
+            let variable = if one {
+                format!("{name}_uniform")
             } else {
-                format!("[{}]", count.max(&1))
+                format!("{name}[{}]", count.max(&1))
             };
             format!(
-                "layout(std140, set = 0, binding = {index}) uniform {name}_block {{ {ty} {name}{extent}; }};\n"
+                "layout(std140, set = 0, binding = {index}) uniform {name}_block {{ {ty} {variable}; }};\n"
             )
         }
         BufferUse::Storage => format!(
@@ -99,7 +99,8 @@ pub fn prelude(features: &Features, parameters: &Parameters) -> String {
     for (i, (ty, name)) in state.into_iter().enumerate() {
         text += &state_buffer(ty, name, parameters.bindings.len() + i);
     }
-    text + "layout(push_constant) uniform SliceBlock { Slice job; };\n"
+    text += "layout(push_constant) uniform SliceBlock { Slice job_uniform; };\n";
+    text + "Camera camera;\nSlice job;\n"
 }
 
 fn state_buffer(ty: &str, name: &str, index: usize) -> String {

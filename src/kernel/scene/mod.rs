@@ -24,6 +24,14 @@ pub struct Parameters<'a> {
     pub recording: Recording,
 }
 
+impl Parameters<'_> {
+    /// Elements of an array; none where it is not bound.
+    fn count(&self, name: &str) -> usize {
+        let binding = self.bindings.iter().find(|b| b.name == name);
+        binding.map_or(0, |b| b.count)
+    }
+}
+
 /// What a kernel writes down of its paths beside the film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Recording {
@@ -48,7 +56,7 @@ fn composer(features: &Features, parameters: &Parameters) -> Composer {
     for (name, path) in files(features, parameters) {
         composer = composer.slot(name, file(path));
     }
-    for (name, text) in generate::texts(features) {
+    for (name, text) in generate::texts(features, parameters) {
         composer = composer.slot(name, Slot::Text(text));
     }
     composer

@@ -7,10 +7,9 @@ mod split;
 mod tree;
 
 use super::math::Real;
-use super::shape::linear::nearer_solid;
+use super::shape::linear::{nearer_box, nearer_cylinder, nearer_sphere};
 use super::shape::{
-    Cuboid, Cylinder, Hit, Ray, Sphere, Target, Triangle, box_hit, cylinder_hit, nearer_triangle,
-    ray_shear, sphere_hit, start_on,
+    Cuboid, Cylinder, Hit, Ray, Sphere, Target, Triangle, nearer_triangle, ray_shear,
 };
 use bounds::Bounds;
 use tree::Tree;
@@ -57,18 +56,9 @@ impl<F: Real> Accel<F> {
         let t_max = best.t;
         self.tree.traverse(ray.o, ray.d, t_max, |number| {
             best = match primitives.find(number as usize) {
-                Primitive::Sphere(s) => {
-                    let t = sphere_hit(ray.o, ray.d, s.centre, s.radius, start_on(ray, s.shape));
-                    nearer_solid(t, s.shape, 0, skip, best)
-                }
-                Primitive::Box(b) => {
-                    let hit = box_hit(ray.o, ray.d, b.lo, b.hi, start_on(ray, b.shape));
-                    nearer_solid(hit.t, b.shape, hit.face, skip, best)
-                }
-                Primitive::Cylinder(c) => {
-                    let hit = cylinder_hit(ray.o, ray.d, c, start_on(ray, c.shape), ray.prim);
-                    nearer_solid(hit.t, c.shape, hit.part, skip, best)
-                }
+                Primitive::Sphere(s) => nearer_sphere(ray, skip, best, s),
+                Primitive::Box(b) => nearer_box(ray, skip, best, b),
+                Primitive::Cylinder(c) => nearer_cylinder(ray, skip, best, c),
                 Primitive::Triangle(t, prim) => nearer_triangle(ray, shear, skip, best, t, prim),
             };
             best.t

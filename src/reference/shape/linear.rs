@@ -1,6 +1,6 @@
-//! The nearest hit by a loop over each kind of shape; twin of `shaders/shape/linear/`.
+//! The nearest hit by trying each primitive; twin of `shaders/shape/linear/`, where the loops are written out.
 //!
-//! Each loop takes the best hit so far and returns the best of that and its own, so that they can be
+//! Each takes the best hit so far and returns the best of that and its own, so that they can be
 //! called in any order: the least (t, shape, primitive) wins. A search begins with
 //! [`no_hit(t_max)`](super::no_hit) and passes over the shape or triangle `skip`.
 
@@ -25,6 +25,40 @@ pub fn nearer_solid<F: Real>(t: F, shape: u32, prim: u32, skip: Target, best: Hi
     }
 }
 
+/// The nearer of `best` and the hit with `sphere`.
+#[inline]
+pub fn nearer_sphere<F: Real>(
+    ray: Ray<F>,
+    skip: Target,
+    best: Hit<F>,
+    sphere: &Sphere<F>,
+) -> Hit<F> {
+    let start = start_on(ray, sphere.shape);
+    let t = sphere_hit(ray.o, ray.d, sphere.centre, sphere.radius, start);
+    nearer_solid(t, sphere.shape, 0, skip, best)
+}
+
+/// The nearer of `best` and the hit with `cuboid`.
+#[inline]
+pub fn nearer_box<F: Real>(ray: Ray<F>, skip: Target, best: Hit<F>, cuboid: &Cuboid<F>) -> Hit<F> {
+    let start = start_on(ray, cuboid.shape);
+    let hit = box_hit(ray.o, ray.d, cuboid.lo, cuboid.hi, start);
+    nearer_solid(hit.t, cuboid.shape, hit.face, skip, best)
+}
+
+/// The nearer of `best` and the hit with `cylinder`.
+#[inline]
+pub fn nearer_cylinder<F: Real>(
+    ray: Ray<F>,
+    skip: Target,
+    best: Hit<F>,
+    cylinder: &Cylinder<F>,
+) -> Hit<F> {
+    let start = start_on(ray, cylinder.shape);
+    let hit = cylinder_hit(ray.o, ray.d, cylinder, start, ray.prim);
+    nearer_solid(hit.t, cylinder.shape, hit.part, skip, best)
+}
+
 /// The least of `best` and the hits with `spheres`.
 pub fn nearest_spheres<F: Real>(
     spheres: &[Sphere<F>],
@@ -33,8 +67,7 @@ pub fn nearest_spheres<F: Real>(
     mut best: Hit<F>,
 ) -> Hit<F> {
     for s in spheres {
-        let t = sphere_hit(ray.o, ray.d, s.centre, s.radius, start_on(ray, s.shape));
-        best = nearer_solid(t, s.shape, 0, skip, best);
+        best = nearer_sphere(ray, skip, best, s);
     }
     best
 }
@@ -47,8 +80,7 @@ pub fn nearest_boxes<F: Real>(
     mut best: Hit<F>,
 ) -> Hit<F> {
     for b in boxes {
-        let hit = box_hit(ray.o, ray.d, b.lo, b.hi, start_on(ray, b.shape));
-        best = nearer_solid(hit.t, b.shape, hit.face, skip, best);
+        best = nearer_box(ray, skip, best, b);
     }
     best
 }
@@ -61,8 +93,7 @@ pub fn nearest_cylinders<F: Real>(
     mut best: Hit<F>,
 ) -> Hit<F> {
     for c in cylinders {
-        let hit = cylinder_hit(ray.o, ray.d, c, start_on(ray, c.shape), ray.prim);
-        best = nearer_solid(hit.t, c.shape, hit.part, skip, best);
+        best = nearer_cylinder(ray, skip, best, c);
     }
     best
 }

@@ -1,4 +1,4 @@
-//! Loops over the shapes of a scene.
+//! Primitives tried one after the other.
 
 use vkpt::layout::{self, GpuStruct};
 use vkpt::prepared::NONE;
@@ -44,11 +44,21 @@ fn search(r: &mut Rng, row: Row) -> Row {
     row.f([FAR as f32, r.log_range(0.1, 10.0)][r.below(2) as usize])
 }
 
-fn scene(name: &'static str, file: &'static str, declare: String, fill: &str) -> Twin {
+/// The nearest of three, two or one primitive: `calls` in order, each an argument list behind `ray, …, skip, best`.
+fn scene(
+    name: &'static str,
+    file: &'static str,
+    declare: String,
+    fill: &str,
+    calls: &[&str],
+) -> Twin {
+    let calls: String = (calls.iter())
+        .map(|call| format!("found = {name}({call}); "))
+        .collect();
     Twin::new(name, file)
         .prelude(format!("{PRELUDE}{declare}"))
         .glsl(&format!(
-            "{fill} {READ_RAY} {READ_SEARCH} Hit found = {name}(ray, skip, no_hit(t_max)); {OUT_HIT}"
+            "{fill} {READ_RAY} {READ_SEARCH} Hit found = no_hit(t_max); {calls} {OUT_HIT}"
         ))
 }
 
@@ -57,7 +67,7 @@ pub fn twins() -> Vec<Twin> {
 }
 
 fn solid() -> Twin {
-    Twin::new("nearer_solid", "shape/linear/nearer")
+    Twin::new("nearer_solid", "shape/linear/solid")
         .prelude(PRELUDE)
         .glsl(&format!(
             "float t = in_f(); uint shape = in_u(); uint prim = in_u(); Target skip = Target(in_u(), in_u());
@@ -77,43 +87,47 @@ fn solid() -> Twin {
 }
 
 fn spheres() -> Twin {
-    let declare = format!(
-        "{}const uint SPHERES = 3u;\nSphere spheres[3];\n",
-        layout::Sphere::glsl()
-    );
+    let declare = format!("{}Sphere spheres[3];\n", layout::Sphere::glsl());
     let fill = "spheres[0] = Sphere(in_vec3(), in_f(), 0u, 0u, 0u, 0u);
         spheres[1] = Sphere(in_vec3(), in_f(), 2u, 0u, 0u, 0u);
         spheres[2] = Sphere(in_vec3(), in_f(), 1u, 0u, 0u, 0u);";
-    scene("nearest_spheres", "shape/linear/sphere", declare, fill)
-        .rust(|i, o| {
-            let all = [0, 2, 1].map(|shape| Sphere {
-                centre: i.vec3(),
-                radius: i.f(),
-                shape,
-            });
-            let s = read_search(i);
-            out_hit(nearest_spheres(&all, s.ray, s.skip, s.best), o);
-        })
-        .seeded(4000, |r| {
-            let same = r.bool();
-            let first = r.vec3(-1.0, 1.0);
-            let row = (0..3).fold(Row::new(), |row, _| {
-                let centre = if same { first } else { r.vec3(-1.0, 1.0) };
-                row.vec3(centre)
-                    .f(if same { 0.5 } else { r.range(0.1, 1.0) })
-            });
-            search(r, row)
-        })
+    let calls = [0, 1, 2].map(|i| format!("ray, skip, found, spheres[{i}]"));
+    let calls = calls.each_ref().map(String::as_str);
+    scene(
+        "nearer_sphere",
+        "shape/linear/sphere",
+        declare,
+        fill,
+        &calls,
+    )
+    .rust(|i, o| {
+        let all = [0, 2, 1].map(|shape| Sphere {
+            centre: i.vec3(),
+            radius: i.f(),
+            shape,
+        });
+        let s = read_search(i);
+        out_hit(nearest_spheres(&all, s.ray, s.skip, s.best), o);
+    })
+    .seeded(4000, |r| {
+        let same = r.bool();
+        let first = r.vec3(-1.0, 1.0);
+        let row = (0..3).fold(Row::new(), |row, _| {
+            let centre = if same { first } else { r.vec3(-1.0, 1.0) };
+            row.vec3(centre)
+                .f(if same { 0.5 } else { r.range(0.1, 1.0) })
+        });
+        search(r, row)
+    })
 }
 
 fn boxes() -> Twin {
-    let declare = format!(
-        "{}const uint BOXES = 2u;\nCuboid boxes[2];\n",
-        layout::Cuboid::glsl()
-    );
+    let declare = format!("{}Cuboid boxes[2];\n", layout::Cuboid::glsl());
     let fill = "vec3 lo = in_vec3(); boxes[0] = Cuboid(lo, 1u, in_vec3(), 0u);
         lo = in_vec3(); boxes[1] = Cuboid(lo, 0u, in_vec3(), 0u);";
-    scene("nearest_boxes", "shape/linear/box", declare, fill)
+    let calls = [0, 1].map(|i| format!("ray, skip, found, boxes[{i}]"));
+    let calls = calls.each_ref().map(String::as_str);
+    scene("nearer_box", "shape/linear/box", declare, fill, &calls)
         .rust(|i, o| {
             let all = [1, 0].map(|shape| Cuboid {
                 lo: i.vec3(),
@@ -137,32 +151,38 @@ fn boxes() -> Twin {
 }
 
 fn cylinders() -> Twin {
-    let declare = format!(
-        "{}const uint CYLINDERS = 1u;\nCylinder cylinders[1];\n",
-        layout::Cylinder::glsl()
-    );
-    let fill = format!("{CYLINDER} cylinders[0] = cylinder;");
-    scene("nearest_cylinders", "shape/linear/cylinder", declare, &fill)
-        .rust(|i, o| {
-            let all = [read_cylinder(i)];
-            let s = read_search(i);
-            out_hit(nearest_cylinders(&all, s.ray, s.skip, s.best), o);
-        })
-        .seeded(4000, |r| {
-            let row = cylinder(r, 1.0).0;
-            search(r, row)
-        })
+    let declare = layout::Cylinder::glsl();
+    let calls = ["ray, skip, found, cylinder"];
+    scene(
+        "nearer_cylinder",
+        "shape/linear/cylinder",
+        declare,
+        CYLINDER,
+        &calls,
+    )
+    .rust(|i, o| {
+        let all = [read_cylinder(i)];
+        let s = read_search(i);
+        out_hit(nearest_cylinders(&all, s.ray, s.skip, s.best), o);
+    })
+    .seeded(4000, |r| {
+        let row = cylinder(r, 1.0).0;
+        search(r, row)
+    })
 }
 
 fn triangles() -> Twin {
     let fill = "uint n = 0u;
         while (n < 6u) { corners[n] = in_vec3(); n += 1u; }
         corner_shapes[0] = in_u(); corner_shapes[1] = in_u();";
+    let calls =
+        [0, 1].map(|i| format!("ray, ray_shear(ray.d), skip, found, triangle_at({i}u), {i}u"));
     scene(
-        "nearest_triangles",
-        "shape/linear/triangle",
+        "nearer_triangle",
+        "shape/triangle/nearer",
         String::new(),
         fill,
+        &calls.each_ref().map(String::as_str),
     )
     .slot("triangles", triangles_slot())
     .rust(|i, o| {

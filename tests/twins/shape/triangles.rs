@@ -20,13 +20,15 @@ use super::{
 
 /// Two triangles as a scene's buffers would hold them.
 const TRIANGLES: &str = "
-const uint TRIANGLES = 2u;
 vec3 corners[6];
 vec3 corner_normals[6];
 uint corner_shapes[2];
 vec3 triangle_vertex(uint i, uint k) { return corners[3u * i + k]; }
 vec3 triangle_normal(uint i, uint k) { return corner_normals[3u * i + k]; }
-uint triangle_shape(uint i) { return corner_shapes[i]; }
+struct Triangle { vec3 v0; vec3 v1; vec3 v2; uint shape; };
+Triangle triangle_at(uint i) {
+    return Triangle(corners[3u * i], corners[3u * i + 1u], corners[3u * i + 2u], corner_shapes[i]);
+}
 ";
 const READ_TRIANGLES: &str = "uint n = 0u;
     while (n < 6u) { corners[n] = in_vec3(); n += 1u; }
@@ -243,7 +245,7 @@ fn origins() -> Vec<Twin> {
         scene("nearer_triangle", "shape/triangle/nearer")
             .glsl(&format!(
                 "{READ_TRIANGLES} {READ_RAY} {READ_HIT} Target skip = Target(in_u(), in_u());
-                 Hit found = nearer_triangle(ray, ray_shear(ray.d), skip, hit, 1u); {OUT_HIT}"
+                 Hit found = nearer_triangle(ray, ray_shear(ray.d), skip, hit, triangle_at(1u), 1u); {OUT_HIT}"
             ))
             .rust(|i, o| {
                 let [_, other] = read_triangles(i);

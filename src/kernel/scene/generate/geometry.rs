@@ -1,7 +1,9 @@
 //! The nearest hit, and the surface that was hit.
 
 use super::uses;
+use super::written_out::WrittenOut;
 use crate::features::Features;
+use crate::kernel::scene::Parameters;
 use crate::kernel::scene::dispatch::Dispatch;
 use crate::prepared::ShapeKind;
 
@@ -14,29 +16,28 @@ fn shape_file(kind: ShapeKind) -> &'static str {
     }
 }
 
-/// A loop over each kind of which there are few, then the hierarchy: the least (t, shape, prim) in any order.
-pub fn nearest(features: &Features) -> String {
-    let looped: Vec<_> = features.shapes.difference(&features.in_bvh).collect();
-    let mut text = uses(
-        "shape/ray",
-        "shape/linear",
-        looped.iter().map(|&&k| shape_file(k)),
-    );
-    let mut body = String::new();
-    for kind in looped {
-        body += match kind {
-            ShapeKind::Sphere => "    best = nearest_spheres(ray, skip, best);\n",
-            ShapeKind::Box => "    best = nearest_boxes(ray, skip, best);\n",
-            ShapeKind::Cylinder => "    best = nearest_cylinders(ray, skip, best);\n",
-            ShapeKind::Mesh => "    best = nearest_triangles(ray, skip, best);\n",
-        };
+/// One test after the other of the kinds of which there are few, then the hierarchy: the least (t, shape, prim) in any
+/// order. `read_primitives()` is to be called once, before.
+pub fn nearest(features: &Features, parameters: &Parameters) -> String {
+    let mut head = String::from("// uses: shape/ray\n");
+    let mut copies = String::new();
+    let (mut read, mut test) = (String::new(), String::new());
+    for kind in features.written_out() {
+        let written = WrittenOut::new(kind);
+        let count = parameters.count(written.array);
+        head += &format!("// uses: {}\n", written.file);
+        copies += &written.copies(count);
+        read += &written.read(count);
+        test += &written.test(count);
     }
     if !features.in_bvh.is_empty() {
-        text += "// uses: shape/bvh/nearest\n";
-        body += "    best = nearest_bvh(ray, skip, best);\n";
+        head += "// uses: shape/bvh/nearest\n";
+        test += "    best = nearest_bvh(ray, skip, best);\n";
     }
-    text += "Hit nearest(Ray ray, float t_max, Target skip) {\n    Hit best = no_hit(t_max);\n";
-    text + &body + "    return best;\n}\n"
+    format!(
+        "{head}{copies}void read_primitives() {{\n{read}}}\n\
+         Hit nearest(Ray ray, float t_max, Target skip) {{\n    Hit best = no_hit(t_max);\n{test}    return best;\n}}\n"
+    )
 }
 
 pub fn surface(features: &Features) -> String {

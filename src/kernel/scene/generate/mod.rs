@@ -3,12 +3,14 @@
 mod geometry;
 mod light;
 mod scattering;
+mod written_out;
 
+use super::Parameters;
 use crate::features::Features;
 use crate::flat::bvh::leaf_text;
 
 /// Slots filled with generated text.
-pub fn texts(features: &Features) -> Vec<(&'static str, String)> {
+pub fn texts(features: &Features, parameters: &Parameters) -> Vec<(&'static str, String)> {
     let mut texts = vec![
         ("surface", geometry::surface(features)),
         ("bsdf", scattering::bsdf(features)),
@@ -16,7 +18,7 @@ pub fn texts(features: &Features) -> Vec<(&'static str, String)> {
         ("fresnel", scattering::fresnel(features)),
         ("light", light::light(features)),
         ("triangles", geometry::triangles(features)),
-        ("nearest", geometry::nearest(features)),
+        ("nearest", geometry::nearest(features, parameters)),
     ];
     if !features.in_bvh.is_empty() {
         texts.push(("leaf", leaf_text(features.in_bvh.iter().copied())));

@@ -1,4 +1,4 @@
-// The order among hits of solids.
+// A solid's part in the search for the nearest hit, once its distance is known.
 // Twin of nearer_solid in src/reference/shape/linear.rs.
 
 // uses: shape/ray
