@@ -2,7 +2,8 @@
 
 use serde_json::{Value, json};
 use vkpt::report::{
-    Dropped, Job, Machine, Record, SOFTWARE, Seconds, Work, concerns, notes, summary,
+    Dropped, Job, Kernel, Machine, Memory, Record, SOFTWARE, Seconds, Statistic, Work, concerns,
+    notes, summary,
 };
 use vkpt::settings::{Connect, Distribution, DistributionRule, Fresnel, Roulette, Settings};
 
@@ -10,7 +11,11 @@ fn record() -> Record {
     let seconds = Seconds {
         read: 0.012,
         prepare: 0.0,
+        device: 0.0,
+        hierarchy: 0.0,
         compose: 0.004,
+        upload: 0.0,
+        pipeline: 0.25,
         compile: 0.5,
         render: 7.5,
         gpu: Some(7.25),
@@ -30,8 +35,20 @@ fn record() -> Record {
         machine: Machine {
             device: "llvmpipe".to_owned(),
             driver: "Mesa 22.3.6".to_owned(),
-            kernel: Some("composed"),
-            features: vec!["sphere".to_owned(), "ggx".to_owned()],
+            kernel: Some(Kernel {
+                choice: "composed",
+                features: vec!["sphere".to_owned(), "ggx".to_owned()],
+                spirv_bytes: 1234,
+                statistics: vec![Statistic {
+                    executable: "SIMD32".to_owned(),
+                    name: "Instructions".to_owned(),
+                    value: "6576".to_owned(),
+                }],
+            }),
+            memory: Memory {
+                device: 4096,
+                peak: None,
+            },
         },
         work: Work::new(&seconds, 7_680_000, 40_000_000, Dropped::default(), 0),
         seconds,
@@ -64,10 +81,16 @@ fn json_holds_every_field_by_name() {
         },
         "device": "llvmpipe",
         "driver": "Mesa 22.3.6",
-        "kernel": "composed",
-        "features": ["sphere", "ggx"],
+        "kernel": {
+            "choice": "composed",
+            "features": ["sphere", "ggx"],
+            "spirv_bytes": 1234,
+            "statistics": [{ "executable": "SIMD32", "name": "Instructions", "value": "6576" }],
+        },
+        "memory": { "device": 4096, "peak": null },
         "seconds": {
-            "read": 0.012, "prepare": 0.0, "compose": 0.004, "gpu": 7.25, "compile": 0.5, "render": 7.5, "write": 0.02,
+            "read": 0.012, "prepare": 0.0, "device": 0.0, "hierarchy": 0.0, "compose": 0.004, "upload": 0.0,
+            "pipeline": 0.25, "compile": 0.5, "render": 7.5, "gpu": 7.25, "write": 0.02,
         },
         "samples": 7_680_000,
         "rays": 40_000_000,
@@ -98,7 +121,7 @@ fn the_summary_reads_well() {
     let expected = "\
 scenes/a.scn: 400×300, 64 samples per pixel, seed 7
   on      llvmpipe, Mesa 22.3.6
-  time    read 12 ms, compose 4 ms, compile 500 ms, render 7.50 s (device 7.25 s), write 20 ms
+  time    read 12 ms, compose 4 ms, pipeline 250 ms, compile 500 ms, render 7.50 s (device 7.25 s), write 20 ms
   work    7.68 M samples (960 k/s), 40.0 M rays (5.00 M/s)
   wrote   a.png";
     assert_eq!(summary(&record()), expected);

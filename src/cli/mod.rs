@@ -9,6 +9,7 @@ mod interrupt;
 mod job;
 mod outputs;
 mod progress;
+mod record;
 mod render;
 mod trace;
 mod values;

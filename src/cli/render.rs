@@ -9,12 +9,13 @@ use super::interrupt::stop_flag;
 use super::job::Ready;
 use super::outputs::{Outputs, write_frame};
 use super::progress::Display;
+use super::record::record;
 use super::values::Output;
 use crate::film::{Aov, Film};
 use crate::image::file::FileError;
 use crate::image::{Frame, Labels};
 use crate::render::{self, Outcome};
-use crate::report::{self, Dropped, Job, Machine, Record, SOFTWARE, Seconds, Work};
+use crate::report::{self, Record, SOFTWARE};
 
 /// Reads, prepares, renders, writes and reports.
 pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
@@ -93,59 +94,4 @@ fn write(
     record.seconds.write = start.elapsed().as_secs_f64();
     errors.extend(outputs.write_json(record));
     errors
-}
-
-fn record(
-    arguments: &RenderArguments,
-    ready: &Ready,
-    outcome: &Outcome,
-) -> Result<Record, Failure> {
-    let stats = &outcome.stats;
-    let seconds = Seconds {
-        read: ready.read_s,
-        prepare: ready.prepare_s,
-        compose: stats.compose_s,
-        compile: stats.compile_s,
-        render: stats.render_s,
-        gpu: stats.gpu_s,
-        write: 0.0,
-    };
-    let render::Dropped {
-        nan,
-        infinite,
-        loops,
-    } = stats.dropped;
-    let dropped = Dropped {
-        nan,
-        infinite,
-        loops,
-    };
-    Ok(Record {
-        version: env!("CARGO_PKG_VERSION"),
-        job: Job {
-            scene: arguments.scene()?.display().to_string(),
-            size: [ready.prepared.width, ready.prepared.height],
-            crop: arguments.crop,
-            spp: outcome.spp,
-            spp_asked: arguments.spp.into(),
-            seed: arguments.seed,
-            settings: (&ready.settings).into(),
-        },
-        machine: Machine {
-            device: stats.device.clone(),
-            driver: stats.driver.clone(),
-            kernel: arguments.kernel_name(),
-            features: stats.features.clone(),
-        },
-        work: Work::new(
-            &seconds,
-            stats.samples,
-            stats.rays,
-            dropped,
-            stats.long_paths,
-        ),
-        seconds,
-        files: Vec::new(),
-        warnings: ready.warnings.clone(),
-    })
 }

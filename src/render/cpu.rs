@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::slices::Slices;
 use super::tiles::Tile;
-use super::{Dropped, Job, Outcome, Progress, Stats};
+use super::{Dropped, Job, Outcome, Progress, SetUp, Stats};
 use crate::film::{Aov, Film};
 use crate::reference::film::{
     FilmMoments, FilmPixel, film_mean, film_moments, film_sample, film_stderr,
@@ -27,7 +27,10 @@ pub fn render<F: Real>(
 ) -> Outcome {
     let start = Instant::now();
     let world = World::<F>::new(job.prepared);
-    let compose_s = start.elapsed().as_secs_f64();
+    let set_up = SetUp {
+        hierarchy: start.elapsed().as_secs_f64(),
+        ..SetUp::default()
+    };
     let mut film = Pixels::<F>::new(job);
     let (mut done, mut slices) = (0, Slices::new());
     let start = Instant::now();
@@ -45,7 +48,7 @@ pub fn render<F: Real>(
             "vkpt's reference on {} threads",
             rayon::current_num_threads()
         ),
-        compose_s,
+        set_up,
         compile_s: 0.0,
         render_s: start.elapsed().as_secs_f64(),
         gpu_s: None,
@@ -58,6 +61,8 @@ pub fn render<F: Real>(
         },
         long_paths: film.count(|p| p.long_paths),
         features: Vec::new(),
+        spirv_bytes: 0,
+        statistics: Vec::new(),
         buffers: Vec::new(),
     };
     Outcome {

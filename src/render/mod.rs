@@ -9,11 +9,12 @@ mod trace;
 mod vulkan;
 
 use std::sync::atomic::AtomicBool;
+use std::time::Instant;
 
 use crate::features::Features;
 use crate::film::{Aov, Film};
 pub use crate::gpu::Selector;
-use crate::gpu::{Device, GpuError};
+use crate::gpu::{Device, GpuError, Statistic};
 use crate::kernel::{KernelError, Spirv};
 use crate::prepared::Prepared;
 use crate::settings::Settings;
@@ -124,13 +125,27 @@ pub struct Outcome {
     pub stats: Stats,
 }
 
+/// Seconds from a prepared scene to the first dispatch, by stage.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SetUp {
+    /// To open the device; 0 where it was open.
+    pub device: f64,
+    /// To build the hierarchy; for the reference, all of its tables.
+    pub hierarchy: f64,
+    /// From features to a module of SPIR-V.
+    pub compose: f64,
+    /// To make the buffers and fill them.
+    pub upload: f64,
+    /// What the driver does of its compiling before the first dispatch.
+    pub pipeline: f64,
+}
+
 /// What a rendering took.
 #[derive(Clone, Debug, Default)]
 pub struct Stats {
     pub device: String,
     pub driver: String,
-    /// Seconds to compose the kernel.
-    pub compose_s: f64,
+    pub set_up: SetUp,
     /// Seconds of the first dispatch, which is when drivers compile.
     pub compile_s: f64,
     /// Seconds of all other dispatches, with all that the host does between them.
@@ -143,6 +158,10 @@ pub struct Stats {
     pub long_paths: u64,
     /// What the kernel holds.
     pub features: Vec<String>,
+    /// Size of the kernel's module; 0 for the reference, which has none.
+    pub spirv_bytes: u64,
+    /// What the driver counted of its own code.
+    pub statistics: Vec<Statistic>,
     /// Names and bytes of the buffers on the device, in the order of their bindings.
     pub buffers: Vec<(String, u64)>,
 }
@@ -190,8 +209,13 @@ pub fn render(
 ) -> Result<Outcome, RenderError> {
     match target {
         Target::Vulkan(selector) => {
+            let start = Instant::now();
             let device = Device::open(selector)?;
-            render_on(job, &device, DispatchLimits::of(&device)?, stop, progress)
+            let limits = DispatchLimits::of(&device)?;
+            let opened = start.elapsed().as_secs_f64();
+            let mut outcome = render_on(job, &device, limits, stop, progress)?;
+            outcome.stats.set_up.device = opened;
+            Ok(outcome)
         }
         Target::CpuF32 => Ok(cpu::render::<f32>(job, "cpu-f32", stop, progress)),
         Target::CpuF64 => Ok(cpu::render::<f64>(job, "cpu-f64", stop, progress)),

@@ -40,10 +40,39 @@ pub struct Job {
 pub struct Machine {
     pub device: String,
     pub driver: String,
-    /// `composed` or `full`; `None` for the reference, which has no kernel.
-    pub kernel: Option<&'static str>,
-    /// What the kernel holds.
+    /// `None` for the reference, which has none.
+    pub kernel: Option<Kernel>,
+    pub memory: Memory,
+}
+
+/// The kernel that rendered.
+#[derive(Clone, Debug, Serialize)]
+pub struct Kernel {
+    /// `composed` or `full`.
+    pub choice: &'static str,
+    /// What it holds.
     pub features: Vec<String>,
+    pub spirv_bytes: u64,
+    /// Instructions, registers and the like, where the driver counts them.
+    pub statistics: Vec<Statistic>,
+}
+
+/// A number that a driver tells of its code, by the driver's own names.
+#[derive(Clone, Debug, Serialize)]
+pub struct Statistic {
+    pub executable: String,
+    pub name: String,
+    /// As the driver writes it, without its unit.
+    pub value: String,
+}
+
+/// Bytes.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Memory {
+    /// All buffers on the device.
+    pub device: u64,
+    /// The most that the process has held at once, where the system tells.
+    pub peak: Option<u64>,
 }
 
 /// Seconds by stage, on the wall clock.
@@ -51,7 +80,16 @@ pub struct Machine {
 pub struct Seconds {
     pub read: f64,
     pub prepare: f64,
+    /// Opening the device.
+    pub device: f64,
+    /// Building the hierarchy, or the reference's tables.
+    pub hierarchy: f64,
+    /// From features to SPIR-V.
     pub compose: f64,
+    /// Making and filling the buffers.
+    pub upload: f64,
+    /// The driver's part before the first dispatch.
+    pub pipeline: f64,
     /// The first dispatch, which is when drivers compile.
     pub compile: f64,
     /// All other dispatches.

@@ -39,7 +39,11 @@ fn stages(record: &Record) -> String {
     let all = [
         ("read", s.read),
         ("prepare", s.prepare),
+        ("device", s.device),
+        ("hierarchy", s.hierarchy),
         ("compose", s.compose),
+        ("upload", s.upload),
+        ("pipeline", s.pipeline),
         ("compile", s.compile),
         ("render", s.render),
         ("write", s.write),

@@ -28,10 +28,8 @@ pub fn render(
     stop: &AtomicBool,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Outcome, RenderError> {
-    let start = Instant::now();
     let features = job.features();
     let mut run = Run::new(job, device, &features, limits, Recording::Nothing)?;
-    let compose_s = start.elapsed().as_secs_f64();
     let compile_s = run.compile()?.as_secs_f64();
     run.gpu_time = Duration::ZERO;
 
@@ -43,7 +41,7 @@ pub fn render(
     let stats = Stats {
         device: device.info().name.clone(),
         driver: device.info().driver.clone(),
-        compose_s,
+        set_up: run.set_up,
         compile_s,
         render_s,
         gpu_s: Some(run.gpu_time.as_secs_f64()),
@@ -52,6 +50,8 @@ pub fn render(
         dropped: counts.dropped,
         long_paths: counts.long_paths,
         features: features.names(),
+        spirv_bytes: run.spirv_bytes,
+        statistics: run.statistics()?,
         buffers: run.buffers(),
     };
     Ok(Outcome {

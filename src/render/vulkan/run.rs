@@ -6,13 +6,13 @@ use super::limits::DispatchLimits;
 use super::scene_buffers::SceneBuffers;
 use super::tile_film::{DeviceFilm, TileFilm, buffer};
 use crate::features::Features;
-use crate::gpu::{Buffer, Device, Pipeline};
+use crate::gpu::{Buffer, Device, Pipeline, Statistic};
 use crate::kernel::Spirv;
 use crate::kernel::scene::Recording;
 use crate::layout::{PathOutcome, Record, Slice};
 use crate::render::plan::{ScenePlan, StatePlan, compiled, composed, hierarchy};
 use crate::render::tiles::{Tile, tiles};
-use crate::render::{Job, RenderError};
+use crate::render::{Job, RenderError, SetUp};
 
 /// Threads of a workgroup; `local_size_x` of `shaders/path_trace.comp`.
 const WORKGROUP: u32 = 64;
@@ -30,6 +30,9 @@ pub struct Run<'a> {
     /// Events of one path, or outcomes of all.
     recorded: Option<Buffer>,
     pub tiles: Vec<TileFilm>,
+    /// How long all this took to make; opening the device is not in it.
+    pub set_up: SetUp,
+    pub spirv_bytes: u64,
     /// The device's own time for all dispatches.
     pub gpu_time: Duration,
     budget: u32,
@@ -45,16 +48,21 @@ impl<'a> Run<'a> {
         limits: DispatchLimits,
         recording: Recording,
     ) -> Result<Self, RenderError> {
-        let (scene, spirv) = scene_and_kernel(job, device, features, recording)?;
+        let mut set_up = SetUp::default();
+        let (scene, spirv) = scene_and_kernel(job, device, features, recording, &mut set_up)?;
         let tiles = tiles(job.area(), limits.tile_pixels.max(1));
         let largest = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
         let moments = features.keeps_moments();
         let state = StatePlan::new(features, largest, recording);
+        let start = Instant::now();
         let film = DeviceFilm::new(device, &state)?;
         let recorded = state.recorded.map(|r| buffer(device, &r)).transpose()?;
+        set_up.upload += start.elapsed().as_secs_f64();
         let mut uses = scene.uses();
         uses.extend(state.plans().map(|array| array.binding.buffer_use));
+        let start = Instant::now();
         let pipeline = device.pipeline(&spirv, &uses, size_of::<Slice>() as u32)?;
+        set_up.pipeline = start.elapsed().as_secs_f64();
         Ok(Self {
             job,
             device,
@@ -66,6 +74,8 @@ impl<'a> Run<'a> {
                 .into_iter()
                 .map(|tile| TileFilm::new(tile, moments))
                 .collect(),
+            set_up,
+            spirv_bytes: spirv.bytes().len() as u64,
             gpu_time: Duration::ZERO,
             budget: limits.budget.max(1),
             sample_begin: 0,
@@ -135,6 +145,11 @@ impl<'a> Run<'a> {
         Ok(time)
     }
 
+    /// What the driver counted of the kernel's code.
+    pub fn statistics(&self) -> Result<Vec<Statistic>, RenderError> {
+        Ok(self.pipeline.statistics()?)
+    }
+
     /// Names and bytes of all buffers, in the order of their bindings.
     pub fn buffers(&self) -> Vec<(String, u64)> {
         let mut buffers = self.scene.buffers();
@@ -169,9 +184,17 @@ fn scene_and_kernel(
     device: &Device,
     features: &Features,
     recording: Recording,
+    set_up: &mut SetUp,
 ) -> Result<(SceneBuffers, Spirv), RenderError> {
+    let start = Instant::now();
     let bvh = hierarchy(job.prepared, features);
+    set_up.hierarchy = start.elapsed().as_secs_f64();
+    let start = Instant::now();
     let plan = ScenePlan::new(job, features, bvh.as_ref(), device.limits().uniform_buffer);
     let spirv = compiled(&composed(&plan, features, recording)?, features)?;
-    Ok((SceneBuffers::new(device, &plan)?, spirv))
+    set_up.compose = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let buffers = SceneBuffers::new(device, &plan)?;
+    set_up.upload = start.elapsed().as_secs_f64();
+    Ok((buffers, spirv))
 }

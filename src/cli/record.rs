@@ -1,0 +1,93 @@
+//! What a rendering did, put on record.
+
+use super::arguments::RenderArguments;
+use super::exit::Failure;
+use super::job::Ready;
+use crate::render::{self, Outcome, Stats};
+use crate::report::{Dropped, Job, Kernel, Machine, Memory, Record, Seconds, Statistic, Work};
+
+pub fn record(
+    arguments: &RenderArguments,
+    ready: &Ready,
+    outcome: &Outcome,
+) -> Result<Record, Failure> {
+    let stats = &outcome.stats;
+    let seconds = Seconds {
+        read: ready.read_s,
+        prepare: ready.prepare_s,
+        device: stats.set_up.device,
+        hierarchy: stats.set_up.hierarchy,
+        compose: stats.set_up.compose,
+        upload: stats.set_up.upload,
+        pipeline: stats.set_up.pipeline,
+        compile: stats.compile_s,
+        render: stats.render_s,
+        gpu: stats.gpu_s,
+        write: 0.0,
+    };
+    let render::Dropped {
+        nan,
+        infinite,
+        loops,
+    } = stats.dropped;
+    let dropped = Dropped {
+        nan,
+        infinite,
+        loops,
+    };
+    Ok(Record {
+        version: env!("CARGO_PKG_VERSION"),
+        job: Job {
+            scene: arguments.scene()?.display().to_string(),
+            size: [ready.prepared.width, ready.prepared.height],
+            crop: arguments.crop,
+            spp: outcome.spp,
+            spp_asked: arguments.spp.into(),
+            seed: arguments.seed,
+            settings: (&ready.settings).into(),
+        },
+        machine: Machine {
+            device: stats.device.clone(),
+            driver: stats.driver.clone(),
+            kernel: kernel(arguments, stats),
+            memory: Memory {
+                device: stats.buffers.iter().map(|b| b.1).sum(),
+                peak: peak_memory(),
+            },
+        },
+        work: Work::new(
+            &seconds,
+            stats.samples,
+            stats.rays,
+            dropped,
+            stats.long_paths,
+        ),
+        seconds,
+        files: Vec::new(),
+        warnings: ready.warnings.clone(),
+    })
+}
+
+/// The kernel of a Vulkan device; the reference has none.
+fn kernel(arguments: &RenderArguments, stats: &Stats) -> Option<Kernel> {
+    let choice = arguments.kernel_name()?;
+    let statistics = stats.statistics.iter().map(|s| Statistic {
+        executable: s.executable.clone(),
+        name: s.name.clone(),
+        value: s.value.to_string(),
+    });
+    Some(Kernel {
+        choice,
+        features: stats.features.clone(),
+        spirv_bytes: stats.spirv_bytes,
+        statistics: statistics.collect(),
+    })
+}
+
+/// The most memory that this process has held at once, where Linux tells.
+fn peak_memory() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
+    let kib: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(kib * 1024)
+}
