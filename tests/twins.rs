@@ -91,6 +91,10 @@ const EXCUSED: &[(&str, &str)] = &[
     ("path/background/", READS_THE_SCENE),
     ("path/begin", READS_THE_SCENE),
     (
+        "path/crossing/",
+        "as path/vertex, whose types they take: a comparison with 0 and two choices",
+    ),
+    (
         "path/depth/",
         "a comparison with a constant; tests of --max-depth see it",
     ),

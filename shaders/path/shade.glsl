@@ -1,5 +1,5 @@
 // A vertex of the path: what it emits, its connection to a light, and where the path goes on.
-// uses: math/finite, path/vertex, path/flight, sampler/dimensions, sampler/unit_float, <sampler>, <self_distance>, <background>, <emission>, <direct>, <bsdf>, <scaling>, <roulette>, <depth>, <medium>, <record>
+// uses: math/finite, path/vertex, path/flight, sampler/dimensions, sampler/unit_float, <sampler>, <self_distance>, <background>, <emission>, <direct>, <bsdf>, <crossing>, <roulette>, <depth>, <medium>, <record>
 
 void end_path(inout PathState s) {
     s.alive = 0u;
@@ -16,15 +16,15 @@ void extend(inout PathState s, Vertex v, inout FilmPixel pixel, uint pixel_index
     vec3 wi = to_world(v.frame, b.wi);
     bool valid = b.lobe != LOBE_NONE && same_sides(v, wi, b.wi);
     s.throughput *= b.weight;
-    bool through = b.wi.z < 0.0;
-    s.eta_scale *= through ? transmission_scale(v.interaction.eta) : 1.0;
+    bool through = leads_through(b.wi);
+    s.eta_scale *= crossing_scale(v, through);
     // A broken throughput breaks the sample, which the film then drops and counts.
     s.radiance += is_finite3(s.throughput) ? vec3(0.0) : s.throughput;
     float survival = roulette_survival(s.throughput, s.eta_scale, s.bounce);
     valid = valid && unit_float(w.x) < survival;
     if (valid && !is_black(s.throughput)) {
         s.throughput *= 1.0 / survival;
-        s.medium = through ? medium_beyond(v) : s.medium;
+        s.medium = medium_after(v, through, s.medium);
         bool goes_outside = v.outside != through;
         s.o = v.p;
         s.d = wi;

@@ -40,8 +40,3 @@ Vertex path_vertex(Ray ray, Hit hit, float distance) {
 bool same_sides(Vertex v, vec3 wi, vec3 wi_local) {
     return (dot3(wi, v.facing) > 0.0) == (wi_local.z > 0.0);
 }
-
-// The medium behind the surface: the shape's own on entering, air on leaving. Every object stands in air.
-uint medium_beyond(Vertex v) {
-    return v.outside ? v.material : NONE;
-}

@@ -112,9 +112,13 @@ fn model(subject: &Subject) -> [Setting; 2] {
             name: "radiance, eta²".to_owned(),
             file: "bsdf/scaling/radiance",
             by: by(subject, "radiance-scaling", scaling),
-            absent: match subject.preset.settings.model.radiance_scaling {
-                true => "--radiance-scaling off",
-                false => subject.preset.name,
+            absent: match (
+                subject.plan.features.transmits(),
+                subject.preset.settings.model.radiance_scaling,
+            ) {
+                (false, _) => "nothing lets light through, refracted",
+                (true, true) => "--radiance-scaling off",
+                (true, false) => subject.preset.name,
             },
         },
         Setting {

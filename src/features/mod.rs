@@ -138,6 +138,13 @@ impl Features {
         self.shapes.difference(&self.in_bvh).copied()
     }
 
+    /// A surface lets light through, refracted.
+    pub fn transmits(&self) -> bool {
+        use MaterialKind::{Dielectric, Glass, Weak};
+        let kinds = [Dielectric, Glass, Weak];
+        kinds.iter().any(|kind| self.materials.contains(kind))
+    }
+
     /// A surface of this scene is not there: |ior − 1| < 1e-7.
     pub fn goes_straight(&self) -> bool {
         self.materials.contains(&MaterialKind::Nothing)

@@ -13,6 +13,7 @@ pub const HOMES: &[(&str, &str)] = &[
     // the tables of the scene
     ("light/choice/", "world"),
     ("path/background/", "path"),
+    ("path/crossing/", "path/vertex"),
     ("path/depth/", "path"),
     ("path/emission/", "path"),
     ("path/self_distance/", "path/vertex"),
@@ -27,6 +28,9 @@ pub const KERNEL_ONLY: &[(&str, &str)] = &[
         "light/mesh",
         "a mesh's part of one long table; cdf_choice and cdf_probability, given a slice",
     ),
+    ("leads_through", "wi.z < 0"),
+    ("crossing_scale", "an `if` in extend"),
+    ("medium_after", "an `if` in extend and in direct"),
     (
         "path/flight",
         "flies a vertex's shadow ray one turn late, in one loop with the extension ray",

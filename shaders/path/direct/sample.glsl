@@ -1,6 +1,6 @@
 // Explicit connection of a vertex to a point on a light. Comes before roulette, which scales only the extension
 // (model page, section 10).
-// uses: math/finite, path/vertex, sampler/dimensions, sampler/unit_float, <sampler>, <self_distance>, <light_choice>, <light>, <bsdf>, <connect>, <medium>, <record>
+// uses: math/finite, path/vertex, sampler/dimensions, sampler/unit_float, <sampler>, <self_distance>, <light_choice>, <light>, <bsdf>, <connect>, <crossing>, <medium>, <record>
 
 void connect(inout PathState s, Vertex v, uint pixel_index) {
     uvec4 u = sampler_block(pixel_index, job.sample_begin + s.index - 1u, light_block(s.bounce), camera.seed);
@@ -15,7 +15,7 @@ void connect(inout PathState s, Vertex v, uint pixel_index) {
         float weight = connection_weight(p, f.pdf);
         s.contribution = s.throughput * f.value * lights[light].radiance * (weight / p);
         if (!is_black(s.contribution)) {
-            bool through = wi.z < 0.0;
+            bool through = leads_through(wi);
             bool goes_outside = v.outside != through;
             s.shadow_o = v.p;
             s.shadow_d = l.wi;
@@ -24,7 +24,7 @@ void connect(inout PathState s, Vertex v, uint pixel_index) {
             s.shadow_start = goes_outside ? START_OUTSIDE : START_INSIDE;
             s.shadow_t_self = self_distance(v.shape, v.p, v.ng, l.wi);
             s.shadow_distance = l.distance < 0.0 ? FAR : l.distance;
-            s.shadow_medium = through ? medium_beyond(v) : s.medium;
+            s.shadow_medium = medium_after(v, through, s.medium);
             s.target_shape = lights[light].shape;
             s.target_prim = l.prim;
             s.connecting = 1u;

@@ -96,6 +96,13 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
             },
         ),
         (
+            "crossing",
+            match features.transmits() {
+                true => "path/crossing/through",
+                false => "path/crossing/none",
+            },
+        ),
+        (
             "medium",
             match features.absorption {
                 None => "path/medium/none",
