@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 use vkpt::report::{
-    Dropped, Job, Kernel, Machine, Memory, Record, SOFTWARE, Seconds, Statistic, Work, concerns,
-    notes, summary,
+    Dropped, Job, Kernel, Machine, Memory, Record, SOFTWARE, Seconds, Work, concerns, notes,
+    summary,
 };
 use vkpt::settings::{Connect, Distribution, DistributionRule, Fresnel, Roulette, Settings};
 
@@ -39,11 +39,6 @@ fn record() -> Record {
                 choice: "composed",
                 features: vec!["sphere".to_owned(), "ggx".to_owned()],
                 spirv_bytes: 1234,
-                statistics: vec![Statistic {
-                    executable: "SIMD32".to_owned(),
-                    name: "Instructions".to_owned(),
-                    value: "6576".to_owned(),
-                }],
             }),
             memory: Memory {
                 device: 4096,
@@ -85,7 +80,6 @@ fn json_holds_every_field_by_name() {
             "choice": "composed",
             "features": ["sphere", "ggx"],
             "spirv_bytes": 1234,
-            "statistics": [{ "executable": "SIMD32", "name": "Instructions", "value": "6576" }],
         },
         "memory": { "device": 4096, "peak": null },
         "seconds": {

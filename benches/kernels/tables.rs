@@ -15,7 +15,7 @@ pub fn tables(runs: &[Run]) -> String {
         ),
         table(
             "Compiling, ms: SPIR-V to the end of the first dispatch",
-            &["scene", "bytes of SPIR-V", "full", "share", "cold", "full", "share", "warm", "full", "share", "driver's counts"],
+            &["scene", "bytes of SPIR-V", "full", "share", "cold", "full", "share", "warm", "full", "share"],
             &all.iter().map(Scene::compiling).collect::<Vec<_>>(),
         ),
         table(
@@ -76,12 +76,7 @@ impl Scene<'_> {
                 format!("{:.2}", a / b),
             ]
         });
-        let counted = self
-            .runs
-            .iter()
-            .filter(|r| r.scene == self.name && r.kind == Kind::Warm);
-        let counted = counted.take(2).map(counts).collect::<Vec<_>>().join(" / ");
-        row(self.name, cells.chain([counted]))
+        row(self.name, cells)
     }
 
     fn whole(&self) -> Vec<String> {
@@ -116,31 +111,6 @@ impl Scene<'_> {
     }
 }
 
-/// What the driver counted of its code; a dash where it does not count.
-fn counts(run: &Run) -> String {
-    let told = run
-        .json
-        .pointer("/kernel/statistics")
-        .and_then(|s| s.as_array());
-    let wanted = |name: &str| {
-        ["Instructions", "VGPRs", "Registers"]
-            .iter()
-            .any(|w| name.contains(w))
-    };
-    let text: Vec<String> = told
-        .into_iter()
-        .flatten()
-        .filter_map(|s| Some((s["name"].as_str()?, s["value"].as_str()?)))
-        .filter(|(name, _)| wanted(name))
-        .map(|(name, value)| format!("{name} {value}"))
-        .collect();
-    if text.is_empty() {
-        "–".to_owned()
-    } else {
-        text.join(", ")
-    }
-}
-
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     match values.len() {
@@ -154,7 +124,7 @@ fn row(name: &str, cells: impl IntoIterator<Item = String>) -> Vec<String> {
     std::iter::once(name.to_owned()).chain(cells).collect()
 }
 
-fn table(title: &str, head: &[&str], rows: &[Vec<String>]) -> String {
+pub fn table(title: &str, head: &[&str], rows: &[Vec<String>]) -> String {
     let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
     let mut text = format!("## {title}\n\n");
     text += &line(head.iter().map(|h| (*h).to_owned()).collect());

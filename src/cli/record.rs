@@ -4,7 +4,7 @@ use super::arguments::RenderArguments;
 use super::exit::Failure;
 use super::job::Ready;
 use crate::render::{self, Outcome, Stats};
-use crate::report::{Dropped, Job, Kernel, Machine, Memory, Record, Seconds, Statistic, Work};
+use crate::report::{Dropped, Job, Kernel, Machine, Memory, Record, Seconds, Work};
 
 pub fn record(
     arguments: &RenderArguments,
@@ -71,16 +71,10 @@ pub fn record(
 /// The kernel of a Vulkan device; the reference has none.
 fn kernel(arguments: &RenderArguments, stats: &Stats) -> Option<Kernel> {
     let choice = arguments.kernel_name()?;
-    let statistics = stats.statistics.iter().map(|s| Statistic {
-        executable: s.executable.clone(),
-        name: s.name.clone(),
-        value: s.value.to_string(),
-    });
     Some(Kernel {
         choice,
         features: stats.features.clone(),
         spirv_bytes: stats.spirv_bytes,
-        statistics: statistics.collect(),
     })
 }
 

@@ -62,7 +62,6 @@ pub fn render<F: Real>(
         long_paths: film.count(|p| p.long_paths),
         features: Vec::new(),
         spirv_bytes: 0,
-        statistics: Vec::new(),
         buffers: Vec::new(),
     };
     Outcome {

@@ -14,7 +14,7 @@ use std::time::Instant;
 use crate::features::Features;
 use crate::film::{Aov, Film};
 pub use crate::gpu::Selector;
-use crate::gpu::{Device, GpuError, Statistic};
+use crate::gpu::{Device, GpuError};
 use crate::kernel::{KernelError, Spirv};
 use crate::prepared::Prepared;
 use crate::settings::Settings;
@@ -160,8 +160,6 @@ pub struct Stats {
     pub features: Vec<String>,
     /// Size of the kernel's module; 0 for the reference, which has none.
     pub spirv_bytes: u64,
-    /// What the driver counted of its own code.
-    pub statistics: Vec<Statistic>,
     /// Names and bytes of the buffers on the device, in the order of their bindings.
     pub buffers: Vec<(String, u64)>,
 }

@@ -12,7 +12,7 @@ mod summary;
 
 pub use comparison::{Comparison, Tested, comparison};
 pub use header::{aov_notes, notes};
-pub use record::{Dropped, Job, Kernel, Machine, Memory, Record, Seconds, Statistic, Work};
+pub use record::{Dropped, Job, Kernel, Machine, Memory, Record, Seconds, Work};
 pub use settings::SettingsRecord;
 pub use summary::{concerns, summary};
 

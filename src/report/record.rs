@@ -53,17 +53,6 @@ pub struct Kernel {
     /// What it holds.
     pub features: Vec<String>,
     pub spirv_bytes: u64,
-    /// Instructions, registers and the like, where the driver counts them.
-    pub statistics: Vec<Statistic>,
-}
-
-/// A number that a driver tells of its code, by the driver's own names.
-#[derive(Clone, Debug, Serialize)]
-pub struct Statistic {
-    pub executable: String,
-    pub name: String,
-    /// As the driver writes it, without its unit.
-    pub value: String,
 }
 
 /// Bytes.

@@ -51,7 +51,6 @@ pub fn render(
         long_paths: counts.long_paths,
         features: features.names(),
         spirv_bytes: run.spirv_bytes,
-        statistics: run.statistics()?,
         buffers: run.buffers(),
     };
     Ok(Outcome {

@@ -6,7 +6,7 @@ use super::limits::DispatchLimits;
 use super::scene_buffers::SceneBuffers;
 use super::tile_film::{DeviceFilm, TileFilm, buffer};
 use crate::features::Features;
-use crate::gpu::{Buffer, Device, Pipeline, Statistic};
+use crate::gpu::{Buffer, Device, Pipeline};
 use crate::kernel::Spirv;
 use crate::kernel::scene::Recording;
 use crate::layout::{PathOutcome, Record, Slice};
@@ -143,11 +143,6 @@ impl<'a> Run<'a> {
             .dispatch(&self.pipeline, &buffers, push, groups)?;
         self.gpu_time += time;
         Ok(time)
-    }
-
-    /// What the driver counted of the kernel's code.
-    pub fn statistics(&self) -> Result<Vec<Statistic>, RenderError> {
-        Ok(self.pipeline.statistics()?)
     }
 
     /// Names and bytes of all buffers, in the order of their bindings.
