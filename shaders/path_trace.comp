@@ -47,8 +47,8 @@ void trace_pixel(uint lane) {
 }
 
 void main() {
-    // All that threads read at places known beforehand is read here, before any branch: where lanes may be masked, Mesa
-    // 22.3 reads a uniform lane by lane, twenty instructions a float instead of one (emit_load_ubo, lp_bld_nir_soa.c).
+    // What threads read at places known beforehand is read here, before any branch: where lanes may be masked, lavapipe of
+    // Mesa 22.3 reads a uniform lane by lane, twenty instructions a float instead of one (emit_load_ubo, lp_bld_nir_soa.c).
     camera = camera_uniform;
     job = job_uniform;
     read_primitives();

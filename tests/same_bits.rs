@@ -83,23 +83,25 @@ fn a_crop_is_a_piece_of_the_picture() {
     }
 }
 
-/// Tiles of less than a row, of some rows, of all; paths handed over at every bounce, now and then, never.
+/// Tiles of less than a row, of some rows, of all; paths handed over at every bounce, now and then, never; primitives
+/// read first or where they are tried.
 #[test]
 fn tiles_and_dispatches_leave_no_trace() {
     let settings = Settings::default();
     let scene = prepared(TABLE, &settings);
     let job = job(&scene, settings, 6, 1);
     let Some(whole) = on_device(&job) else { return };
-    for (tile_pixels, budget) in [
-        (7, 4000),
-        (100, 40),
-        (1 << 16, 1),
-        (1 << 16, 40),
-        (768, 4000),
+    for (tile_pixels, budget, read_first) in [
+        (7, 4000, true),
+        (100, 40, true),
+        (1 << 16, 1, false),
+        (1 << 16, 40, true),
+        (768, 4000, false),
     ] {
         let limits = DispatchLimits {
             tile_pixels,
             budget,
+            read_first,
         };
         let other = on_device_within(&job, limits).expect("the same device");
         same(&whole.film, &other.film, &format!("{limits:?}"));

@@ -68,6 +68,7 @@ fn the_validation_layer_is_silent() {
         DispatchLimits {
             tile_pixels: 100,
             budget: 20,
+            read_first: false,
         },
     ];
     for text in [DIFFUSE, TABLE, SMOOTH, WIDE] {

@@ -107,6 +107,7 @@ fn crop_tiles_and_dispatches_leave_no_trace() {
         let limits = DispatchLimits {
             tile_pixels,
             budget,
+            read_first: true,
         };
         let other = on_device_within(&whole, limits).expect("the same device");
         same(&device, &errors(other), &format!("{limits:?}"));

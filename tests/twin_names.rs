@@ -49,6 +49,7 @@ fn generated() -> String {
         bvh: None,
         background_light: Some(0),
         recording: Recording::Nothing,
+        read_first: true,
     };
     let composed = compose(&features, &parameters).expect("a kernel");
     composed.text().to_owned()

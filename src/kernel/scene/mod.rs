@@ -22,6 +22,8 @@ pub struct Parameters<'a> {
     /// Index of the background among the lights, where it shines.
     pub background_light: Option<u32>,
     pub recording: Recording,
+    /// Read what is tried one by one before any branch, as CPU drivers want it; no bit depends on it.
+    pub read_first: bool,
 }
 
 impl Parameters<'_> {

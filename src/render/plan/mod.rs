@@ -10,7 +10,7 @@ pub use scene::{ScenePlan, hierarchy};
 pub use state::StatePlan;
 
 use super::tiles::{Tile, tiles};
-use super::vulkan::tile_pixels;
+use super::vulkan::{read_first, tile_pixels};
 use super::{Job, RenderError};
 use crate::features::Features;
 use crate::flat::bvh::Cost;
@@ -25,6 +25,8 @@ pub struct PlanLimits {
     pub uniform_buffer: u64,
     /// Pixels under way at once.
     pub tile_pixels: u32,
+    /// Whether threads read before any branch what they try one by one.
+    pub read_first: bool,
 }
 
 impl PlanLimits {
@@ -32,6 +34,7 @@ impl PlanLimits {
         Self {
             uniform_buffer: device.limits().uniform_buffer,
             tile_pixels: tile_pixels(device),
+            read_first: read_first(device),
         }
     }
 }
@@ -42,6 +45,7 @@ impl Default for PlanLimits {
         Self {
             uniform_buffer: 1 << 16,
             tile_pixels: 1 << 20,
+            read_first: false,
         }
     }
 }
@@ -81,7 +85,7 @@ impl Plan {
     pub fn new(job: &Job, limits: PlanLimits) -> Result<Self, RenderError> {
         let features = job.features();
         let bvh = hierarchy(job.prepared, &features);
-        let scene = ScenePlan::new(job, &features, bvh.as_ref(), limits.uniform_buffer);
+        let scene = ScenePlan::new(job, &features, bvh.as_ref(), limits);
         let kernel = composed(&scene, &features, Recording::Nothing)?;
         let tiles = tiles(job.area(), limits.tile_pixels.max(1));
         let tile_pixels = tiles.iter().map(Tile::pixels).max().unwrap_or(1);

@@ -5,6 +5,7 @@
 
 use bytemuck::NoUninit;
 
+use super::PlanLimits;
 use super::absent;
 use super::array::{ArrayPlan, SceneArray};
 use crate::features::Features;
@@ -22,6 +23,7 @@ pub struct ScenePlan<'a> {
     bindings: Vec<Binding>,
     bvh: Option<&'a Bvh>,
     background_light: Option<u32>,
+    read_first: bool,
 }
 
 /// The hierarchy that a kernel of these features searches, if it searches one.
@@ -31,17 +33,16 @@ pub fn hierarchy(prepared: &Prepared, features: &Features) -> Option<Bvh> {
 }
 
 impl<'a> ScenePlan<'a> {
-    /// What a kernel of these features reads, and nothing else. `bvh` is their [`hierarchy`]; `uniform_buffer` the
-    /// most bytes in a uniform buffer.
+    /// What a kernel of these features reads, and nothing else. `bvh` is their [`hierarchy`].
     pub fn new(
         job: &'a Job<'a>,
         features: &Features,
         bvh: Option<&'a Bvh>,
-        uniform_buffer: u64,
+        limits: PlanLimits,
     ) -> Self {
         let mut all = Arrays {
             all: Vec::new(),
-            uniform_buffer,
+            uniform_buffer: limits.uniform_buffer,
         };
         all.scene(job.prepared, job.seed);
         all.solids(job.prepared, features);
@@ -60,6 +61,7 @@ impl<'a> ScenePlan<'a> {
             arrays,
             bvh,
             background_light: absent::background_light(job.prepared, features),
+            read_first: limits.read_first,
         }
     }
 
@@ -83,6 +85,7 @@ impl<'a> ScenePlan<'a> {
             bvh: self.bvh.map(|bvh| (bvh.stack, bvh.reach)),
             background_light: self.background_light,
             recording,
+            read_first: self.read_first,
         }
     }
 }

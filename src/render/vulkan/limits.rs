@@ -1,4 +1,4 @@
-//! How much one dispatch takes on. The picture does not depend on it.
+//! How much one dispatch takes on, and how. The picture does not depend on it.
 
 use crate::gpu::{Device, DeviceKind};
 use crate::layout::PathState;
@@ -14,6 +14,9 @@ pub struct DispatchLimits {
     pub tile_pixels: u32,
     /// Loop steps of a thread after which it hands its path over to the next dispatch; 0 counts as 1.
     pub budget: u32,
+    /// Each thread reads primitives that are tried one by one before any branch, as CPU drivers want it
+    /// (`kernel/scene/generate/written_out.rs`).
+    pub read_first: bool,
 }
 
 impl DispatchLimits {
@@ -25,8 +28,14 @@ impl DispatchLimits {
         Ok(Self {
             tile_pixels: tile_pixels(device),
             budget: budget(device)?,
+            read_first: read_first(device),
         })
     }
+}
+
+/// A GPU would run out of scalar registers.
+pub fn read_first(device: &Device) -> bool {
+    device.info().kind == DeviceKind::Cpu
 }
 
 /// A CPU gains from more samples a dispatch, a GPU from more threads; the paths under way must fit one buffer.

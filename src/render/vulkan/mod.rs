@@ -16,7 +16,7 @@ use crate::gpu::Device;
 use crate::kernel::scene::Recording;
 use crate::layout::Record;
 use develop::Counts;
-pub use limits::{DispatchLimits, tile_pixels};
+pub use limits::{DispatchLimits, read_first, tile_pixels};
 pub use outcomes::Outcomes;
 use run::Run;
 

@@ -10,7 +10,7 @@ use crate::gpu::{Buffer, Device, Pipeline};
 use crate::kernel::Spirv;
 use crate::kernel::scene::Recording;
 use crate::layout::{PathOutcome, Record, Slice};
-use crate::render::plan::{ScenePlan, StatePlan, compiled, composed, hierarchy};
+use crate::render::plan::{PlanLimits, ScenePlan, StatePlan, compiled, composed, hierarchy};
 use crate::render::tiles::{Tile, tiles};
 use crate::render::{Job, RenderError, SetUp};
 
@@ -49,7 +49,14 @@ impl<'a> Run<'a> {
         recording: Recording,
     ) -> Result<Self, RenderError> {
         let mut set_up = SetUp::default();
-        let (scene, spirv) = scene_and_kernel(job, device, features, recording, &mut set_up)?;
+        let (scene, spirv) = scene_and_kernel(
+            job,
+            device,
+            features,
+            recording,
+            limits.read_first,
+            &mut set_up,
+        )?;
         let tiles = tiles(job.area(), limits.tile_pixels.max(1));
         let largest = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
         let moments = features.keeps_moments();
@@ -179,13 +186,18 @@ fn scene_and_kernel(
     device: &Device,
     features: &Features,
     recording: Recording,
+    read_first: bool,
     set_up: &mut SetUp,
 ) -> Result<(SceneBuffers, Spirv), RenderError> {
     let start = Instant::now();
     let bvh = hierarchy(job.prepared, features);
     set_up.hierarchy = start.elapsed().as_secs_f64();
     let start = Instant::now();
-    let plan = ScenePlan::new(job, features, bvh.as_ref(), device.limits().uniform_buffer);
+    let limits = PlanLimits {
+        read_first,
+        ..PlanLimits::of(device)
+    };
+    let plan = ScenePlan::new(job, features, bvh.as_ref(), limits);
     let spirv = compiled(&composed(&plan, features, recording)?, features)?;
     set_up.compose = start.elapsed().as_secs_f64();
     let start = Instant::now();

@@ -26,9 +26,11 @@ pub fn nearest(features: &Features, parameters: &Parameters) -> String {
         let written = WrittenOut::new(kind);
         let count = parameters.count(written.array);
         head += &format!("// uses: {}\n", written.file);
-        copies += &written.copies(count);
-        read += &written.read(count);
-        test += &written.test(count);
+        if parameters.read_first {
+            copies += &written.copies(count);
+            read += &written.read(count);
+        }
+        test += &written.test(count, parameters.read_first);
     }
     if !features.in_bvh.is_empty() {
         head += "// uses: shape/bvh/nearest\n";

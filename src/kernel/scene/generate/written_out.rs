@@ -1,4 +1,8 @@
-//! Primitives that are tried one by one: no loop, no index, each in a variable of its own.
+//! Primitives that are tried one by one, without a loop.
+//!
+//! On a CPU each is read into a variable of its own before any branch: lavapipe of Mesa 22.3 reads a uniform behind a
+//! branch lane by lane, whatever its index (`shaders/path_trace.comp`). A GPU reads it into scalar registers anywhere, and
+//! would run out of them if all were read at once: radv spills 436 on `scenes/glass-table.txt`.
 
 use crate::prepared::ShapeKind;
 
@@ -10,8 +14,9 @@ pub struct WrittenOut {
     pub file: &'static str,
     ty: &'static str,
     values: &'static str,
-    /// What stands for `{i}`: the primitive in its buffer, and the test of its copy.
+    /// Primitive `{i}` in its buffer.
     element: &'static str,
+    /// The test of `{x}`.
     call: &'static str,
     /// What comes before the tests.
     before: &'static str,
@@ -26,7 +31,7 @@ impl WrittenOut {
                 ty: "Sphere",
                 values: "sphere_values",
                 element: "spheres[{i}]",
-                call: "nearer_sphere(ray, skip, best, sphere_values[{i}])",
+                call: "nearer_sphere(ray, skip, best, {x})",
                 before: "",
             },
             ShapeKind::Box => Self {
@@ -35,7 +40,7 @@ impl WrittenOut {
                 ty: "Cuboid",
                 values: "box_values",
                 element: "boxes[{i}]",
-                call: "nearer_box(ray, skip, best, box_values[{i}])",
+                call: "nearer_box(ray, skip, best, {x})",
                 before: "",
             },
             ShapeKind::Cylinder => Self {
@@ -44,7 +49,7 @@ impl WrittenOut {
                 ty: "Cylinder",
                 values: "cylinder_values",
                 element: "cylinders[{i}]",
-                call: "nearer_cylinder(ray, skip, best, cylinder_values[{i}])",
+                call: "nearer_cylinder(ray, skip, best, {x})",
                 before: "",
             },
             ShapeKind::Mesh => Self {
@@ -53,7 +58,7 @@ impl WrittenOut {
                 ty: "Triangle",
                 values: "triangle_values",
                 element: "triangle_at({i}u)",
-                call: "nearer_triangle(ray, shear, skip, best, triangle_values[{i}], {i}u)",
+                call: "nearer_triangle(ray, shear, skip, best, {x}, {i}u)",
                 before: "    RayShear shear = ray_shear(ray.d);\n",
             },
         }
@@ -67,16 +72,29 @@ impl WrittenOut {
         }
     }
 
-    /// Reads each from its buffer.
+    /// Reads each primitive from its buffer.
     pub fn read(&self, count: usize) -> String {
-        let line = |i: usize| format!("    {}[{i}] = {};\n", self.values, number(self.element, i));
+        let line = |i| format!("    {} = {};\n", self.copy(i), number(self.element, i));
         (0..count).map(line).collect()
     }
 
-    /// Tries each.
-    pub fn test(&self, count: usize) -> String {
-        let line = |i: usize| format!("    best = {};\n", number(self.call, i));
+    /// Tries each: its copy, where they were `read_first`.
+    pub fn test(&self, count: usize, read_first: bool) -> String {
+        let line = |i| {
+            let primitive = match read_first {
+                true => self.copy(i),
+                false => number(self.element, i),
+            };
+            format!(
+                "    best = {};\n",
+                number(self.call, i).replace("{x}", &primitive)
+            )
+        };
         self.before.to_owned() + &(0..count).map(line).collect::<String>()
+    }
+
+    fn copy(&self, i: usize) -> String {
+        format!("{}[{i}]", self.values)
     }
 }
 
