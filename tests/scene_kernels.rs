@@ -10,7 +10,7 @@ use common::settings::{estimators, models};
 use common::spirv_tools::tool;
 use vkpt::film::Aov;
 use vkpt::prepared::Prepared;
-use vkpt::render::{DispatchLimits, Job, kernel, render_on};
+use vkpt::render::{DispatchLimits, Job, Plan, PlanLimits, kernel, render_on};
 use vkpt::settings::Settings;
 
 /// Diffuse surfaces and a light.
@@ -147,4 +147,24 @@ fn a_kernel_keeps_moments_only_where_standard_errors_are_asked_for() {
         [keeps_moments(&[]), keeps_moments(&[Aov::Stderr])],
         [false, true]
     );
+}
+
+/// A scene whose numbers are edited is found again in the drivers' caches: of up to 24 primitives the kernel's text knows
+/// how many there are, and no value.
+#[test]
+fn values_are_not_in_the_text() {
+    let settings = Settings::default();
+    let text = |scene: &str| {
+        let scene = prepared(scene, &settings);
+        let plan = Plan::new(&job(&scene, settings, 1, 1), PlanLimits::default());
+        plan.expect("a kernel").kernel.text().to_owned()
+    };
+    let edited = DIFFUSE
+        .replace("6 5 4", "7 2 1")
+        .replace("sphere 0 0 4 1", "sphere .5 0 3.5 .7")
+        .replace(".6 .5 .4", ".1 .2 .3")
+        .replace("camera 0 -6", "camera 1 -5");
+    assert_eq!(text(DIFFUSE), text(&edited));
+    let more = format!("{DIFFUSE}sphere 2 0 1 1\n");
+    assert_ne!(text(DIFFUSE), text(&more));
 }
