@@ -1,9 +1,11 @@
 //! How far a picture is from another: pure functions over films, every sum in f64.
 //!
 //! [`Pair`] checks two pictures once, so that no metric has to. [`Errors`] are single numbers;
-//! [`flip`] and [`heatmap()`] show where they come from; [`blocks`] tests whether chance explains them.
+//! [`flip`] and [`heatmap()`] show where they come from; [`blocks`] tests whether chance explains them;
+//! [`convergence`] how fast they fall.
 
 pub mod blocks;
+pub mod convergence;
 mod error;
 pub mod flip;
 mod heatmap;

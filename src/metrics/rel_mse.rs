@@ -8,5 +8,10 @@ const EPSILON: f64 = 0.01;
 
 /// (x − r)²/(r² + ε), ε = 0.01.
 pub fn relative_squared_error(x: f64, r: f64) -> f64 {
-    (x - r) * (x - r) / (r * r + EPSILON)
+    relative((x - r) * (x - r), r)
+}
+
+/// What a squared error (or another estimate of its mean) counts beside r: square/(r² + ε).
+pub fn relative(square: f64, r: f64) -> f64 {
+    square / (r * r + EPSILON)
 }

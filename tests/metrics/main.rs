@@ -3,6 +3,7 @@
 mod blocks;
 mod calibration;
 mod closed_forms;
+mod convergence;
 mod estimates;
 mod flip;
 mod heatmap;

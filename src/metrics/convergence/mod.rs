@@ -1,0 +1,23 @@
+//! How fast pictures converge: statistics of the errors that several independent replicates of a rendering have
+//! after 1, 2, 4, … samples per pixel.
+//!
+//! Replicates are independent, so means over them have intervals (Student's t); what is compared within a replicate
+//! (two steps of one rendering, two variants by the same seed) is paired.
+
+mod curve;
+mod figures;
+mod floor;
+mod interval;
+mod ratio;
+mod reach;
+mod reference;
+mod summary;
+
+pub use curve::{Curve, Step};
+pub use figures::{Figures, Metric};
+pub use floor::{Floor, floor};
+pub use interval::{Interval, LEVEL};
+pub use ratio::{efficiency, ratio_of_efficiencies, slope};
+pub use reach::{Reach, reach};
+pub use reference::Reference;
+pub use summary::{Summary, median};

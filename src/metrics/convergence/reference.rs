@@ -1,0 +1,179 @@
+//! What pictures are judged by, and how well it is known itself.
+
+use super::figures::Figures;
+use super::interval::mean;
+use crate::film::Film;
+use crate::metrics::flip::{Viewing, flip};
+use crate::metrics::pair::{check, check_errors, same_size};
+use crate::metrics::rel_mse::relative;
+use crate::metrics::{MetricsError, Pair, symmetric_errors, trimmed};
+
+/// A picture, or two independent ones of the same mean.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    kind: Kind,
+    /// What is shown, and what the perceptual metrics look at: the picture, or the mean of the halves.
+    mean: Film,
+    /// How far `mean` itself is from the truth, where that is known.
+    own: Figures<Option<f64>>,
+}
+
+#[derive(Clone, Debug)]
+enum Kind {
+    Picture,
+    Halves(Box<[Film; 2]>),
+}
+
+impl Reference {
+    /// A picture, with the standard errors of its values where these are known.
+    ///
+    /// # Errors
+    /// No pixels, values that are not finite, standard errors of another size or below 0.
+    pub fn picture(film: Film, stderr: Option<&Film>) -> Result<Self, MetricsError> {
+        check(&film, "reference")?;
+        let mut own = Figures {
+            mse: None,
+            rmse: None,
+            rel_mse: None,
+            smape: None,
+            flip: None,
+        };
+        if let Some(stderr) = stderr {
+            check_errors(stderr, "reference's standard errors")?;
+            same_size(
+                (&film, "reference"),
+                (stderr, "reference's standard errors"),
+            )?;
+            let mse = mean_of(&film, |c| square(stderr, c));
+            let rel_mse = mean_of(&film, |c| relative(square(stderr, c), value(&film, c)));
+            own.mse = Some(mse);
+            own.rmse = Some(mse.sqrt());
+            own.rel_mse = Some(rel_mse);
+        }
+        Ok(Self {
+            kind: Kind::Picture,
+            mean: film,
+            own,
+        })
+    }
+
+    /// Two pictures of the same scene by independent random numbers and as many samples each.
+    ///
+    /// With x, A and B independent and of the same mean µ, the mean of (x − A)(x − B) is that of (x − µ)²: the halves'
+    /// own noise cancels, where a single picture's would add to every error. SMAPE and FLIP are no squares; they look
+    /// at (A + B)/2.
+    ///
+    /// # Errors
+    /// Sizes that differ, no pixels, values that are not finite.
+    pub fn halves(a: Film, b: Film, viewing: &Viewing) -> Result<Self, MetricsError> {
+        check(&a, "reference")?;
+        check(&b, "reference")?;
+        same_size((&a, "reference"), (&b, "reference's other half"))?;
+        let mean = average(&a, &b);
+        // Var (A + B)/2 = E (A − B)²/4; a mean of |·| is as far from the truth as half of what A is from B.
+        let quarter = |c: Channel| {
+            let d = value(&a, c) - value(&b, c);
+            0.25 * d * d
+        };
+        let mse = mean_of(&mean, quarter);
+        let rel_mse = mean_of(&mean, |c| relative(quarter(c), value(&mean, c)));
+        let pair = Pair::new(&a, &b)?;
+        let smape = 0.5 * trimmed(&symmetric_errors(&pair)).all;
+        let flip = 0.5 * flip(&pair, viewing)?.mean();
+        let own = Figures {
+            mse: Some(mse),
+            rmse: Some(mse.sqrt()),
+            rel_mse: Some(rel_mse),
+            smape: Some(smape),
+            flip: Some(flip),
+        };
+        Ok(Self {
+            kind: Kind::Halves(Box::new([a, b])),
+            mean,
+            own,
+        })
+    }
+
+    /// The picture itself, or the mean of its halves.
+    pub fn film(&self) -> &Film {
+        &self.mean
+    }
+
+    /// How far it is from the truth in each metric, where that is known: errors below that say nothing.
+    pub fn own(&self) -> &Figures<Option<f64>> {
+        &self.own
+    }
+
+    /// What `test` is off by. By halves, squared errors may by chance be below 0.
+    ///
+    /// # Errors
+    /// A picture of another size, or with values that are not finite.
+    pub fn figures(&self, test: &Film, viewing: &Viewing) -> Result<Figures, MetricsError> {
+        let pair = Pair::new(test, &self.mean)?;
+        let square = |c: Channel| self.product(test, test, c);
+        let mse = trimmed(&per_pixel(&self.mean, square));
+        let rel = |c: Channel| relative(square(c), value(&self.mean, c));
+        Ok(Figures {
+            mse,
+            rmse: mse.map(|mse| mse.max(0.0).sqrt()),
+            rel_mse: trimmed(&per_pixel(&self.mean, rel)),
+            smape: trimmed(&symmetric_errors(&pair)),
+            flip: trimmed(&flip(&pair, viewing)?.errors),
+        })
+    }
+
+    pub(super) fn is_halves(&self) -> bool {
+        matches!(self.kind, Kind::Halves(_))
+    }
+
+    /// Mean over pixels and channels of (x − µ)(y − µ)/(µ² + ε) for two pictures of the reference's size, without the
+    /// noise of the halves.
+    pub(super) fn covariance(&self, x: &Film, y: &Film) -> f64 {
+        mean_of(&self.mean, |c| {
+            relative(self.product(x, y, c), value(&self.mean, c))
+        })
+    }
+
+    /// (x − µ)(y − µ), symmetric in the halves: ½[(x − A)(y − B) + (x − B)(y − A)].
+    fn product(&self, x: &Film, y: &Film, c: Channel) -> f64 {
+        let (x, y) = (value(x, c), value(y, c));
+        match &self.kind {
+            Kind::Picture => (x - value(&self.mean, c)) * (y - value(&self.mean, c)),
+            Kind::Halves(halves) => {
+                let [a, b] = [value(&halves[0], c), value(&halves[1], c)];
+                0.5 * ((x - a) * (y - b) + (x - b) * (y - a))
+            }
+        }
+    }
+}
+
+/// A pixel and a channel of it.
+type Channel = (usize, usize);
+
+fn value(film: &Film, (pixel, channel): Channel) -> f64 {
+    f64::from(film.rgb[pixel][channel])
+}
+
+fn square(film: &Film, c: Channel) -> f64 {
+    value(film, c) * value(film, c)
+}
+
+/// The mean of `error` over the channels of each pixel of `film`.
+fn per_pixel(film: &Film, error: impl Fn(Channel) -> f64) -> Vec<f64> {
+    let of_pixel = |i| (error((i, 0)) + error((i, 1)) + error((i, 2))) / 3.0;
+    (0..film.rgb.len()).map(of_pixel).collect()
+}
+
+fn mean_of(film: &Film, error: impl Fn(Channel) -> f64) -> f64 {
+    mean(&per_pixel(film, error))
+}
+
+fn average(a: &Film, b: &Film) -> Film {
+    let pixels = a.rgb.iter().zip(&b.rgb);
+    Film {
+        rgb: pixels
+            .map(|(a, b)| [0, 1, 2].map(|c| 0.5 * (a[c] + b[c])))
+            .collect(),
+        ..*a
+    }
+}
