@@ -1,5 +1,7 @@
 //! Rendering by the CPU reference, in f32 or f64.
 
+mod replicates;
+
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -17,6 +19,7 @@ use crate::reference::math::{Real, Vec3};
 use crate::reference::path::record::Silent;
 use crate::reference::path::{SampleId, trace_path};
 use crate::reference::world::World;
+pub use replicates::Replicates;
 
 /// Renders with every core; the picture depends neither on their number nor on the slices of samples.
 pub fn render<F: Real>(
@@ -44,10 +47,7 @@ pub fn render<F: Real>(
     }
     let stats = Stats {
         device: name.into(),
-        driver: format!(
-            "vkpt's reference on {} threads",
-            rayon::current_num_threads()
-        ),
+        driver: driver(),
         set_up,
         compile_s: 0.0,
         render_s: start.elapsed().as_secs_f64(),
@@ -71,6 +71,14 @@ pub fn render<F: Real>(
         interrupted: done < job.spp,
         stats,
     }
+}
+
+/// What stands where devices have a driver.
+pub fn driver() -> String {
+    format!(
+        "vkpt's reference on {} threads",
+        rayon::current_num_threads()
+    )
 }
 
 /// The pixels under way, row by row.

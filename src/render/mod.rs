@@ -3,6 +3,7 @@
 mod cpu;
 mod paired;
 mod plan;
+mod replicates;
 mod slices;
 mod tiles;
 mod trace;
@@ -20,6 +21,7 @@ use crate::prepared::Prepared;
 use crate::settings::Settings;
 pub use paired::paired;
 pub use plan::{ArrayPlan, HierarchyPlan, Plan, PlanLimits, StatePlan};
+pub use replicates::{Engine, Replicates, Took};
 use tiles::Tile;
 pub use trace::{Trace, trace};
 pub use vulkan::DispatchLimits;

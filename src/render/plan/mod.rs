@@ -6,7 +6,7 @@ mod scene;
 mod state;
 
 pub use array::ArrayPlan;
-pub use scene::{ScenePlan, hierarchy};
+pub use scene::{CAMERA, ScenePlan, hierarchy};
 pub use state::StatePlan;
 
 use super::tiles::{Tile, tiles};

@@ -16,6 +16,9 @@ use crate::layout::{BufferUse, GpuStruct};
 use crate::prepared::{LightKind, Prepared, ShapeKind};
 use crate::render::Job;
 
+/// The array that holds the camera, and the seed with it.
+pub const CAMERA: &str = "camera";
+
 /// The arrays of one scene, in the order of their bindings, and its hierarchy.
 pub struct ScenePlan<'a> {
     job: &'a Job<'a>,
@@ -100,7 +103,7 @@ impl<'a> Arrays<'a> {
     /// What every scene has.
     fn scene(&mut self, prepared: &'a Prepared, seed: u32) {
         let (materials, shapes) = (prepared.materials.len(), prepared.shapes.len());
-        self.records("camera", 1, move || vec![flat::camera(prepared, seed)]);
+        self.records(CAMERA, 1, move || vec![flat::camera(prepared, seed)]);
         self.records("materials", materials, || flat::materials(prepared));
         self.records("shapes", shapes, || flat::shapes(prepared));
     }

@@ -3,6 +3,7 @@
 mod develop;
 mod limits;
 mod outcomes;
+mod replicates;
 mod run;
 mod scene_buffers;
 mod tile_film;
@@ -18,6 +19,7 @@ use crate::layout::Record;
 use develop::Counts;
 pub use limits::{DispatchLimits, read_first, tile_pixels};
 pub use outcomes::Outcomes;
+pub use replicates::Replicates;
 use run::Run;
 
 /// Renders on `device`; ends early, with whole samples in every pixel, once `stop` is set.

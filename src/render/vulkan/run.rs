@@ -128,6 +128,21 @@ impl<'a> Run<'a> {
         self.film.upload(&self.tiles[tile])
     }
 
+    /// Takes up other tiles, of which no path is under way, by other random numbers; gives back those so far.
+    pub fn exchange(
+        &mut self,
+        tiles: Vec<TileFilm>,
+        seed: u32,
+    ) -> Result<Vec<TileFilm>, RenderError> {
+        self.scene.reseed(self.job.prepared, seed)?;
+        let before = std::mem::replace(&mut self.tiles, tiles);
+        // Of several tiles, each is uploaded when its turn comes.
+        if let [tile] = &self.tiles[..] {
+            self.film.upload(tile)?;
+        }
+        Ok(before)
+    }
+
     fn dispatch(&mut self, tile: usize, sample_end: u32) -> Result<Duration, RenderError> {
         let tile = &self.tiles[tile].tile;
         let slice = Slice {

@@ -1,8 +1,10 @@
 //! A scene's buffers on a device, as planned.
 
+use crate::flat;
 use crate::gpu::{Buffer, BufferUse, Device};
+use crate::prepared::Prepared;
 use crate::render::RenderError;
-use crate::render::plan::ScenePlan;
+use crate::render::plan::{CAMERA, ScenePlan};
 
 /// The buffers of one scene, in the order of their bindings.
 pub struct SceneBuffers {
@@ -23,6 +25,15 @@ impl SceneBuffers {
         Ok(Self {
             buffers,
             uses: plan.uses(),
+        })
+    }
+
+    /// Has the kernel draw other random numbers from now on.
+    pub fn reseed(&self, prepared: &Prepared, seed: u32) -> Result<(), RenderError> {
+        let camera = self.buffers.iter().find(|b| b.name() == CAMERA);
+        let record = flat::camera(prepared, seed);
+        camera.map_or(Ok(()), |camera| {
+            Ok(camera.write(bytemuck::bytes_of(&record))?)
         })
     }
 

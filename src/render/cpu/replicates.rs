@@ -1,0 +1,80 @@
+//! Renderings by several seeds by the reference: one world, a film each.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use super::Pixels;
+use crate::film::Film;
+use crate::reference::math::Real;
+use crate::reference::world::World;
+use crate::render::replicates::{Growing, Took};
+use crate::render::slices::Slices;
+use crate::render::{Job, RenderError};
+
+/// The world, and the films so far.
+pub struct Replicates<'a, F> {
+    job: &'a Job<'a>,
+    world: World<F>,
+    slices: Slices,
+    films: Vec<Replicate<F>>,
+    set_up_s: f64,
+}
+
+struct Replicate<F> {
+    seed: u32,
+    done: u64,
+    film: Pixels<F>,
+}
+
+impl<'a, F: Real> Replicates<'a, F> {
+    pub fn new(job: &'a Job<'a>, seeds: &[u32]) -> Self {
+        let start = Instant::now();
+        let film = |&seed: &u32| Replicate {
+            seed,
+            done: 0,
+            film: Pixels::new(job),
+        };
+        Self {
+            job,
+            world: World::new(job.prepared),
+            slices: Slices::new(),
+            films: seeds.iter().map(film).collect(),
+            set_up_s: start.elapsed().as_secs_f64(),
+        }
+    }
+}
+
+impl<F: Real> Growing for Replicates<'_, F> {
+    fn advance(&mut self, i: usize, spp: u64, stop: &AtomicBool) -> Result<Took, RenderError> {
+        let Replicate { seed, done, film } = &mut self.films[i];
+        let job = Job {
+            seed: *seed,
+            ..*self.job
+        };
+        let start = Instant::now();
+        while *done < spp && !stop.load(Ordering::Relaxed) {
+            let slice = self.slices.next(spp - *done);
+            let began = Instant::now();
+            film.advance(&job, &self.world, *done as u32..(*done + slice) as u32);
+            self.slices.took(slice, began.elapsed());
+            *done += slice;
+        }
+        Ok(Took {
+            wall_s: start.elapsed().as_secs_f64(),
+            gpu_s: None,
+        })
+    }
+
+    fn done(&self, i: usize) -> u64 {
+        self.films[i].done
+    }
+
+    fn picture(&self, i: usize) -> Film {
+        let Replicate { film, done, .. } = &self.films[i];
+        film.picture(*done)
+    }
+
+    fn set_up_s(&self) -> f64 {
+        self.set_up_s
+    }
+}

@@ -1,0 +1,110 @@
+//! Renderings of one job by several seeds, each of which can be carried on: a picture of n samples is the beginning
+//! of that of 2n.
+
+use std::sync::atomic::AtomicBool;
+
+use super::{DispatchLimits, Job, RenderError, Target, cpu, vulkan};
+use crate::film::Film;
+use crate::gpu::Device;
+
+/// What renders, open.
+pub enum Engine {
+    Vulkan(Device, DispatchLimits),
+    CpuF32,
+    CpuF64,
+}
+
+/// Seconds that samples took.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Took {
+    /// On the wall clock, with all that the host does between dispatches.
+    pub wall_s: f64,
+    /// The device's own, by its timestamps; `None` of the reference.
+    pub gpu_s: Option<f64>,
+}
+
+impl Took {
+    /// Adds what more samples took.
+    pub fn add(&mut self, more: Self) {
+        self.wall_s += more.wall_s;
+        self.gpu_s = match (self.gpu_s, more.gpu_s) {
+            (Some(a), Some(b)) => Some(a + b),
+            (a, b) => a.or(b),
+        };
+    }
+}
+
+/// Films that grow.
+pub(super) trait Growing {
+    fn advance(&mut self, i: usize, spp: u64, stop: &AtomicBool) -> Result<Took, RenderError>;
+    fn done(&self, i: usize) -> u64;
+    fn picture(&self, i: usize) -> Film;
+    fn set_up_s(&self) -> f64;
+}
+
+/// Independent renderings of a job, ready for their first sample: all is compiled.
+pub struct Replicates<'a>(Box<dyn Growing + 'a>);
+
+impl Engine {
+    /// Opens what `target` names.
+    pub fn open(target: &Target) -> Result<Self, RenderError> {
+        Ok(match target {
+            Target::Vulkan(selector) => {
+                let device = Device::open(selector)?;
+                let limits = DispatchLimits::of(&device)?;
+                Self::Vulkan(device, limits)
+            }
+            Target::CpuF32 => Self::CpuF32,
+            Target::CpuF64 => Self::CpuF64,
+        })
+    }
+
+    /// Name and driver.
+    pub fn name(&self) -> [String; 2] {
+        match self {
+            Self::Vulkan(device, _) => [device.info().name.clone(), device.info().driver.clone()],
+            Self::CpuF32 => ["cpu-f32".to_owned(), cpu::driver()],
+            Self::CpuF64 => ["cpu-f64".to_owned(), cpu::driver()],
+        }
+    }
+}
+
+impl<'a> Replicates<'a> {
+    /// One for each of `seeds`, which are taken instead of the job's; `spp` and `aovs` of the job are not looked at.
+    ///
+    /// # Errors
+    /// Those of a rendering, before and in its first dispatch.
+    pub fn new(job: &'a Job<'a>, engine: &'a Engine, seeds: &[u32]) -> Result<Self, RenderError> {
+        Ok(Self(match engine {
+            Engine::Vulkan(device, limits) => {
+                Box::new(vulkan::Replicates::new(job, device, *limits, seeds)?)
+            }
+            Engine::CpuF32 => Box::new(cpu::Replicates::<f32>::new(job, seeds)),
+            Engine::CpuF64 => Box::new(cpu::Replicates::<f64>::new(job, seeds)),
+        }))
+    }
+
+    /// Brings replicate `i` to `spp` samples per pixel; what the samples that were missing took. Once `stop` is set,
+    /// the sample index under way is the last.
+    ///
+    /// # Errors
+    /// Those of a rendering. The replicate is then lost.
+    pub fn advance(&mut self, i: usize, spp: u64, stop: &AtomicBool) -> Result<Took, RenderError> {
+        self.0.advance(i, spp, stop)
+    }
+
+    /// Samples that each pixel of replicate `i` has.
+    pub fn done(&self, i: usize) -> u64 {
+        self.0.done(i)
+    }
+
+    /// The picture of replicate `i`: to the bit that of a rendering of its seed to as many samples.
+    pub fn picture(&self, i: usize) -> Film {
+        self.0.picture(i)
+    }
+
+    /// Seconds from the prepared scene to the first sample: hierarchy, composing, uploading and compiling.
+    pub fn set_up_s(&self) -> f64 {
+        self.0.set_up_s()
+    }
+}
