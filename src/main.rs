@@ -19,6 +19,7 @@ fn main() -> ExitCode {
         Ok(Task::Render(arguments)) => cli::render(&arguments),
         Ok(Task::Trace(arguments, vertex)) => cli::trace(&arguments, vertex),
         Ok(Task::Compare(arguments)) => cli::compare(&arguments),
+        Ok(Task::Converge(arguments)) => cli::converge(&arguments),
         Ok(Task::Explain(arguments)) => cli::explain(&arguments),
         Ok(Task::Devices) => cli::devices(),
         Err(failure) => Err(failure),

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// A room of `src/` and the rooms that it may name.
-const ROOMS: [(&str, &[&str]); 17] = [
+const ROOMS: [(&str, &[&str]); 18] = [
     ("settings", &[]),
     ("scene", &["settings"]),
     ("prepared", &["scene", "settings"]),
@@ -36,6 +36,7 @@ const ROOMS: [(&str, &[&str]); 17] = [
     ("image", &["film"]),
     ("metrics", &["film", "image", "sample"]),
     ("report", &["film", "metrics", "settings"]),
+    ("converge", &["film", "metrics", "render"]),
     (
         "explain",
         &[
@@ -46,8 +47,8 @@ const ROOMS: [(&str, &[&str]); 17] = [
     (
         "cli",
         &[
-            "explain", "film", "gpu", "image", "metrics", "prepared", "render", "report", "sample",
-            "scene", "settings",
+            "converge", "explain", "film", "gpu", "image", "metrics", "prepared", "render",
+            "report", "sample", "scene", "settings",
         ],
     ),
 ];

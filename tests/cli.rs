@@ -4,6 +4,7 @@ mod common;
 
 mod cli {
     mod compare;
+    mod converge;
     mod explain;
     mod help;
     mod interrupt;

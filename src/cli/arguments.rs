@@ -6,6 +6,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use super::compare::CompareArguments;
+use super::converge::ConvergeArguments;
 use super::exit::Failure;
 use super::explain::ExplainArguments;
 use super::job::Request;
@@ -48,6 +49,8 @@ pub struct Arguments {
 enum Command {
     /// List what can render here, and what can't and why
     Devices,
+    /// Measure how fast a scene converges, and by which settings faster
+    Converge(Box<ConvergeArguments>),
     /// Compare pictures, or what several renderers make of a scene
     Compare(Box<CompareArguments>),
     /// Tell what the kernel of a scene holds and why, without rendering
@@ -214,6 +217,7 @@ pub enum Task {
     Render(RenderArguments),
     Trace(RenderArguments, SamplePath),
     Compare(Box<CompareArguments>),
+    Converge(Box<ConvergeArguments>),
     Explain(Box<ExplainArguments>),
     Devices,
 }
@@ -224,6 +228,7 @@ pub fn task() -> Result<Task, Failure> {
     match (command, render.trace) {
         (Some(Command::Devices), _) => Ok(Task::Devices),
         (Some(Command::Compare(arguments)), _) => Ok(Task::Compare(arguments)),
+        (Some(Command::Converge(arguments)), _) => Ok(Task::Converge(arguments)),
         (Some(Command::Explain(arguments)), _) => Ok(Task::Explain(arguments)),
         (None, Some(path)) => Ok(Task::Trace(render, path)),
         (None, None) => Ok(Task::Render(render)),
@@ -280,13 +285,26 @@ impl SettingArguments {
 
     /// The preset's values, or the defaults, with what the flags say put over them.
     pub fn settings(&self) -> Settings {
-        let (_, mut settings) = self.preset();
+        let (_, preset) = self.preset();
+        self.over(preset)
+    }
+
+    /// The same with what the flags of `others` say put over these; their preset, if they have one, under both.
+    pub fn with(&self, others: &Self) -> Settings {
+        let (_, preset) = match others.model {
+            Some(_) => others.preset(),
+            None => self.preset(),
+        };
+        others.over(self.over(preset))
+    }
+
+    fn over(&self, mut settings: Settings) -> Settings {
         let Settings { model, estimator } = &mut settings;
         model.fresnel = self.fresnel.or(model.fresnel);
         replace(&mut model.distribution, self.distribution);
         replace(&mut model.absorption, self.absorption);
         replace(&mut model.radiance_scaling, self.radiance_scaling);
-        model.max_depth = self.max_depth;
+        model.max_depth = self.max_depth.or(model.max_depth);
         replace(&mut estimator.lobe, self.lobe);
         replace(&mut estimator.normals, self.normals);
         replace(&mut estimator.roulette, self.roulette);

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod compare;
+mod converge;
 mod devices;
 mod exit;
 mod explain;
@@ -16,6 +17,7 @@ mod values;
 
 pub use arguments::{Arguments, RenderArguments, SettingArguments, Task, task};
 pub use compare::{CompareArguments, compare};
+pub use converge::{ConvergeArguments, converge};
 pub use devices::devices;
 pub use exit::{Ending, Failure, exit};
 pub use explain::{ExplainArguments, explain};

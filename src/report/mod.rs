@@ -2,6 +2,7 @@
 //! Pure functions of records: nothing here measures or prints.
 
 mod comparison;
+pub mod convergence;
 pub mod explanation;
 mod header;
 pub mod human;

@@ -10,8 +10,10 @@ const README: &str = include_str!("../../README.md");
 fn readme_and_help_name_the_same_flags() {
     let folder = folder("");
     let help_of = |arguments: &[&str]| run(folder.path(), arguments).out;
-    let help =
-        help_of(&["--help"]) + &help_of(&["compare", "--help"]) + &help_of(&["explain", "--help"]);
+    let commands = ["compare", "converge", "explain"];
+    let help = commands.iter().fold(help_of(&["--help"]), |help, c| {
+        help + &help_of(&[c, "--help"])
+    });
     let in_help = help
         .lines()
         .filter_map(|line| line.trim_start().strip_prefix("--"));

@@ -1,0 +1,167 @@
+//! Every flag of `vkpt converge`, with its help.
+
+use std::path::PathBuf;
+
+use super::vary::{Vary, vary};
+use crate::cli::arguments::{SettingArguments, usage};
+use crate::cli::exit::Failure;
+use crate::cli::job::Request;
+use crate::cli::values;
+use crate::converge::HALVES;
+use crate::gpu::Selector;
+use crate::render::Target;
+
+const EXIT_CODES: &str = "\
+Exit codes:
+    0  measured, whatever was found
+    1  rendering failed, by an error of the device or in a check of the samples
+    2  the command line is wrong
+    3  the scene, one of its meshes or the reference is wrong; nothing was written
+    4  there is no such Vulkan device, or none at all
+    5  a file could not be written
+  130  interrupted by ctrl-c; what was measured by then is told";
+
+/// What is to be measured.
+#[derive(clap::Args, Debug)]
+#[command(after_help = EXIT_CODES, max_term_width = 100)]
+pub struct ConvergeArguments {
+    /// The scene file
+    pub scene: PathBuf,
+
+    /// Seconds of sampling, of all replicates and variants together. Compiling, judging and the
+    /// reference come on top
+    #[arg(long, value_name = "S", help_heading = EXPERIMENT, default_value = "60", value_parser = seconds)]
+    pub time: f64,
+
+    /// Independent renderings of each variant, 2 to 1000; three or more tell whether they converge
+    /// to the reference
+    #[arg(long, value_name = "N", help_heading = EXPERIMENT, default_value = "8", value_parser = replicates)]
+    pub replicates: u32,
+
+    /// The most samples per pixel
+    #[arg(long, value_name = "N", help_heading = EXPERIMENT, default_value = "1048576")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
+    pub spp: u32,
+
+    /// Render with each of these values of a setting, such as connect=mis,light; repeated, with all
+    /// combinations. Any of the settings below; the first is what the others are compared with
+    #[arg(long, value_name = "NAME=VALUE,…", help_heading = EXPERIMENT, value_parser = vary)]
+    pub vary: Vec<Vary>,
+
+    /// The picture to judge by: EXR, HDR or PNG, with the standard errors in NAME-stderr.exr beside
+    /// it where that is there [default: two of vkpt's own, each rendered for half of --time]
+    #[arg(long, value_name = "FILE", help_heading = EXPERIMENT)]
+    pub reference: Option<PathBuf>,
+
+    /// Stops by which FLIP brightens the pictures before it looks at them as PNGs
+    #[arg(long, value_name = "EV", help_heading = EXPERIMENT, default_value = "0")]
+    #[arg(allow_negative_numbers = true, value_parser = values::exposure)]
+    pub exposure: f64,
+
+    /// Seed of the first replicate; the others have those that follow
+    #[arg(long, value_name = "N", help_heading = EXPERIMENT, default_value = "0")]
+    pub seed: u32,
+
+    /// Width and height in pixels [default: the scene's]
+    #[arg(long, value_name = "WxH", help_heading = EXPERIMENT, value_parser = values::size)]
+    pub size: Option<[u32; 2]>,
+
+    /// Only these pixels, counted from the top left; X1 and Y1 are excluded
+    #[arg(long, value_name = "X0,Y0,X1,Y1", help_heading = EXPERIMENT, value_parser = values::crop)]
+    pub crop: Option<[u32; 4]>,
+
+    /// A Vulkan device by its index or part of its name, or the reference renderer: cpu-f64,
+    /// cpu-f32 [default: the best Vulkan device]
+    #[arg(long, value_name = "DEVICE", help_heading = EXPERIMENT, value_parser = values::device)]
+    device: Option<Target>,
+
+    /// Write every figure, with those of each replicate
+    #[arg(long, value_name = "FILE", help_heading = REPORTS)]
+    pub json: Option<PathBuf>,
+
+    /// Write a line for each variant and step
+    #[arg(long, value_name = "FILE", help_heading = REPORTS)]
+    pub csv: Option<PathBuf>,
+
+    /// No progress and no table, only warnings and errors
+    #[arg(long, help_heading = REPORTS)]
+    pub quiet: bool,
+
+    /// Take every warning about the scene as an error
+    #[arg(long, help_heading = REPORTS)]
+    pub strict: bool,
+
+    #[command(flatten)]
+    pub settings: SettingArguments,
+}
+
+const EXPERIMENT: &str = "Experiment";
+const REPORTS: &str = "Reports";
+
+impl ConvergeArguments {
+    /// The scene and what is to be rendered of it by the settings of the command line.
+    pub fn request(&self) -> Request<'_> {
+        Request {
+            scene: &self.scene,
+            settings: self.settings.settings(),
+            size: self.size,
+            crop: self.crop,
+            spp: self.spp,
+            seed: self.seed,
+            strict: self.strict,
+        }
+    }
+
+    /// What shall render.
+    pub fn target(&self) -> Target {
+        self.device
+            .clone()
+            .unwrap_or(Target::Vulkan(Selector::Best))
+    }
+
+    /// One a replicate.
+    pub fn seeds(&self) -> Result<Vec<u32>, Failure> {
+        let last = self.seed.checked_add(self.replicates - 1);
+        match last.filter(|&last| last < HALVES[0]) {
+            Some(last) => Ok((self.seed..=last).collect()),
+            None => Err(usage(format!(
+                "--seed {} is too large: its replicates would have the seeds of the reference",
+                self.seed
+            ))),
+        }
+    }
+}
+
+/// A time that can be spent.
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if seconds > 0.0 && seconds.is_finite() => Ok(seconds),
+        _ => Err("must be a number of seconds above 0, such as 30".to_owned()),
+    }
+}
+
+fn replicates(text: &str) -> Result<u32, String> {
+    match text.parse::<u32>() {
+        Ok(1) => Err("one replicate tells nothing of chance: 2 or more are needed".to_owned()),
+        Ok(n @ 2..=1000) => Ok(n),
+        _ => Err("must be a whole number from 2 to 1000".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_and_replicates() {
+        assert_eq!((seconds("0.5"), seconds("1e3")), (Ok(0.5), Ok(1000.0)));
+        for wrong in ["0", "-1", "NaN", "inf", "", "1s"] {
+            assert!(seconds(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!((replicates("2"), replicates("1000")), (Ok(2), Ok(1000)));
+        assert!(replicates("1").is_err_and(|e| e.contains("one replicate")));
+        for wrong in ["0", "1001", "-3", "2.5", ""] {
+            assert!(replicates(wrong).is_err(), "{wrong}");
+        }
+    }
+}

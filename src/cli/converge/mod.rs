@@ -1,0 +1,86 @@
+//! `vkpt converge`: how fast a scene converges, and by which settings faster.
+
+mod arguments;
+mod outputs;
+mod record;
+mod reference;
+mod variants;
+mod vary;
+
+use std::io::Write;
+use std::sync::atomic::AtomicBool;
+
+use self::outputs::Outputs;
+use self::reference::References;
+use self::variants::Variants;
+use super::exit::{Ending, Failure, warn};
+use super::interrupt::stop_flag;
+use super::progress::Display;
+use crate::converge::{ConvergeError, Measured, Plan, Variant, measure};
+use crate::metrics::flip::Viewing;
+use crate::render::{Engine, Job};
+use crate::report::convergence::table;
+pub use arguments::ConvergeArguments;
+
+/// Renders replicates of every variant, judges them and tells what came out.
+pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
+    let outputs = Outputs::check(arguments)?;
+    let plan = Plan {
+        seeds: arguments.seeds()?,
+        seconds: arguments.time,
+        spp: arguments.spp.into(),
+        viewing: Viewing {
+            exposure: arguments.exposure,
+            ..Viewing::default()
+        },
+    };
+    let variants = Variants::new(arguments)?;
+    let given = reference::given(arguments, variants.size(arguments))?;
+    let engine = Engine::open(&arguments.target()).map_err(Failure::Render)?;
+    let stop = stop_flag();
+    let jobs = variants.jobs(arguments);
+    let Some(references) = References::new(given, &jobs, &engine, &plan, &stop, arguments.quiet)?
+    else {
+        warn("interrupted while the reference was rendered: nothing is told");
+        return Ok(Ending::Interrupted);
+    };
+    let measured = run(&jobs, &references, &engine, &plan, &stop, arguments.quiet)?;
+    let record = record::record(arguments, &variants, &references, &engine, &measured);
+    if !arguments.quiet {
+        // A reader that has gone away is no reason to fail.
+        let _ = write!(std::io::stdout(), "{}", table(&record));
+    }
+    outputs.write(&record)?;
+    if measured.interrupted {
+        warn("interrupted: the step under way is not told");
+        return Ok(Ending::Interrupted);
+    }
+    Ok(Ending::Complete)
+}
+
+fn run(
+    jobs: &[Job],
+    references: &References,
+    engine: &Engine,
+    plan: &Plan,
+    stop: &AtomicBool,
+    quiet: bool,
+) -> Result<Measured, Failure> {
+    let variant = |job| Variant {
+        job,
+        reference: &references.of(job).reference,
+    };
+    let variants: Vec<Variant> = jobs.iter().map(variant).collect();
+    let mut display = Display::new(quiet);
+    let measured = measure(&variants, engine, plan, stop, &mut |p| display.update(p));
+    display.finish();
+    measured.map_err(failure)
+}
+
+/// What a curve fails by, as the program ends by it.
+fn failure(error: ConvergeError) -> Failure {
+    match error {
+        ConvergeError::Render(error) => Failure::Render(error),
+        ConvergeError::Metrics(error) => Failure::Pictures(vec![error.to_string()]),
+    }
+}

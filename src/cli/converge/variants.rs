@@ -1,0 +1,86 @@
+//! The scene, prepared for every model that is rendered.
+
+use super::arguments::ConvergeArguments;
+use super::vary::{Combination, combinations};
+use crate::cli::exit::Failure;
+use crate::cli::job::{Ready, Request};
+use crate::prepared::{self, Prepared};
+use crate::render::{Job, KernelChoice};
+use crate::scene;
+use crate::settings::Model;
+
+/// What is rendered, with every setting.
+pub struct Variants {
+    pub combinations: Vec<Combination>,
+    /// The scene by each model that occurs: a picture to converge to.
+    pub models: Vec<(Model, Prepared)>,
+}
+
+impl Variants {
+    /// Reads and prepares the scene; tells its warnings once.
+    pub fn new(arguments: &ConvergeArguments) -> Result<Self, Failure> {
+        let combinations = combinations(&arguments.settings, &arguments.vary)?;
+        let mut models: Vec<(Model, Prepared)> = Vec::new();
+        for Combination { settings, .. } in &combinations {
+            if models.iter().any(|(model, _)| *model == settings.model) {
+                continue;
+            }
+            let request = Request {
+                settings: *settings,
+                ..arguments.request()
+            };
+            let prepared = match models.is_empty() {
+                true => {
+                    let ready = Ready::new(&request)?;
+                    ready.job(&request)?;
+                    ready.prepared
+                }
+                false => again(&request)?,
+            };
+            models.push((settings.model, prepared));
+        }
+        Ok(Self {
+            combinations,
+            models,
+        })
+    }
+
+    /// Width and height of the full picture.
+    pub fn full_size(&self) -> [u32; 2] {
+        let first = self.models.first();
+        first.map_or([0, 0], |(_, prepared)| [prepared.width, prepared.height])
+    }
+
+    /// Width and height of what is rendered of it.
+    pub fn size(&self, arguments: &ConvergeArguments) -> [u32; 2] {
+        let crop = arguments.crop.map(|[x0, y0, x1, y1]| [x1 - x0, y1 - y0]);
+        crop.unwrap_or(self.full_size())
+    }
+
+    /// The jobs of all variants.
+    pub fn jobs<'a>(&'a self, arguments: &'a ConvergeArguments) -> Vec<Job<'a>> {
+        let prepared = |model: Model| {
+            let mut all = self.models.iter();
+            all.find(|(other, _)| *other == model).map(|(_, p)| p)
+        };
+        let job = |Combination { settings, .. }: &Combination| {
+            Some(Job {
+                prepared: prepared(settings.model)?,
+                settings: *settings,
+                spp: arguments.spp.into(),
+                seed: arguments.seed,
+                crop: arguments.crop,
+                aovs: &[],
+                kernel: KernelChoice::Composed,
+            })
+        };
+        // Each has a model: `new` made one for it.
+        self.combinations.iter().filter_map(job).collect()
+    }
+}
+
+/// By another model, without the warnings that were told already.
+fn again(request: &Request) -> Result<Prepared, Failure> {
+    let read = scene::read(request.scene, request.strict).map_err(Failure::Scene)?;
+    prepared::prepare(&read.scene, &request.settings, request.size).map_err(Failure::Prepare)
+}

@@ -1,0 +1,20 @@
+//! An experiment: independent replicates of one or several renderings after 1, 2, 4, … samples per pixel, each held
+//! against a reference. What the figures mean is told by `metrics::convergence`.
+
+mod halves;
+mod schedule;
+
+pub use halves::{HALVES, Halves, halves};
+pub use schedule::{Measured, Plan, Variant, measure};
+
+use crate::metrics::MetricsError;
+use crate::render::RenderError;
+
+/// Why there is no curve.
+#[derive(Debug, thiserror::Error)]
+pub enum ConvergeError {
+    #[error(transparent)]
+    Render(#[from] RenderError),
+    #[error(transparent)]
+    Metrics(#[from] MetricsError),
+}

@@ -1,0 +1,164 @@
+//! Who renders when: all variants by turns, so that a machine that drifts hits all of them alike.
+
+use std::sync::atomic::AtomicBool;
+
+use super::ConvergeError;
+use crate::metrics::convergence::{Curve, Reference, Step};
+use crate::metrics::flip::Viewing;
+use crate::render::{Engine, Job, Progress, Replicates, Took};
+
+/// A rendering to measure, and what it is judged by.
+#[derive(Clone, Copy, Debug)]
+pub struct Variant<'a> {
+    pub job: &'a Job<'a>,
+    pub reference: &'a Reference,
+}
+
+/// How much is rendered.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// One a replicate; the same for all variants.
+    pub seeds: Vec<u32>,
+    /// Seconds of sampling, of all replicates and variants together. A step that would not fit is not begun.
+    pub seconds: f64,
+    /// The most samples per pixel.
+    pub spp: u64,
+    /// How FLIP looks at the pictures.
+    pub viewing: Viewing,
+}
+
+/// A curve a variant, all with the same steps.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    pub curves: Vec<Curve>,
+    /// Stopped before the plan's end. Steps are whole: what was begun of another is not told.
+    pub interrupted: bool,
+}
+
+/// Renders and judges. Compiling, first dispatches and judging count as no one's sampling time.
+///
+/// # Errors
+/// Those of a rendering; a reference of another size.
+pub fn measure(
+    variants: &[Variant],
+    engine: &Engine,
+    plan: &Plan,
+    stop: &AtomicBool,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Measured, ConvergeError> {
+    let mut bench = Bench::new(variants, engine, plan)?;
+    let mut spp = 1;
+    let interrupted = loop {
+        if !bench.advance(spp, stop, progress)? {
+            break true;
+        }
+        bench.judge(spp)?;
+        // The next step has as many samples again as all steps so far.
+        if 2.0 * bench.spent > plan.seconds || 2 * spp > plan.spp {
+            break false;
+        }
+        spp *= 2;
+    };
+    Ok(Measured {
+        curves: bench.curves(),
+        interrupted,
+    })
+}
+
+/// The experiment under way.
+struct Bench<'a> {
+    variants: &'a [Variant<'a>],
+    plan: &'a Plan,
+    entrants: Vec<Entrant<'a>>,
+    /// Seconds of sampling so far.
+    spent: f64,
+}
+
+struct Entrant<'a> {
+    replicates: Replicates<'a>,
+    /// Of each replicate, so far.
+    took: Vec<Took>,
+    curve: Curve,
+}
+
+impl<'a> Bench<'a> {
+    fn new(
+        variants: &'a [Variant<'a>],
+        engine: &'a Engine,
+        plan: &'a Plan,
+    ) -> Result<Self, ConvergeError> {
+        let entrant = |variant: &'a Variant<'a>| -> Result<_, ConvergeError> {
+            let replicates = Replicates::new(variant.job, engine, &plan.seeds)?;
+            let curve = Curve {
+                set_up_s: replicates.set_up_s(),
+                ..Curve::default()
+            };
+            Ok(Entrant {
+                replicates,
+                took: vec![Took::default(); plan.seeds.len()],
+                curve,
+            })
+        };
+        Ok(Self {
+            variants,
+            plan,
+            entrants: variants.iter().map(entrant).collect::<Result<_, _>>()?,
+            spent: 0.0,
+        })
+    }
+
+    /// Brings every replicate to `spp` samples; false if `stop` came first. Each replicate is rendered by all variants
+    /// one after the other, there and back by turns, so that a steady drift cancels.
+    fn advance(
+        &mut self,
+        spp: u64,
+        stop: &AtomicBool,
+        progress: &mut dyn FnMut(Progress),
+    ) -> Result<bool, ConvergeError> {
+        let (replicates, variants) = (self.plan.seeds.len(), self.variants.len());
+        for i in 0..replicates {
+            for turn in 0..variants {
+                let v = if i % 2 == 0 {
+                    turn
+                } else {
+                    variants - 1 - turn
+                };
+                let entrant = &mut self.entrants[v];
+                let took = entrant.replicates.advance(i, spp, stop)?;
+                if entrant.replicates.done(i) < spp {
+                    return Ok(false);
+                }
+                entrant.took[i].add(took);
+                self.spent += took.wall_s;
+                progress(Progress {
+                    samples_done: spp / 2,
+                    spp,
+                    fraction: (self.spent / self.plan.seconds).min(1.0),
+                });
+            }
+        }
+        Ok(true)
+    }
+
+    /// Holds every replicate against its variant's reference.
+    fn judge(&mut self, spp: u64) -> Result<(), ConvergeError> {
+        for (entrant, variant) in self.entrants.iter_mut().zip(self.variants) {
+            let count = entrant.took.len();
+            let pictures: Vec<_> = (0..count).map(|i| entrant.replicates.picture(i)).collect();
+            let figures = |film| variant.reference.figures(film, &self.plan.viewing);
+            entrant.curve.steps.push(Step {
+                spp,
+                wall_s: entrant.took.iter().map(|t| t.wall_s).collect(),
+                gpu_s: entrant.took.iter().map(|t| t.gpu_s).collect(),
+                figures: pictures.iter().map(figures).collect::<Result<_, _>>()?,
+                picture: pictures[0].clone(),
+            });
+            entrant.curve.pictures = pictures;
+        }
+        Ok(())
+    }
+
+    fn curves(self) -> Vec<Curve> {
+        self.entrants.into_iter().map(|e| e.curve).collect()
+    }
+}

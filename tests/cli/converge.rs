@@ -1,0 +1,230 @@
+//! `vkpt converge`: the table, the files, and how it ends.
+
+use std::fs;
+
+use serde_json::Value;
+
+use super::program::{Run, folder, names, run};
+
+/// A room with a lamp, small enough for the reference renderer.
+const LIT: &str = "screen 12 8\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 2 1 0.5\n\
+    brdf .5 .6 .7 0 0 0 1\nbox -9 -9 -2 18 18 1\n";
+/// Some milliseconds of samples, and two seconds of a reference where none is given; needs no Vulkan.
+const SMALL: [&str; 6] = ["scene.scn", "--device", "cpu-f32", "--spp", "8", "--time=2"];
+
+fn converge(folder: &std::path::Path, more: &[&str]) -> Run {
+    run(folder, &[&["converge"], &SMALL[..], more].concat())
+}
+
+fn json(folder: &std::path::Path, name: &str) -> Value {
+    let text = fs::read_to_string(folder.join(name)).expect("a report");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+/// A picture of 512 samples per pixel and its standard errors, by other random numbers.
+fn reference(folder: &std::path::Path, name: &str) {
+    let arguments = "scene.scn --device cpu-f32 --spp 512 --seed 77 --aov stderr --quiet -o";
+    let arguments: Vec<&str> = arguments.split(' ').chain([name]).collect();
+    assert_eq!(run(folder, &arguments).code, Some(0));
+}
+
+#[test]
+fn a_curve_goes_to_table_csv_and_json() {
+    let folder = folder(LIT);
+    let folder = folder.path();
+    reference(folder, "r.exr");
+    let files = ["--reference", "r.exr", "--csv", "c.csv", "--json", "c.json"];
+    let done = converge(folder, &files);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    for word in [
+        "8 replicates, seeds 0 to 7",
+        "relMSE",
+        "slope",
+        "r.exr",
+        "nothing speaks against",
+    ] {
+        assert!(done.out.contains(word), "{word}: {}", done.out);
+    }
+    assert!(
+        done.out.lines().all(|l| l.chars().count() <= 130),
+        "{}",
+        done.out
+    );
+
+    let record = json(folder, "c.json");
+    let steps = record["variants"][0]["steps"].as_array().expect("steps");
+    let spp: Vec<_> = steps.iter().filter_map(|s| s["spp"].as_u64()).collect();
+    assert_eq!(spp, [1, 2, 4, 8]);
+    let mean = |step: &Value, metric: &str| step["errors"][metric]["mean"]["value"].as_f64();
+    for step in steps {
+        for metric in ["mse", "rmse", "rel_mse", "smape", "flip"] {
+            let error = &step["errors"][metric];
+            let replicates: Vec<f64> = error["replicates"]
+                .as_array()
+                .expect("replicates")
+                .iter()
+                .filter_map(Value::as_f64)
+                .collect();
+            assert_eq!(replicates.len(), 8);
+            let expected = replicates.iter().sum::<f64>() / 8.0;
+            let found = mean(step, metric).expect("a mean");
+            assert!((found - expected).abs() <= 1e-12 * expected, "{metric}");
+        }
+        assert!(step["wall_s"]["value"].as_f64().is_some_and(|s| s > 0.0));
+        assert!(step["gpu_s"].is_null());
+    }
+    assert!(mean(&steps[3], "rel_mse") < mean(&steps[0], "rel_mse"));
+
+    let csv = fs::read_to_string(folder.join("c.csv")).expect("a table");
+    let columns = |line: &str| line.split(',').count();
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines.len(), 5);
+    assert!(
+        lines.iter().all(|line| columns(line) == columns(lines[0])),
+        "{csv}"
+    );
+    assert!(lines[0].starts_with("variant,spp,wall_s,"));
+}
+
+/// The errors that it tells are those of the picture that `vkpt SCENE` renders, by `vkpt compare`'s numbers.
+#[test]
+fn a_replicate_is_the_picture_of_its_seed() {
+    let folder = folder(LIT);
+    let folder = folder.path();
+    reference(folder, "r.exr");
+    fs::remove_file(folder.join("r-stderr.exr")).expect("standard errors");
+    let more = [
+        "--reference",
+        "r.exr",
+        "--json",
+        "c.json",
+        "--seed",
+        "5",
+        "--quiet",
+    ];
+    let quiet = converge(folder, &more);
+    assert_eq!(
+        (quiet.code, quiet.out.as_str()),
+        (Some(0), ""),
+        "{}",
+        quiet.err
+    );
+    let render = "scene.scn --device cpu-f32 --spp 4 --seed 7 -o a.exr --quiet";
+    let render: Vec<&str> = render.split(' ').collect();
+    assert_eq!(run(folder, &render).code, Some(0));
+    let compared = run(folder, &["compare", "a.exr", "r.exr"]).out;
+    let told = |metric: &str| -> f64 {
+        let line = compared
+            .lines()
+            .find(|l| l.starts_with(metric))
+            .expect("a row");
+        let word = line.split_whitespace().nth(1).expect("a number");
+        word.parse().expect("a number")
+    };
+    let errors = &json(folder, "c.json")["variants"][0]["steps"][2]["errors"];
+    for (name, row) in [
+        ("mse", "MSE"),
+        ("rel_mse", "relMSE"),
+        ("smape", "SMAPE"),
+        ("flip", "FLIP"),
+    ] {
+        // The third replicate has seed 7.
+        let found = errors[name]["replicates"][2].as_f64().expect("an error");
+        assert!(
+            (found / told(row) - 1.0).abs() < 1e-3,
+            "{name}: {found}\n{compared}"
+        );
+    }
+}
+
+#[test]
+fn variants_are_compared_with_the_first() {
+    let folder = folder(LIT);
+    let more = "--vary connect=light,bsdf --vary lobe=fresnel,norms --json c.json --replicates 4";
+    let done = converge(folder.path(), &more.split(' ').collect::<Vec<_>>());
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    assert!(
+        done.out.contains("by that of connect=light lobe=fresnel"),
+        "{}",
+        done.out
+    );
+    assert!(
+        !done.out.contains("converge to different things"),
+        "{}",
+        done.out
+    );
+    let record = json(folder.path(), "c.json");
+    let variants = record["variants"].as_array().expect("variants");
+    let names: Vec<_> = variants.iter().filter_map(|v| v["name"].as_str()).collect();
+    let all = [
+        "connect=light lobe=fresnel",
+        "connect=light lobe=norms",
+        "connect=bsdf lobe=fresnel",
+        "connect=bsdf lobe=norms",
+    ];
+    assert_eq!(names, all);
+    assert!(variants[0]["against_first"].is_null());
+    // A lamp of half a unit's radius: paths seldom find it by chance.
+    let ratio = variants[2]["against_first"]["high"].as_f64();
+    assert!(ratio.is_some_and(|high| high < 1.0), "{}", done.out);
+    assert!(done.out.contains("worse"), "{}", done.out);
+}
+
+#[test]
+fn where_the_model_varies_it_says_that_the_limits_differ() {
+    let folder = folder(LIT);
+    let more = ["--vary", "max-depth=1,4", "--replicates", "3"];
+    let done = converge(folder.path(), &more);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    assert!(
+        done.out.contains("converge to different things"),
+        "{}",
+        done.out
+    );
+    assert_eq!(names(folder.path()), ["scene.scn"]);
+}
+
+#[test]
+fn what_cannot_be_measured_is_refused() {
+    let folder = folder(LIT);
+    let folder = folder.path();
+    reference(folder, "r.exr");
+    fs::write(folder.join("no.exr"), "no picture").expect("a file");
+    let before = names(folder);
+    let rows: &[(&[&str], i32, &str)] = &[
+        (
+            &["--replicates", "1"],
+            2,
+            "one replicate tells nothing of chance",
+        ),
+        (&["--spp", "0"], 2, "--spp"),
+        (&["--time", "0"], 2, "seconds above 0"),
+        (&["--vary", "colour=red"], 2, "no such setting"),
+        (&["--vary", "connect=all"], 2, "invalid value 'all'"),
+        (
+            &["--vary", "connect=mis", "--vary", "connect=light"],
+            2,
+            "there twice",
+        ),
+        (&["--seed", "4294967290"], 2, "too large"),
+        (&["--crop", "0,0,13,8"], 2, "outside the picture of 12x8"),
+        (&["--reference", "none.exr"], 3, "none.exr"),
+        (&["--reference", "no.exr"], 3, "no.exr"),
+        (
+            &["--reference", "r.exr", "--size", "6x4"],
+            3,
+            "has 12×8 pixels, the renderings 6×4",
+        ),
+        (&["--csv", "none/c.csv"], 5, "none/c.csv"),
+    ];
+    for (more, code, said) in rows {
+        // A flag may not be there twice.
+        let mut arguments = vec!["converge", "scene.scn", "--device", "cpu-f32"];
+        arguments.extend(*more);
+        let refused = run(folder, &arguments);
+        assert_eq!(refused.code, Some(*code), "{more:?}: {}", refused.err);
+        assert!(refused.err.contains(said), "{more:?}: {}", refused.err);
+        assert_eq!(refused.out, "", "{more:?}");
+        assert_eq!(names(folder), before, "{more:?}");
+    }
+}
