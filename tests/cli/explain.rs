@@ -41,6 +41,7 @@ fn a_mesh_brings_a_hierarchy_and_its_cost() {
         "surface area heuristic",
         "bvh_words",
         "8,126 triangles",
+        "beside it, 4 primitives tried one by one",
     ] {
         assert!(run.out.contains(words), "{words} is missing:\n{}", run.out);
     }

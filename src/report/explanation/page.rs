@@ -122,7 +122,12 @@ fn search(e: &Explanation) -> String {
             h.primitive_tests
         ),
     ];
-    text.map(|line| format!("  {line}\n")).concat()
+    let mut text = text.map(|line| format!("  {line}\n")).concat();
+    if e.primitives > h.primitives {
+        let others = count(e.primitives - h.primitives, "primitive");
+        text += &format!("  beside it, {others} tried one by one\n");
+    }
+    text
 }
 
 fn count(n: usize, noun: &str) -> String {
