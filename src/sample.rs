@@ -1,5 +1,14 @@
 //! One sample of one pixel, as a renderer made it: what renderers are compared by, path by path.
 
+/// Groups that the samples of a pixel fall into: the sample of index i into group i mod `GROUPS`. They are independent
+/// of each other, and how far their means are apart tells the error of the whole.
+///
+/// Two: each group has half the samples, which is what a low-discrepancy sequence loses by being cut. The error of a
+/// picture is a mean over its pixels, each of which tells one number of noise: of 10,000 pixels, to 1.4 %. Four groups
+/// would tell three numbers a pixel, 0.8 %, where fireflies leave 10 % open; they would cost three sums a pixel
+/// instead of one, and more of the sequence.
+pub const GROUPS: u32 = 2;
+
 /// Which sample it is. With the seed, all random numbers of its path depend on this alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Address {

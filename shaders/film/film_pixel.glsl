@@ -8,14 +8,16 @@ bool has_nan(vec3 v) {
     return bits.x > 0x7f800000u || bits.y > 0x7f800000u || bits.z > 0x7f800000u;
 }
 
-// Adds a sample; a broken one counts as 0, and by its cause.
+// Adds a sample; a broken one counts as 0, and by its cause. Samples of even and of odd index are the two groups.
 void film_sample(inout FilmPixel pixel, vec3 radiance) {
     bool broken = !is_finite3(radiance);
     bool nan = has_nan(radiance);
     pixel.nan += nan ? 1u : 0u;
     pixel.infinite += broken && !nan ? 1u : 0u;
-    PixelSum sum = film_add(PixelSum(pixel.sum, pixel.comp), broken ? vec3(0.0) : radiance);
+    vec3 x = broken ? vec3(0.0) : radiance;
+    PixelSum sum = film_add(PixelSum(pixel.sum, pixel.comp), x);
     pixel.sum = sum.sum;
     pixel.comp = sum.comp;
+    pixel.contrast = pixel.contrast + x * ((pixel.samples & 1u) == 0u ? 1.0 : -1.0);
     pixel.samples += 1u;
 }

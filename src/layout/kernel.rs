@@ -69,6 +69,9 @@ crate::gpu_struct! {
         loops: uint,
         /// Paths that reached the bounce from which even lossless ones may end.
         long_paths: uint,
+        /// Σ ± sample: + of an even index, − of an odd one.
+        contrast: vec3,
+        pad0: uint,
     }
 
     /// What a pixel's samples x tell of the error of their mean, each sum in two parts as the film's is.

@@ -70,6 +70,10 @@ pub const ARGUMENTS: &[(&str, &str)] = &[
 /// Free functions of the reference without a twin, by name or by the start of their file.
 pub const REFERENCE_ONLY: &[(&str, &str)] = &[
     ("accel/", "each renderer has a hierarchy of its own"),
+    (
+        "film_half_difference",
+        "of the sums that the host reads back",
+    ),
     ("film_stderr", "of the sums that the host reads back"),
     (
         "light/choice",

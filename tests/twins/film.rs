@@ -72,30 +72,34 @@ pub fn twins() -> Vec<Twin> {
 
 /// Good samples, and broken ones, which count as 0.
 fn dropping() -> Twin {
-    let row = |x: f32| Row::new().vec3(vec3(1.0, x, 2.0));
+    let row = |x: f32| Row::new().vec3(vec3(1.0, x, 2.0)).u(7);
     Twin::new("film_sample", "film/film_pixel")
         .also(&["has_nan"])
         .prelude(vkpt::layout::FilmPixel::glsl())
         .glsl(
-            "FilmPixel pixel = FilmPixel(vec3(1.0), 7u, vec3(0.0), 0u, 1u, 2u, 0u, 0u);
-             film_sample(pixel, in_vec3());
-             out_vec3(pixel.sum); out_vec3(pixel.comp); out_u(pixel.samples); out_u(pixel.nan); out_u(pixel.infinite);",
+            "vec3 radiance = in_vec3();
+             FilmPixel pixel = FilmPixel(vec3(1.0), in_u(), vec3(0.0), 0u, 1u, 2u, 0u, 0u, vec3(0.75), 0u);
+             film_sample(pixel, radiance);
+             out_vec3(pixel.sum); out_vec3(pixel.comp); out_vec3(pixel.contrast);
+             out_u(pixel.samples); out_u(pixel.nan); out_u(pixel.infinite);",
         )
         .rust(|i, o| {
             let sum = PixelSum { sum: Vec3::one(), comp: Vec3::zero() };
-            let mut pixel = FilmPixel { sum, nan: 1, infinite: 2, ..FilmPixel::default() };
-            film_sample(&mut pixel, i.vec3());
+            let radiance = i.vec3();
+            let contrast = Vec3::splat(0.75);
+            let mut pixel = FilmPixel { sum, samples: i.u(), nan: 1, infinite: 2, contrast, ..FilmPixel::default() };
+            film_sample(&mut pixel, radiance);
             o.vec3(pixel.sum.sum);
             o.vec3(pixel.sum.comp);
-            // The reference counts its samples elsewhere.
-            o.u(8);
+            o.vec3(pixel.contrast);
+            o.u(pixel.samples);
             o.u(pixel.nan as u32);
             o.u(pixel.infinite as u32);
         })
         .edges([0.0, 1e-45, f32::MAX, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, -f32::NAN].map(row))
-        .edge([f32::INFINITY, f32::NAN, f32::NEG_INFINITY])
-        .edge([f32::INFINITY, f32::NEG_INFINITY, 1.0])
-        .seeded(1000, |r| Row::new().u(r.u32()).u(r.u32()).u(r.u32()))
+        .edge(Row::new().vec3(vec3(f32::INFINITY, f32::NAN, f32::NEG_INFINITY)).u(6))
+        .edge(Row::new().vec3(vec3(f32::INFINITY, f32::NEG_INFINITY, 1.0)).u(6))
+        .seeded(1000, |r| Row::new().u(r.u32()).u(r.u32()).u(r.u32()).u(r.u32() >> 1))
 }
 
 /// A mean and a sum of squares, each in two parts, and one more sample.

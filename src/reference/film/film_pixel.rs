@@ -1,13 +1,22 @@
 //! A pixel of the film: the sum of its samples, and what was counted on the way. Twin of `shaders/film/film_pixel.glsl`.
 
-use super::pixel_sum::{PixelSum, film_add};
+use super::pixel_sum::{PixelSum, film_add, film_mean};
 use crate::reference::math::finite::is_finite3;
 use crate::reference::math::{Real, Vec3};
+use crate::sample::GROUPS;
+
+// One sum of either sign is enough for two groups.
+const _: () = assert!(GROUPS == 2);
 
 /// What a pixel has gathered.
 #[derive(Clone, Copy, Debug)]
 pub struct FilmPixel<F> {
     pub sum: PixelSum<F>,
+    /// Samples complete.
+    pub samples: u32,
+    /// Σ ± sample: + of an even index, − of an odd one. About as large as the noise of the sum, however many
+    /// samples there are: a plain sum does.
+    pub contrast: Vec3<F>,
     /// Samples dropped for a NaN.
     pub nan: u64,
     /// Samples dropped for an infinity.
@@ -21,6 +30,8 @@ impl<F: Real> Default for FilmPixel<F> {
     fn default() -> Self {
         Self {
             sum: PixelSum::zero(),
+            samples: 0,
+            contrast: Vec3::zero(),
             nan: 0,
             infinite: 0,
             rays: 0,
@@ -34,7 +45,8 @@ pub fn has_nan<F: Real>(v: Vec3<F>) -> bool {
     v.x.is_nan() || v.y.is_nan() || v.z.is_nan()
 }
 
-/// Adds a sample; a broken one counts as 0, and by its cause.
+/// Adds a sample; a broken one counts as 0, and by its cause. Samples of even and of odd index are the two groups
+/// ([`GROUPS`]).
 pub fn film_sample<F: Real>(pixel: &mut FilmPixel<F>, radiance: Vec3<F>) {
     let broken = !is_finite3(radiance);
     let nan = has_nan(radiance);
@@ -42,4 +54,20 @@ pub fn film_sample<F: Real>(pixel: &mut FilmPixel<F>, radiance: Vec3<F>) {
     pixel.infinite += u64::from(broken && !nan);
     let x = if broken { Vec3::zero() } else { radiance };
     pixel.sum = film_add(pixel.sum, x);
+    let sign = if pixel.samples & 1 == 0 { 1.0 } else { -1.0 };
+    pixel.contrast += x * F::new(sign);
+    pixel.samples += 1;
+}
+
+/// A number whose square is an unbiased estimate of the variance of the mean of `n` ≥ 2 samples: half the difference
+/// of the two groups' means, (a − b)/2, where they are equally large.
+pub fn film_half_difference<F: Real>(sum: PixelSum<F>, contrast: Vec3<F>, n: u32) -> Vec3<F> {
+    // Groups of n₀ = ⌈n/2⌉ and n₁ = ⌊n/2⌋ samples of variance σ² and D = Σ ± x: for even n, Var D = n σ², so
+    // D²/n² has the expectation σ²/n. For odd n, D − x̄ has the mean 0 and the variance σ² (n² − 1)/n, and
+    // (D − x̄)²/(n² − 1) that expectation.
+    let odd = n & 1;
+    let count = F::from_u32(n);
+    let scale = (count * count - F::from_u32(odd)).sqrt();
+    let expected = film_mean(sum, n) * F::from_u32(odd);
+    (contrast - expected) / scale
 }

@@ -1,6 +1,6 @@
 //! Moments against two passes in f64, and against sums done by hand.
 
-use super::{FilmMoments, film_moments, film_stderr};
+use super::{FilmMoments, FilmPixel, film_half_difference, film_moments, film_sample, film_stderr};
 use crate::reference::math::{Vec3, vec3};
 use crate::reference::sampler::{sampler_block, unit_float};
 
@@ -122,4 +122,59 @@ fn the_error_of_the_mean_of_four() {
     let stderr = film_stderr(&moments([0.0, 0.0, 3.0, 1.0].into_iter()), 4);
     assert_eq!((stderr.x, stderr.z), (0.5f32.sqrt(), 0.0));
     assert_eq!(stderr.y, 2f32.sqrt());
+}
+
+/// Every sequence of n samples that are 0 or 1, each as likely: the mean of h² is their variance over n, ¼/n, whether
+/// the groups are equally large or not.
+#[test]
+fn the_half_difference_squares_to_the_variance_of_the_mean() {
+    for n in 2..=9u32 {
+        let square = |sequence: u32| {
+            let mut pixel = FilmPixel::<f64>::default();
+            for i in 0..n {
+                film_sample(&mut pixel, Vec3::splat(f64::from(sequence >> i & 1)));
+            }
+            film_half_difference(pixel.sum, pixel.contrast, n).x.powi(2)
+        };
+        let mean = (0..1 << n).map(square).sum::<f64>() / f64::from(1 << n);
+        assert!((mean - 0.25 / f64::from(n)).abs() < 1e-14, "{n}: {mean}");
+    }
+}
+
+#[test]
+fn the_half_difference_of_two_samples_and_of_three() {
+    let half_difference = |samples: &[f32]| {
+        let mut pixel = FilmPixel::default();
+        samples
+            .iter()
+            .for_each(|&x| film_sample(&mut pixel, Vec3::splat(x)));
+        film_half_difference(pixel.sum, pixel.contrast, samples.len() as u32).x
+    };
+    assert_eq!(half_difference(&[5.0, 2.0]), 1.5);
+    // (5 − 2 + 3 − 10/3)/√8
+    assert_eq!(
+        half_difference(&[5.0, 2.0, 3.0]),
+        (6.0 - 10.0 / 3.0) / 8f32.sqrt()
+    );
+    assert_eq!(half_difference(&[5.0, f32::NAN]), 2.5);
+}
+
+/// Where the noise is a ten-thousandth of the samples, a plain difference of two sums of 2²² samples drowns in their
+/// rounding; the sum of either sign does not.
+#[test]
+fn little_noise_of_many_samples_is_not_lost() {
+    let n = 1u32 << 22;
+    let mut pixel = FilmPixel::<f32>::default();
+    let mut exact = 0.0f64;
+    for i in 0..n {
+        let x = 1.0 + 1e-4 * (unit_float::<f32>(sampler_block(0, i, 0, 0)[0]) - 0.5);
+        film_sample(&mut pixel, Vec3::splat(x));
+        exact += if i % 2 == 0 {
+            f64::from(x)
+        } else {
+            -f64::from(x)
+        };
+    }
+    let off = (f64::from(pixel.contrast.x) / exact - 1.0).abs();
+    assert!(off < 0.01, "{off:e}");
 }
