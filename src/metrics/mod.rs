@@ -10,6 +10,7 @@ mod error;
 pub mod flip;
 mod heatmap;
 mod mse;
+pub mod noise;
 mod pair;
 pub mod paired;
 mod rel_mse;

@@ -4,7 +4,7 @@
 /// Added to r², so that a black reference does not divide by 0 (as Kalantari, Bako and Sen, A Machine Learning
 /// Approach for Filtering Monte Carlo Noise, SIGGRAPH 2015). It makes 0.1 the radiance below which errors count
 /// as absolute ones: pictures are compared at about the exposure that they are looked at.
-const EPSILON: f64 = 0.01;
+pub const EPSILON: f64 = 0.01;
 
 /// (x − r)²/(r² + ε), ε = 0.01.
 pub fn relative_squared_error(x: f64, r: f64) -> f64 {

@@ -7,6 +7,7 @@ mod convergence;
 mod estimates;
 mod flip;
 mod heatmap;
+mod noise;
 mod pictures;
 mod planted;
 mod refusals;

@@ -1,0 +1,55 @@
+//! From what the pixels tell to an estimate and its interval.
+
+use super::RelMse;
+
+/// Of a normal distribution, 95 % lie within so many standard deviations of the mean.
+const Z: f64 = 1.959_963_984_540_054;
+
+/// An interval that would reach further than this from the estimate, relatively, is none.
+const WIDEST: f64 = 0.5;
+
+/// Sums over pixels. q is a pixel's term of relMSE: the mean over its channels of w h².
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Terms {
+    pub pixels: f64,
+    /// Σ q.
+    pub sum: f64,
+    /// Σ q².
+    pub squares: f64,
+    /// How far Σ q may be off for the weights' sake.
+    pub doubt: f64,
+}
+
+impl Terms {
+    /// Adds a pixel.
+    pub fn add(&mut self, q: f64, doubt: f64) {
+        self.pixels += 1.0;
+        self.sum += q;
+        self.squares += q * q;
+        self.doubt += doubt;
+    }
+
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            pixels: self.pixels + other.pixels,
+            sum: self.sum + other.sum,
+            squares: self.squares + other.squares,
+            doubt: self.doubt + other.doubt,
+        }
+    }
+
+    /// The estimate Σ q / n and its interval.
+    ///
+    /// A normal h has E h⁴ = 3 (Var x)², so 4/3 Σ q² estimates the variance 4 Σ w² (Var x)² of Σ q's distance from the
+    /// error: exactly where the channels' noise is one, too much where it is not, or where it has heavier tails than
+    /// the normal distribution. The doubt of the weights comes on top, as an error of its own.
+    pub fn rel_mse(&self) -> RelMse {
+        let chance = Z * (4.0 / 3.0 * self.squares).sqrt();
+        let reach = chance.hypot(self.doubt);
+        let interval = [self.sum - reach, self.sum + reach].map(|end| end / self.pixels);
+        RelMse {
+            estimate: self.sum / self.pixels,
+            interval: (reach <= WIDEST * self.sum).then_some(interval),
+        }
+    }
+}

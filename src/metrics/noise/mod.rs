@@ -1,0 +1,50 @@
+//! The error of a picture by itself, without a reference: its relMSE from two groups of samples, with an interval.
+//!
+//! Let a and b be the means of two independent groups of equally many samples, x = (a + b)/2 the picture, r what it
+//! converges to, and w = 1/(r² + ε). What relMSE sums is w (x − r)²; what is seen of it is w h², h = (a − b)/2:
+//!
+//! ```text
+//! w h² − w (x − r)² = −w (a − r)(b − r)
+//! ```
+//!
+//! the product of two independent numbers of mean 0. So w h² is unbiased, and its distance from the error of *this*
+//! picture, not of pictures of its kind, has the variance w² Var a Var b = 4 w² (Var x)²: no fourth moment is in it, which
+//! is what makes an interval possible where there are fireflies. Two things are left to find out: w ([`guide`]) and that
+//! variance ([`interval`]).
+
+mod guide;
+mod interval;
+
+use rayon::prelude::*;
+
+use super::MetricsError;
+use super::pair::{check, same_size};
+use crate::film::Film;
+use guide::Guide;
+use interval::Terms;
+
+/// An estimate of relMSE as [`Errors`](super::Errors) defines it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RelMse {
+    pub estimate: f64,
+    /// Lower and upper end of the 95 % interval of the picture's error. `None` where nothing honest can be said: most
+    /// of the error is that of a few pixels, or there is more noise than picture.
+    pub interval: Option<[f64; 2]>,
+}
+
+/// Estimates the relMSE of the picture `mean`, whose values have standard errors of about |`half_difference`|: of two
+/// groups' means a and b, (a − b)/2.
+///
+/// # Errors
+/// If the films differ in size, have no pixels, or hold what is not finite.
+pub fn rel_mse(mean: &Film, half_difference: &Film) -> Result<RelMse, MetricsError> {
+    check(mean, "picture")?;
+    check(half_difference, "half difference")?;
+    same_size((mean, "picture"), (half_difference, "half difference"))?;
+    let guide = Guide::new(mean, half_difference);
+    // Row by row, and the rows added in their order: the same sum on any number of threads.
+    let rows = (0..mean.height as usize).into_par_iter();
+    let terms: Vec<Terms> = rows.map(|y| guide.row(y)).collect();
+    let all = terms.into_iter().fold(Terms::default(), Terms::plus);
+    Ok(all.rel_mse())
+}
