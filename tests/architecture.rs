@@ -15,7 +15,7 @@ const ROOMS: [(&str, &[&str]); 18] = [
         &["features", "prepared", "settings", "layout", "flat"],
     ),
     ("gpu", &["kernel", "layout"]),
-    ("reference", &["prepared", "settings"]),
+    ("reference", &["prepared", "sample", "settings"]),
     (
         "render",
         &[
@@ -25,6 +25,7 @@ const ROOMS: [(&str, &[&str]); 18] = [
             "gpu",
             "kernel",
             "layout",
+            "metrics",
             "prepared",
             "reference",
             "sample",

@@ -5,6 +5,7 @@ mod common;
 mod cli {
     mod compare;
     mod converge;
+    mod ends;
     mod explain;
     mod help;
     mod interrupt;

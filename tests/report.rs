@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 use vkpt::report::{
-    Dropped, Job, Kernel, Machine, Memory, Record, SOFTWARE, Seconds, Work, concerns, notes,
-    summary,
+    Dropped, ErrorAt, Job, Kernel, Machine, Memory, Record, SOFTWARE, Seconds, Work, concerns,
+    notes, summary,
 };
 use vkpt::settings::{Connect, Distribution, DistributionRule, Fresnel, Roulette, Settings};
 
@@ -29,6 +29,9 @@ fn record() -> Record {
             crop: None,
             spp: 64,
             spp_asked: 64,
+            ended: "complete",
+            time: None,
+            target_error: None,
             seed: 7,
             settings: (&Settings::default()).into(),
         },
@@ -47,8 +50,22 @@ fn record() -> Record {
         },
         work: Work::new(&seconds, 7_680_000, 40_000_000, Dropped::default(), 0),
         seconds,
+        error: vec![
+            at(1, 0.1, None, None),
+            at(64, 7.5, Some(3.1e-3), Some([2.76e-3, 3.54e-3])),
+        ],
         files: vec!["a.png".to_owned()],
         warnings: Vec::new(),
+    }
+}
+
+fn at(spp: u64, seconds: f64, rel_mse: Option<f64>, interval: Option<[f64; 2]>) -> ErrorAt {
+    ErrorAt {
+        spp,
+        seconds,
+        rel_mse,
+        low: interval.map(|[low, _]| low),
+        high: interval.map(|[_, high]| high),
     }
 }
 
@@ -68,6 +85,9 @@ fn json_holds_every_field_by_name() {
         "crop": [0, 1, 2, 3],
         "spp": 64,
         "spp_asked": 64,
+        "ended": "complete",
+        "time": null,
+        "target_error": null,
         "seed": 7,
         "settings": {
             "fresnel": "scene", "distribution": "scene", "absorption": "segment", "radiance_scaling": true,
@@ -92,6 +112,10 @@ fn json_holds_every_field_by_name() {
         "rays_per_s": 5_000_000.0,
         "dropped": { "nan": 1, "infinite": 2, "loop": 3 },
         "long_paths": 0,
+        "error": [
+            { "spp": 1, "seconds": 0.1, "rel_mse": null, "low": null, "high": null },
+            { "spp": 64, "seconds": 7.5, "rel_mse": 3.1e-3, "low": 2.76e-3, "high": 3.54e-3 },
+        ],
         "files": ["a.png"],
         "warnings": [],
     });
@@ -117,15 +141,61 @@ scenes/a.scn: 400×300, 64 samples per pixel, seed 7
   on      llvmpipe, Mesa 22.3.6
   time    read 12 ms, compose 4 ms, pipeline 250 ms, compile 500 ms, render 7.50 s (device 7.25 s), write 20 ms
   work    7.68 M samples (960 k/s), 40.0 M rays (5.00 M/s)
-  wrote   a.png";
+  wrote   a.png
+64 spp · 8.00 s (500 ms compile) · 960 k samples/s · relMSE 3.1e-3 (95 %: 2.8–3.5e-3)";
     assert_eq!(summary(&record()), expected);
     assert!(concerns(&record()).is_empty());
+}
+
+#[test]
+fn the_last_line_tells_the_error_as_well_as_it_is_known() {
+    let line = |error: Vec<ErrorAt>| {
+        let text = summary(&Record { error, ..record() });
+        let line = text.lines().last().unwrap_or_default().to_owned();
+        line.rsplit(" · ").next().unwrap_or_default().to_owned()
+    };
+    let known = |value, low, high| line(vec![at(2, 1.0, Some(value), Some([low, high]))]);
+    assert_eq!(
+        known(3.1e-3, 3.08e-3, 3.12e-3),
+        "relMSE 3.10e-3 (95 %: 3.08–3.12e-3)"
+    );
+    assert_eq!(
+        known(9.97e-4, 8.4e-4, 1.12e-3),
+        "relMSE 10.0e-4 (95 %: 8.4–11.2e-4)"
+    );
+    assert_eq!(known(1.5, 0.9, 2.1), "relMSE 1.5e0 (95 %: 0.9–2.1e0)");
+    assert_eq!(known(0.0, 0.0, 0.0), "relMSE 0");
+    assert_eq!(line(vec![at(1, 1.0, None, None)]), "relMSE unknown");
+    assert_eq!(
+        line(vec![at(2, 1.0, Some(2e-2), None)]),
+        "relMSE 2.0e-2? (too few pixels make it)"
+    );
+    assert_eq!(line(Vec::new()), "960 k samples/s");
+}
+
+#[test]
+fn a_target_that_was_missed_is_told() {
+    let mut record = record();
+    record.job.target_error = Some(1e-3);
+    assert_eq!(
+        concerns(&record),
+        ["the error is up to 3.5e-3, not below --target-error 1e-3: --spp ended the rendering"]
+    );
+    record.job.ended = "time";
+    record.error.clear();
+    assert_eq!(
+        concerns(&record),
+        ["the error is unknown, not below --target-error 1e-3: --time ended the rendering"]
+    );
+    record.job.ended = "target-error";
+    assert!(concerns(&record).is_empty());
 }
 
 #[test]
 fn concerns_name_causes() {
     let mut record = record();
     record.job.spp = 12;
+    record.job.ended = "interrupted";
     record.work.dropped = Dropped {
         nan: 3,
         infinite: 1,

@@ -13,7 +13,7 @@ use common::scenes::{SMOOTH, TABLE, WIDE, scene_files};
 use common::settings::{estimators, models};
 use vkpt::film::Film;
 use vkpt::gpu::DeviceKind;
-use vkpt::render::{DispatchLimits, Job, Target, render, render_on};
+use vkpt::render::{DispatchLimits, End, Job, Target, render, render_on};
 use vkpt::settings::Settings;
 
 fn same(a: &Film, b: &Film, what: &str) {
@@ -126,7 +126,7 @@ fn an_interrupted_picture_is_that_of_the_samples_it_has() {
         let mut enough =
             |p: vkpt::render::Progress| stop.store(p.samples_done >= 3, Ordering::Relaxed);
         let o = render(job, &Target::CpuF32, stop, &mut enough).expect("a rendering");
-        (o.film, o.spp, o.interrupted)
+        (o.film, o.spp, o.end == End::Interrupted)
     });
     let Some(device) = common::device() else {
         return;
@@ -136,7 +136,7 @@ fn an_interrupted_picture_is_that_of_the_samples_it_has() {
         let mut enough =
             |p: vkpt::render::Progress| stop.store(p.samples_done >= 3, Ordering::Relaxed);
         let o = render_on(job, device, limits, stop, &mut enough).expect("a rendering");
-        (o.film, o.spp, o.interrupted)
+        (o.film, o.spp, o.end == End::Interrupted)
     });
 }
 

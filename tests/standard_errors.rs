@@ -12,7 +12,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 use vkpt::film::{Aov, Film};
 use vkpt::gpu::DeviceKind;
 use vkpt::prepared::Prepared;
-use vkpt::render::{DispatchLimits, Job, Outcome, Target, render};
+use vkpt::render::{DispatchLimits, End, Job, Outcome, Target, render};
 use vkpt::settings::Settings;
 
 const STDERR: &[Aov] = &[Aov::Stderr];
@@ -127,7 +127,7 @@ fn an_interruption_leaves_the_errors_of_the_samples_done() {
             &mut |p| stop.store(p.samples_done >= least, Ordering::Relaxed),
         )
         .expect("a rendering");
-        assert!(stopped.interrupted);
+        assert_eq!(stopped.end, End::Interrupted);
         let again = outcome(&with_errors(&scene, stopped.spp, 1), &Target::CpuF32);
         assert_eq!(stopped.stderr, again.stderr);
         // The first slice is of one sample, of which there is no estimate.

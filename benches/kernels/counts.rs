@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use vkpt::gpu::{Device, Options, Selector};
 use vkpt::layout::Slice;
 use vkpt::prepared::prepare;
-use vkpt::render::{Job, KernelChoice, Plan, PlanLimits};
+use vkpt::render::{Job, KernelChoice, Plan, PlanLimits, Until};
 use vkpt::scene;
 use vkpt::settings::Settings;
 
@@ -40,6 +40,7 @@ fn counts(device: &Device, path: &Path, kernel: KernelChoice) -> Result<String, 
         prepared: &prepared,
         settings,
         spp: 1,
+        until: Until::default(),
         seed: 0,
         crop: None,
         aovs: &[],

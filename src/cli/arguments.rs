@@ -13,7 +13,7 @@ use super::job::Request;
 use super::values::{self, Output, Preset, SamplePath, choice};
 use crate::film::Aov;
 use crate::gpu::Selector;
-use crate::render::{KernelChoice, Target};
+use crate::render::{KernelChoice, Target, Until};
 use crate::report::names::Named;
 use crate::settings::{
     Absorption, Connect, DistributionRule, Fresnel, LobeChoice, Normals, Roulette, Settings,
@@ -94,15 +94,21 @@ pub struct RenderArguments {
     #[arg(allow_negative_numbers = true, value_parser = values::exposure)]
     pub exposure: f64,
 
-    /// Samples per pixel
-    #[arg(
-        long,
-        value_name = "N",
-        help_heading = "Rendering",
-        default_value = "64"
-    )]
+    /// Samples per pixel, the most where --time or --target-error are given [default: 64, or with
+    /// one of those no end]
+    #[arg(long, value_name = "N", help_heading = "Rendering")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..))]
-    pub spp: u32,
+    spp: Option<u32>,
+
+    /// End after so many seconds of rendering, with whole samples in every pixel
+    #[arg(long, value_name = "S", help_heading = "Rendering", value_parser = values::seconds)]
+    #[arg(allow_hyphen_values = true)]
+    pub time: Option<f64>,
+
+    /// End once the relMSE is below this, with 95 % confidence
+    #[arg(long, value_name = "E", help_heading = "Rendering", value_parser = values::target_error)]
+    #[arg(allow_hyphen_values = true)]
+    pub target_error: Option<f64>,
 
     /// Seed of the random numbers: the same seed gives the same picture, bit for bit
     #[arg(
@@ -248,10 +254,24 @@ impl RenderArguments {
             settings: self.settings.settings(),
             size: self.size,
             crop: self.crop,
-            spp: self.spp,
+            spp: self.spp(),
             seed: self.seed,
             strict: self.strict,
         })
+    }
+
+    /// The most samples that a pixel is to have.
+    pub fn spp(&self) -> u32 {
+        let endless = self.time.is_some() || self.target_error.is_some();
+        self.spp.unwrap_or(if endless { u32::MAX } else { 64 })
+    }
+
+    /// What is to end the rendering before that.
+    pub fn until(&self) -> Until {
+        Until {
+            seconds: self.time,
+            rel_mse: self.target_error,
+        }
     }
 
     /// The scene file.

@@ -6,7 +6,7 @@ use std::time::Instant;
 use super::arguments::usage;
 use super::exit::{Failure, point_out, warn};
 use crate::prepared::{self, Prepared};
-use crate::render::{Job, KernelChoice};
+use crate::render::{Job, KernelChoice, Until};
 use crate::scene;
 use crate::settings::Settings;
 
@@ -78,6 +78,7 @@ impl Ready {
             prepared: &self.prepared,
             settings: self.settings,
             spp: request.spp.into(),
+            until: Until::default(),
             seed: request.seed,
             crop: request.crop,
             aovs: &[],

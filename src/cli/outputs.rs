@@ -28,7 +28,7 @@ impl<'a> Outputs<'a> {
             pictures = default_pictures(arguments.scene()?)?;
         }
         let stderr = match arguments.aov.contains(&Aov::Stderr) {
-            true => stderr_files(&pictures, arguments.spp)?,
+            true => stderr_files(&pictures, arguments.spp())?,
             false => Vec::new(),
         };
         let json = arguments.json.as_deref();

@@ -40,7 +40,11 @@ impl Display {
         match self {
             Self::Silent => {}
             Self::Bar(bar) => {
-                bar.set_message(format!("{}/{}", progress.samples_done, progress.spp));
+                bar.set_message(format!(
+                    "{}{}",
+                    progress.samples_done,
+                    most("/", progress.spp)
+                ));
                 bar.set_position((progress.fraction * STEPS as f64) as u64);
             }
             Self::Lines { start, last } => {
@@ -88,9 +92,19 @@ fn line(progress: &Progress, elapsed: Duration) -> String {
         String::new()
     };
     format!(
-        "{:.0} %, {samples_done} of {spp} samples per pixel{left}",
-        (100.0 * fraction).floor()
+        "{:.0} %, {samples_done}{} samples per pixel{left}",
+        (100.0 * fraction).floor(),
+        most(" of ", spp)
     )
+}
+
+/// The most samples there may be; nothing where time or error are to end the rendering alone.
+fn most(before: &str, spp: u64) -> String {
+    if spp < u32::MAX.into() {
+        format!("{before}{spp}")
+    } else {
+        String::new()
+    }
 }
 
 #[cfg(test)]

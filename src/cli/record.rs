@@ -3,8 +3,8 @@
 use super::arguments::RenderArguments;
 use super::exit::Failure;
 use super::job::Ready;
-use crate::render::{self, Outcome, Stats};
-use crate::report::{Dropped, Job, Kernel, Machine, Memory, Record, Seconds, Work};
+use crate::render::{self, End, Outcome, Stats};
+use crate::report::{Dropped, ErrorAt, Job, Kernel, Machine, Memory, Record, Seconds, Work};
 
 pub fn record(
     arguments: &RenderArguments,
@@ -42,7 +42,15 @@ pub fn record(
             size: [ready.prepared.width, ready.prepared.height],
             crop: arguments.crop,
             spp: outcome.spp,
-            spp_asked: arguments.spp.into(),
+            spp_asked: arguments.spp().into(),
+            ended: match outcome.end {
+                End::Complete => "complete",
+                End::Interrupted => "interrupted",
+                End::Time => "time",
+                End::Error => "target-error",
+            },
+            time: arguments.time,
+            target_error: arguments.target_error,
             seed: arguments.seed,
             settings: (&ready.settings).into(),
         },
@@ -63,9 +71,21 @@ pub fn record(
             stats.long_paths,
         ),
         seconds,
+        error: outcome.errors.iter().map(error).collect(),
         files: Vec::new(),
         warnings: ready.warnings.clone(),
     })
+}
+
+fn error(at: &render::ErrorAt) -> ErrorAt {
+    let interval = at.rel_mse.and_then(|e| e.interval);
+    ErrorAt {
+        spp: at.spp,
+        seconds: at.seconds,
+        rel_mse: at.rel_mse.map(|e| e.estimate),
+        low: interval.map(|[low, _]| low),
+        high: interval.map(|[_, high]| high),
+    }
 }
 
 /// The kernel of a Vulkan device; the reference has none.

@@ -14,7 +14,7 @@ use super::values::Output;
 use crate::film::{Aov, Film};
 use crate::image::file::FileError;
 use crate::image::{Frame, Labels};
-use crate::render::{self, Outcome};
+use crate::render::{self, End, Outcome};
 use crate::report::{self, Record, SOFTWARE};
 
 /// Reads, prepares, renders, writes and reports.
@@ -35,7 +35,7 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
         // A reader that has gone away is no reason to fail.
         let _ = writeln!(std::io::stdout(), "{}", report::summary(&record));
     }
-    match (errors.is_empty(), outcome.interrupted) {
+    match (errors.is_empty(), outcome.end == End::Interrupted) {
         (false, _) => Err(Failure::Files(errors)),
         (true, true) => Ok(Ending::Interrupted),
         (true, false) => Ok(Ending::Complete),
@@ -46,6 +46,7 @@ fn develop(arguments: &RenderArguments, ready: &Ready) -> Result<Outcome, Failur
     let job = render::Job {
         aovs: &arguments.aov,
         kernel: arguments.kernel,
+        until: arguments.until(),
         ..ready.job(&arguments.request()?)?
     };
     let stop = stop_flag();

@@ -104,6 +104,21 @@ pub fn bound(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A time to render for.
+pub fn seconds(text: &str) -> Result<f64, String> {
+    positive(text).ok_or("must be a finite number of seconds above 0, such as 60".to_owned())
+}
+
+/// The relMSE to be reached.
+pub fn target_error(text: &str) -> Result<f64, String> {
+    positive(text).ok_or("must be a finite number above 0, such as 1e-3".to_owned())
+}
+
+fn positive(text: &str) -> Option<f64> {
+    let number: f64 = text.parse().ok()?;
+    (number > 0.0 && number.is_finite()).then_some(number)
+}
+
 /// `WxH`, both from 1 to [`LARGEST_SIDE`].
 pub fn size(text: &str) -> Result<[u32; 2], String> {
     match numbers(text, 'x') {

@@ -3,17 +3,17 @@
 mod replicates;
 
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use rayon::prelude::*;
 
-use super::slices::Slices;
+use super::course::{Course, Halves};
 use super::tiles::Tile;
 use super::{Dropped, Job, Outcome, Progress, SetUp, Stats};
 use crate::film::{Aov, Film};
 use crate::reference::film::{
-    FilmMoments, FilmPixel, film_mean, film_moments, film_sample, film_stderr,
+    FilmMoments, FilmPixel, film_half_difference, film_mean, film_moments, film_sample, film_stderr,
 };
 use crate::reference::math::{Real, Vec3};
 use crate::reference::path::record::Silent;
@@ -35,22 +35,21 @@ pub fn render<F: Real>(
         ..SetUp::default()
     };
     let mut film = Pixels::<F>::new(job);
-    let (mut done, mut slices) = (0, Slices::new());
-    let start = Instant::now();
-    while done < job.spp && !stop.load(Ordering::Relaxed) {
-        let slice = slices.next(job.spp - done);
+    let mut course = Course::new(job, stop);
+    while let Some(samples) = course.next_slice() {
         let began = Instant::now();
-        film.advance(job, &world, done as u32..(done + slice) as u32);
-        slices.took(slice, began.elapsed());
-        done += slice;
-        progress(Progress::new(done, job.spp));
+        film.advance(job, &world, course.done() as u32..samples as u32);
+        progress(course.progress(samples, 1.0));
+        course.reached(samples, began.elapsed(), || film.halves(samples));
     }
+    let (done, render_s) = (course.done(), course.seconds());
+    let (end, errors) = course.finish();
     let stats = Stats {
         device: name.into(),
         driver: driver(),
         set_up,
         compile_s: 0.0,
-        render_s: start.elapsed().as_secs_f64(),
+        render_s,
         gpu_s: None,
         samples: done * u64::from(film.area.pixels()),
         rays: film.count(|p| p.rays),
@@ -68,7 +67,8 @@ pub fn render<F: Real>(
         film: film.picture(done),
         stderr: film.standard_errors(done),
         spp: done,
-        interrupted: done < job.spp,
+        end,
+        errors,
         stats,
     }
 }
@@ -128,6 +128,15 @@ impl<F: Real> Pixels<F> {
     /// The mean of `spp` samples a pixel.
     fn picture(&self, spp: u64) -> Film {
         self.develop(self.film.iter().map(|p| film_mean(p.sum, spp as u32)))
+    }
+
+    /// That mean, with half the difference of its two groups of samples; `spp` ≥ 2.
+    fn halves(&self, spp: u64) -> Halves {
+        let half = |p: &FilmPixel<F>| film_half_difference(p.sum, p.contrast, spp as u32);
+        Halves {
+            mean: self.picture(spp),
+            half_difference: self.develop(self.film.iter().map(half)),
+        }
     }
 
     /// Of that mean, where it was asked for and one sample is not all there is.

@@ -1,5 +1,6 @@
 //! Rendering: a prepared scene, a device, and the film that comes out.
 
+mod course;
 mod cpu;
 mod paired;
 mod plan;
@@ -19,6 +20,7 @@ use crate::gpu::{Device, GpuError};
 use crate::kernel::{KernelError, Spirv};
 use crate::prepared::Prepared;
 use crate::settings::Settings;
+pub use course::{End, ErrorAt, Until};
 pub use paired::paired;
 pub use plan::{ArrayPlan, HierarchyPlan, Plan, PlanLimits, StatePlan};
 pub use replicates::{Engine, Replicates, Took};
@@ -53,6 +55,8 @@ pub struct Job<'a> {
     pub settings: Settings,
     /// Samples in every pixel, at most 2³² − 1.
     pub spp: u64,
+    /// When to end before all of them are there.
+    pub until: Until,
     pub seed: u32,
     /// Left, top, right, bottom in pixels from the top left, right and bottom excluded; within the picture
     /// and not empty.
@@ -91,19 +95,10 @@ impl Job<'_> {
 pub struct Progress {
     /// Samples that every pixel has.
     pub samples_done: u64,
+    /// The most that it will have.
     pub spp: u64,
-    /// Of all work, in [0, 1].
+    /// Of all work, in [0, 1]: by samples, by time or by error, whichever it is to end at.
     pub fraction: f64,
-}
-
-impl Progress {
-    fn new(samples_done: u64, spp: u64) -> Self {
-        Self {
-            samples_done,
-            spp,
-            fraction: samples_done as f64 / spp as f64,
-        }
-    }
 }
 
 /// Samples that count as 0, by cause.
@@ -122,8 +117,9 @@ pub struct Outcome {
     pub stderr: Option<Film>,
     /// Samples in every pixel.
     pub spp: u64,
-    /// Stopped before all samples were there.
-    pub interrupted: bool,
+    pub end: End,
+    /// What is known of the picture's error after 1, 2, 4 … samples, and after the last.
+    pub errors: Vec<ErrorAt>,
     pub stats: Stats,
 }
 
@@ -199,8 +195,9 @@ impl RenderError {
     }
 }
 
-/// Renders the job, calling `progress` after each slice of samples. Once `stop` is set, finishes the sample
-/// index under way in every pixel and returns what is there.
+/// Renders the job, calling `progress` after each slice of samples. Once `stop` is set, or what the job is to end at
+/// is reached, finishes the sample index under way in every pixel and returns what is there: the same, to the bit, as
+/// of a job of so many samples.
 pub fn render(
     job: &Job,
     target: &Target,

@@ -3,6 +3,7 @@
 
 mod comparison;
 pub mod convergence;
+mod error;
 pub mod explanation;
 mod header;
 pub mod human;
@@ -13,7 +14,7 @@ mod summary;
 
 pub use comparison::{Comparison, Tested, comparison};
 pub use header::{aov_notes, notes};
-pub use record::{Dropped, Job, Kernel, Machine, Memory, Record, Seconds, Work};
+pub use record::{Dropped, ErrorAt, Job, Kernel, Machine, Memory, Record, Seconds, Work};
 pub use settings::SettingsRecord;
 pub use summary::{concerns, summary};
 

@@ -15,6 +15,8 @@ pub struct Record {
     pub seconds: Seconds,
     #[serde(flatten)]
     pub work: Work,
+    /// After 1, 2, 4 … samples a pixel, and after the last.
+    pub error: Vec<ErrorAt>,
     pub files: Vec<String>,
     pub warnings: Vec<String>,
 }
@@ -28,9 +30,15 @@ pub struct Job {
     pub size: [u32; 2],
     /// Left, top, right, bottom in pixels of the full picture, right and bottom excluded.
     pub crop: Option<[u32; 4]>,
-    /// Samples in every pixel: fewer than `spp_asked` after an interruption.
+    /// Samples in every pixel: fewer than `spp_asked` if something else ended the rendering.
     pub spp: u64,
     pub spp_asked: u64,
+    /// Why there are not more: `complete`, `interrupted`, `time` or `target-error`.
+    pub ended: &'static str,
+    /// `--time`, seconds of rendering.
+    pub time: Option<f64>,
+    /// `--target-error`.
+    pub target_error: Option<f64>,
     pub seed: u32,
     pub settings: SettingsRecord,
 }
@@ -86,6 +94,19 @@ pub struct Seconds {
     /// The device's own time for them, by its timestamps; `None` for the reference.
     pub gpu: Option<f64>,
     pub write: f64,
+}
+
+/// What is known of the picture's error at one time.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ErrorAt {
+    pub spp: u64,
+    /// Of rendering so far, compiling apart.
+    pub seconds: f64,
+    /// Estimate of the relMSE; `None` of one sample a pixel.
+    pub rel_mse: Option<f64>,
+    /// Its 95 % interval; `None` where no honest one is to be had.
+    pub low: Option<f64>,
+    pub high: Option<f64>,
 }
 
 /// What was done.

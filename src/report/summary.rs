@@ -1,5 +1,6 @@
 //! The lines that end a rendering.
 
+use super::error::bought;
 use super::human::{count, duration, plural};
 use super::{Dropped, Record};
 
@@ -23,6 +24,7 @@ pub fn summary(record: &Record) -> String {
     if !record.files.is_empty() {
         lines.push(format!("  wrote   {}", record.files.join(", ")));
     }
+    lines.push(bought(record));
     lines.join("\n")
 }
 
@@ -77,10 +79,18 @@ fn work(record: &Record) -> String {
 pub fn concerns(record: &Record) -> Vec<String> {
     let (job, work) = (&record.job, &record.work);
     let mut sentences = Vec::new();
-    if job.spp < job.spp_asked {
+    if job.ended == "interrupted" {
         sentences.push(format!(
             "interrupted: the picture is that of --spp {}, not {}",
             job.spp, job.spp_asked
+        ));
+    }
+    if let (Some(target), "complete" | "time") = (job.target_error, job.ended) {
+        let reached = record.error.last().and_then(|e| e.high);
+        let reached = reached.map_or("unknown".to_owned(), |high| format!("up to {high:.1e}"));
+        sentences.push(format!(
+            "the error is {reached}, not below --target-error {target:e}: --{} ended the rendering",
+            if job.ended == "time" { "time" } else { "spp" }
         ));
     }
     if work.dropped.total() > 0 {

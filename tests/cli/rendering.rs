@@ -75,7 +75,10 @@ fn the_default_is_two_pictures_named_like_the_scene() {
         out.starts_with("scene.scn: 8×6, 2 samples per pixel, seed 0\n"),
         "{out}"
     );
-    assert!(out.ends_with("wrote   scene.png, scene.exr\n"), "{out}");
+    assert!(
+        out.contains("\n  wrote   scene.png, scene.exr\n2 spp · "),
+        "{out}"
+    );
 
     // The emitter's radiance is 1 where it fills a pixel, and there is nothing around it.
     let picture = read_exr(&folder.path().join("scene.exr"));
@@ -228,7 +231,7 @@ fn standard_errors_stand_beside_each_picture() {
     );
     let files = ["a.png", "a.exr", "c.exr", "a-stderr.exr", "c-stderr.exr"];
     assert!(
-        out.ends_with(&format!("wrote   {}\n", files.join(", "))),
+        out.contains(&format!("\n  wrote   {}\n8 spp · ", files.join(", "))),
         "{out}"
     );
     let text = fs::read_to_string(folder.path().join("a.json")).expect("a report");

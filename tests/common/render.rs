@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use vkpt::film::Film;
 use vkpt::prepared::{Prepared, prepare};
-use vkpt::render::{DispatchLimits, Job, KernelChoice, Outcome, Target, render, render_on};
+use vkpt::render::{DispatchLimits, Job, KernelChoice, Outcome, Target, Until, render, render_on};
 use vkpt::settings::Settings;
 
 /// A scene from text, prepared.
@@ -29,6 +29,7 @@ pub fn job(prepared: &Prepared, settings: Settings, spp: u64, seed: u32) -> Job<
         prepared,
         settings,
         spp,
+        until: Until::default(),
         seed,
         crop: None,
         aovs: &[],

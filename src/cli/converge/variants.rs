@@ -5,7 +5,7 @@ use super::vary::{Combination, combinations};
 use crate::cli::exit::Failure;
 use crate::cli::job::{Ready, Request};
 use crate::prepared::{self, Prepared};
-use crate::render::{Job, KernelChoice};
+use crate::render::{Job, KernelChoice, Until};
 use crate::scene;
 use crate::settings::Model;
 
@@ -68,6 +68,7 @@ impl Variants {
                 prepared: prepared(settings.model)?,
                 settings: *settings,
                 spp: arguments.spp.into(),
+                until: Until::default(),
                 seed: arguments.seed,
                 crop: arguments.crop,
                 aovs: &[],

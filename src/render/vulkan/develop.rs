@@ -3,9 +3,10 @@
 use super::tile_film::TileFilm;
 use crate::film::Film;
 use crate::layout::{FilmMoments, FilmPixel};
-use crate::reference::film::{self, PixelSum, film_mean, film_stderr};
+use crate::reference::film::{self, PixelSum, film_half_difference, film_mean, film_stderr};
 use crate::reference::math::{Vec3, vec3};
 use crate::render::Dropped;
+use crate::render::course::Halves;
 use crate::render::tiles::Tile;
 
 /// Sums over the pixels.
@@ -37,6 +38,19 @@ impl Counts {
 pub fn picture(tiles: &[TileFilm], area: Tile, spp: u64) -> Film {
     let mean = |p: &FilmPixel| film_mean(parts(p.sum, p.comp), spp as u32);
     assemble(tiles, area, |t, k| mean(&t.pixels[k]))
+}
+
+/// That picture, with half the difference of its two groups of samples; `spp` ≥ 2.
+pub fn halves(tiles: &[TileFilm], area: Tile, spp: u64) -> Halves {
+    let half_difference = |p: &FilmPixel| {
+        let [x, y, z] = p.contrast;
+        let sum = parts(p.sum, p.comp);
+        film_half_difference(sum, vec3(x, y, z), spp as u32)
+    };
+    Halves {
+        mean: picture(tiles, area, spp),
+        half_difference: assemble(tiles, area, |t, k| half_difference(&t.pixels[k])),
+    }
 }
 
 /// The standard errors of the mean of `spp` ≥ 2 samples a pixel, whose moments were kept.

@@ -8,10 +8,10 @@ mod run;
 mod scene_buffers;
 mod tile_film;
 
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
 
-use super::slices::Slices;
+use super::course::Course;
 use super::{Job, Outcome, Progress, RenderError, Stats};
 use crate::gpu::Device;
 use crate::kernel::scene::Recording;
@@ -35,9 +35,10 @@ pub fn render(
     let compile_s = run.compile()?.as_secs_f64();
     run.gpu_time = Duration::ZERO;
 
-    let start = Instant::now();
-    let done = sample(&mut run, job, stop, progress)?;
-    let render_s = start.elapsed().as_secs_f64();
+    let mut course = Course::new(job, stop);
+    sample(&mut run, job, &mut course, progress)?;
+    let (done, render_s) = (course.done(), course.seconds());
+    let (end, errors) = course.finish();
 
     let counts = Counts::of(&run.tiles);
     let stats = Stats {
@@ -60,35 +61,31 @@ pub fn render(
         stderr: (features.keeps_moments() && done >= 2)
             .then(|| develop::standard_errors(&run.tiles, job.area(), done)),
         spp: done,
-        interrupted: done < job.spp,
+        end,
+        errors,
         stats,
     })
 }
 
-/// Slices of samples over all tiles; returns how many samples each pixel has.
+/// Slices of samples over all tiles.
 fn sample(
     run: &mut Run,
     job: &Job,
-    stop: &AtomicBool,
+    course: &mut Course,
     progress: &mut dyn FnMut(Progress),
-) -> Result<u64, RenderError> {
-    let (mut done, mut slices) = (0, Slices::new());
-    while done < job.spp && !stop.load(Ordering::Relaxed) {
-        let slice = slices.next(job.spp - done);
+) -> Result<(), RenderError> {
+    while let Some(samples) = course.next_slice() {
         let mut longest = Duration::ZERO;
         for tile in 0..run.tiles.len() {
-            longest = longest.max(run.advance(tile, (done + slice) as u32)?);
+            longest = longest.max(run.advance(tile, samples as u32)?);
             let part = (tile + 1) as f64 / run.tiles.len() as f64;
-            progress(Progress {
-                samples_done: if part == 1.0 { done + slice } else { done },
-                spp: job.spp,
-                fraction: (done as f64 + part * slice as f64) / job.spp as f64,
-            });
+            progress(course.progress(samples, part));
         }
-        slices.took(slice, longest);
-        done += slice;
+        course.reached(samples, longest, || {
+            develop::halves(&run.tiles, job.area(), samples)
+        });
     }
-    Ok(done)
+    Ok(())
 }
 
 /// The events of one path: sample `index` of the pixel at column and row `pixel`.

@@ -1,0 +1,202 @@
+//! The course of a rendering: slice after slice until the samples, the seconds or the error asked for are reached.
+//!
+//! Neither the slices nor when the error is looked at have an influence on the picture.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use super::slices::Slices;
+use super::{Job, Progress};
+use crate::film::Film;
+use crate::metrics::noise::{RelMse, rel_mse};
+
+/// When a rendering ends before it has all its samples.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Until {
+    /// So many seconds of rendering are spent; compiling is none of it. Above 0.
+    pub seconds: Option<f64>,
+    /// The upper end of the estimated relMSE is below this. Above 0.
+    pub rel_mse: Option<f64>,
+}
+
+/// Why a rendering ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// All samples are there.
+    Complete,
+    /// Told to stop.
+    Interrupted,
+    /// Of [`Until::seconds`].
+    Time,
+    /// Of [`Until::rel_mse`].
+    Error,
+}
+
+/// The error of the picture at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ErrorAt {
+    /// Samples in every pixel.
+    pub spp: u64,
+    /// Seconds of rendering so far, compiling apart.
+    pub seconds: f64,
+    /// `None` of one sample, which tells nothing of its error, and of a picture that overflows.
+    pub rel_mse: Option<RelMse>,
+}
+
+/// A picture and (a − b)/2 of the means a and b of its two groups of samples.
+pub struct Halves {
+    pub mean: Film,
+    pub half_difference: Film,
+}
+
+/// Decides what comes next, and keeps the errors.
+pub struct Course<'a> {
+    job: &'a Job<'a>,
+    stop: &'a AtomicBool,
+    start: Instant,
+    slices: Slices,
+    /// When the slice under way began, in seconds.
+    began: f64,
+    /// Seconds that each sample index of the last slice took, in all tiles.
+    pace: f64,
+    done: u64,
+    end: Option<End>,
+    errors: Vec<ErrorAt>,
+}
+
+impl<'a> Course<'a> {
+    /// Time begins now.
+    pub fn new(job: &'a Job, stop: &'a AtomicBool) -> Self {
+        Self {
+            job,
+            stop,
+            start: Instant::now(),
+            slices: Slices::new(),
+            began: 0.0,
+            pace: 0.0,
+            done: 0,
+            end: stop.load(Ordering::Relaxed).then_some(End::Interrupted),
+            errors: Vec::new(),
+        }
+    }
+
+    /// Samples that every pixel has.
+    pub fn done(&self) -> u64 {
+        self.done
+    }
+
+    /// Seconds since it began.
+    pub fn seconds(&self) -> f64 {
+        self.start.elapsed().as_secs_f64()
+    }
+
+    /// The samples that the next slice is to bring every pixel to; `None` at the end.
+    pub fn next_slice(&mut self) -> Option<u64> {
+        if self.end.is_some() {
+            return None;
+        }
+        self.began = self.seconds();
+        let slice = self.slices.next(self.next_look() - self.done);
+        let left = self.job.until.seconds.map(|s| s - self.began);
+        let fit = left.map_or(u64::MAX, |left| (left / self.pace) as u64);
+        Some(self.done + slice.min(fit).max(1))
+    }
+
+    /// Every pixel has `samples` of them, and the longest dispatch took `longest`; `halves` is asked for the picture
+    /// where its error is due.
+    pub fn reached(&mut self, samples: u64, longest: Duration, halves: impl FnOnce() -> Halves) {
+        let slice = samples - self.done;
+        self.slices.took(slice, longest);
+        self.pace = (self.seconds() - self.began) / slice as f64;
+        let due = samples == self.next_look();
+        self.done = samples;
+        self.end = self.spent();
+        if due || self.end.is_some() {
+            self.look(halves);
+        }
+        if due && self.end.is_none() && self.is_close() {
+            self.end = Some(End::Error);
+        }
+    }
+
+    /// How far it will be once every pixel has `samples` of them, of which the slice under way has made `part`.
+    pub fn progress(&self, samples: u64, part: f64) -> Progress {
+        let slice = samples - self.done;
+        let samples_done = if part == 1.0 { samples } else { self.done };
+        let made = self.done as f64 + part * slice as f64;
+        let wanted = self.samples_wanted().min(self.job.spp as f64);
+        let spent = self.job.until.seconds.map_or(0.0, |s| self.seconds() / s);
+        Progress {
+            samples_done,
+            spp: self.job.spp,
+            fraction: (made / wanted).max(spent).min(1.0),
+        }
+    }
+
+    /// Why it ended, and the errors after 1, 2, 4 … samples and after the last.
+    pub fn finish(self) -> (End, Vec<ErrorAt>) {
+        (self.end.unwrap_or(End::Interrupted), self.errors)
+    }
+
+    /// Whether samples, patience or time are at their end.
+    fn spent(&self) -> Option<End> {
+        let seconds = self.job.until.seconds;
+        match () {
+            () if self.done == self.job.spp => Some(End::Complete),
+            () if self.stop.load(Ordering::Relaxed) => Some(End::Interrupted),
+            () if seconds.is_some_and(|s| self.seconds() >= s) => Some(End::Time),
+            () => None,
+        }
+    }
+
+    /// Whether the error is as small as asked for.
+    fn is_close(&self) -> bool {
+        let high = self.upper_end();
+        let close = self.job.until.rel_mse.zip(high).map(|(e, high)| high < e);
+        close.unwrap_or(false)
+    }
+
+    /// The upper end of the last interval.
+    fn upper_end(&self) -> Option<f64> {
+        let last = self.errors.last()?.rel_mse?;
+        last.interval.map(|[_, high]| high)
+    }
+
+    /// About how many samples the error asked for takes: the error is inverse to their number.
+    fn samples_wanted(&self) -> f64 {
+        let last = self.errors.last().map(|e| e.spp as f64);
+        let ratio = self
+            .job
+            .until
+            .rel_mse
+            .zip(self.upper_end())
+            .map(|(e, high)| high / e);
+        last.zip(ratio).map_or(f64::INFINITY, |(n, r)| n * r)
+    }
+
+    /// After how many samples the error is looked at next: after powers of two; where it decides on the end, after
+    /// every eighth of one besides, lest a rendering take twice as long as it need. Where that is depends on no clock.
+    fn next_look(&self) -> u64 {
+        let octave = (self.done + 1).next_power_of_two();
+        let look = match self.job.until.rel_mse {
+            None => octave,
+            Some(_) => {
+                let step = (octave / 16).max(1);
+                (self.done / step + 1) * step
+            }
+        };
+        look.min(self.job.spp)
+    }
+
+    fn look(&mut self, halves: impl FnOnce() -> Halves) {
+        // Looks between two powers of two leave no trace, but for the last.
+        self.errors.pop_if(|last| !last.spp.is_power_of_two());
+        let of = |h: Halves| rel_mse(&h.mean, &h.half_difference).ok();
+        let rel_mse = (self.done >= 2).then(halves).and_then(of);
+        self.errors.push(ErrorAt {
+            spp: self.done,
+            seconds: self.seconds(),
+            rel_mse,
+        });
+    }
+}
