@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// A room of `src/` and the rooms that it may name.
-const ROOMS: [(&str, &[&str]); 18] = [
+const ROOMS: [(&str, &[&str]); 19] = [
     ("settings", &[]),
     ("scene", &["settings"]),
     ("prepared", &["scene", "settings"]),
@@ -14,7 +14,8 @@ const ROOMS: [(&str, &[&str]); 18] = [
         "kernel",
         &["features", "prepared", "settings", "layout", "flat"],
     ),
-    ("gpu", &["kernel", "layout"]),
+    ("cache", &[]),
+    ("gpu", &["cache", "kernel", "layout"]),
     ("reference", &["prepared", "sample", "settings"]),
     (
         "render",
@@ -48,8 +49,8 @@ const ROOMS: [(&str, &[&str]); 18] = [
     (
         "cli",
         &[
-            "converge", "explain", "film", "gpu", "image", "metrics", "prepared", "render",
-            "report", "sample", "scene", "settings",
+            "cache", "converge", "explain", "film", "gpu", "image", "metrics", "prepared",
+            "render", "report", "sample", "scene", "settings",
         ],
     ),
 ];

@@ -5,7 +5,6 @@
 
 mod barrier;
 mod buffer;
-mod cache_folder;
 mod device;
 mod dispatch;
 mod error;

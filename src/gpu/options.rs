@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use super::cache_folder;
+use crate::cache;
 
 /// How a device is opened.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,7 +27,7 @@ impl Options {
         let validation = std::env::var_os("VKPT_VALIDATION").is_some_and(|v| v == "1");
         Self {
             validation,
-            cache: cache_folder::from_env(),
+            cache: cache::from_env(),
             ..Self::default()
         }
     }

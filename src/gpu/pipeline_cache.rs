@@ -8,14 +8,20 @@ use std::path::Path;
 
 use ash::vk;
 
-use super::cache_folder::{CacheFolder, hash};
 use super::device::Inner;
 use super::info::DeviceInfo;
 use super::instance::Instance;
+use crate::cache::{CacheFolder, Room, hash};
 use crate::kernel::Spirv;
 
 /// Bytes of [`header`].
 const HEADER: usize = 16 + vk::UUID_SIZE;
+
+/// The kernels of all devices.
+const ROOM: Room = Room {
+    files: 64,
+    bytes: 64 << 20,
+};
 
 /// Whose data it is.
 pub(super) struct Owner {
@@ -104,7 +110,7 @@ impl<'a> Kept<'a> {
     fn open(device: &Inner, folder: &'a Path, kernel: &Spirv) -> Option<Self> {
         let owner = &device.cache_owner;
         let (folder, key) = (
-            CacheFolder(folder),
+            CacheFolder::new(folder, ROOM),
             format!("{}\nkernel {:016x}", owner.name, hash(kernel.bytes())),
         );
         let found = folder.read(&key).filter(|data| owner.owns(data));

@@ -16,13 +16,8 @@ const MAGIC: [u8; 8] = *b"vkptkc01";
 const HEADER: usize = 16;
 /// The ending of all files, and what [`CacheFolder::trim`] goes by: a folder may hold others' files too.
 const ENDING: &str = "vkpt-cache";
-/// Files that are kept.
-const FILES: usize = 64;
-/// Bytes that are kept, in all files together.
-const BYTES: u64 = 64 << 20;
-
 /// The folder that `VKPT_CACHE` names, none where that is empty; else the user's, `~/.cache/vkpt` on most systems.
-pub(super) fn from_env() -> Option<PathBuf> {
+pub fn from_env() -> Option<PathBuf> {
     match std::env::var_os("VKPT_CACHE") {
         Some(folder) if folder.is_empty() => None,
         Some(folder) => Some(folder.into()),
@@ -35,16 +30,32 @@ pub(super) fn from_env() -> Option<PathBuf> {
     }
 }
 
-/// Files by key: any text that says what the content depends on.
-pub(super) struct CacheFolder<'a>(pub &'a Path);
+/// How much is kept, the rest goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Room {
+    pub files: usize,
+    /// In all files together.
+    pub bytes: u64,
+}
 
-impl CacheFolder<'_> {
+/// Files by key: any text that says what the content depends on.
+pub struct CacheFolder<'a> {
+    folder: &'a Path,
+    room: Room,
+}
+
+impl<'a> CacheFolder<'a> {
+    /// Need not be there yet.
+    pub fn new(folder: &'a Path, room: Room) -> Self {
+        Self { folder, room }
+    }
+
     /// What was written last under `key`.
     pub fn read(&self, key: &str) -> Option<Vec<u8>> {
         let path = self.path(key);
         let metadata = fs::metadata(&path).ok()?;
         // What is no file (a pipe, say) could keep its reader waiting.
-        if !metadata.is_file() || metadata.len() > BYTES {
+        if !metadata.is_file() || metadata.len() > self.room.bytes {
             return None;
         }
         let mut file = File::open(path).ok()?;
@@ -58,10 +69,10 @@ impl CacheFolder<'_> {
 
     /// Leaves `content` under `key`. Readers in other processes see the old file or the new one, each whole.
     pub fn write(&self, key: &str, content: &[u8]) -> io::Result<()> {
-        fs::create_dir_all(self.0)?;
+        fs::create_dir_all(self.folder)?;
         let mut file = tempfile::Builder::new()
             .suffix(&format!(".{ENDING}"))
-            .tempfile_in(self.0)?;
+            .tempfile_in(self.folder)?;
         file.write_all(&MAGIC)?;
         file.write_all(&checksum(key, content))?;
         file.write_all(content)?;
@@ -70,7 +81,7 @@ impl CacheFolder<'_> {
     }
 
     fn path(&self, key: &str) -> PathBuf {
-        self.0
+        self.folder
             .join(format!("{:016x}.{ENDING}", hash(key.as_bytes())))
     }
 
@@ -81,12 +92,15 @@ impl CacheFolder<'_> {
             let ours = path.extension().is_some_and(|e| e == ENDING) && metadata.is_file();
             ours.then_some((metadata.modified().ok()?, metadata.len(), path))
         };
-        let mut files: Vec<_> = fs::read_dir(self.0)?.flatten().filter_map(used).collect();
+        let mut files: Vec<_> = fs::read_dir(self.folder)?
+            .flatten()
+            .filter_map(used)
+            .collect();
         files.sort_unstable_by(|a, b| b.cmp(a));
         let mut total = 0;
         for (i, (_, bytes, path)) in files.into_iter().enumerate() {
             total += bytes;
-            if i >= FILES || total > BYTES {
+            if i >= self.room.files || total > self.room.bytes {
                 // Another process may have been faster.
                 let _ = fs::remove_file(path);
             }
@@ -111,7 +125,7 @@ fn checksum(key: &str, content: &[u8]) -> [u8; 8] {
 }
 
 /// SipHash. Another release of Rust's library may hash otherwise: its files are then strangers to each other.
-pub(super) fn hash(bytes: &[u8]) -> u64 {
+pub fn hash(bytes: &[u8]) -> u64 {
     let mut hasher = DefaultHasher::new();
     hasher.write(bytes);
     hasher.finish()
@@ -124,6 +138,17 @@ mod tests {
 
     use super::*;
 
+    const FILES: usize = 64;
+    const BYTES: u64 = 64 << 20;
+
+    fn cache(folder: &Path) -> CacheFolder<'_> {
+        let room = Room {
+            files: FILES,
+            bytes: BYTES,
+        };
+        CacheFolder::new(folder, room)
+    }
+
     fn names(folder: &Path) -> BTreeSet<PathBuf> {
         let entries = fs::read_dir(folder).expect("a folder").flatten();
         entries.map(|entry| entry.path()).collect()
@@ -133,7 +158,7 @@ mod tests {
     fn what_is_written_is_read_back_under_its_key_alone() {
         let temporary = tempfile::tempdir().expect("a folder");
         let path = temporary.path().join("is/made");
-        let folder = CacheFolder(&path);
+        let folder = cache(&path);
         assert_eq!(folder.read("a"), None);
         for content in [&b"long ago"[..], b"", b"now"] {
             folder.write("a", content).expect("written");
@@ -150,7 +175,7 @@ mod tests {
     #[test]
     fn a_broken_file_is_as_good_as_none() {
         let temporary = tempfile::tempdir().expect("a folder");
-        let folder = CacheFolder(temporary.path());
+        let folder = cache(temporary.path());
         folder.write("key", b"some content").expect("written");
         let (path, whole) = (
             folder.path("key"),
@@ -182,14 +207,14 @@ mod tests {
     fn a_folder_that_cannot_be_is_an_error_and_holds_nothing() {
         let file = tempfile::NamedTempFile::new().expect("a file");
         let path = file.path().join("below a file");
-        assert!(CacheFolder(&path).write("key", b"content").is_err());
-        assert_eq!(CacheFolder(&path).read("key"), None);
+        assert!(cache(&path).write("key", b"content").is_err());
+        assert_eq!(cache(&path).read("key"), None);
     }
 
     #[test]
     fn the_files_used_longest_ago_go_first() {
         let temporary = tempfile::tempdir().expect("a folder");
-        let folder = CacheFolder(temporary.path());
+        let folder = cache(temporary.path());
         let others = temporary.path().join("another's.txt");
         fs::write(&others, b"keep").expect("written");
         let start = SystemTime::now() - Duration::from_secs(1000);
@@ -213,7 +238,7 @@ mod tests {
     #[test]
     fn many_bytes_go_as_many_files_do() {
         let temporary = tempfile::tempdir().expect("a folder");
-        let folder = CacheFolder(temporary.path());
+        let folder = cache(temporary.path());
         folder.write("old", b"content").expect("written");
         // Sparse: what a driver of huge kernels would have left.
         let large = File::create(temporary.path().join("large.vkpt-cache")).expect("a file");
@@ -232,15 +257,15 @@ mod tests {
             for content in &contents {
                 let path = temporary.path();
                 scope.spawn(move || {
-                    (0..50).for_each(|_| CacheFolder(path).write("key", content).expect("written"))
+                    (0..50).for_each(|_| cache(path).write("key", content).expect("written"))
                 });
             }
             for _ in 0..200 {
-                let seen = CacheFolder(temporary.path()).read("key");
+                let seen = cache(temporary.path()).read("key");
                 assert!(seen.is_none_or(|content| contents.contains(&content)));
             }
         });
-        let last = CacheFolder(temporary.path()).read("key");
+        let last = cache(temporary.path()).read("key");
         assert!(last.is_some_and(|content| contents.contains(&content)));
         assert_eq!(names(temporary.path()).len(), 1);
     }
