@@ -19,6 +19,49 @@ pub struct Halves {
     pub seconds: f64,
 }
 
+impl Halves {
+    /// For [`Halves::from_bytes`]: samples, seconds, width, height, then the pixels of both, least significant bytes first.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let Film { width, height, .. } = self.films[0];
+        let mut bytes = [self.spp.to_le_bytes(), self.seconds.to_le_bytes()].concat();
+        bytes.extend([width, height].map(u32::to_le_bytes).as_flattened());
+        let pixels = self.films.iter().flat_map(|film| film.rgb.as_flattened());
+        bytes.extend(pixels.flat_map(|value| value.to_le_bytes()));
+        bytes
+    }
+
+    /// `None` of anything else.
+    pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        let (spp, rest) = bytes.split_first_chunk()?;
+        let (seconds, rest) = rest.split_first_chunk()?;
+        let (width, rest) = rest.split_first_chunk()?;
+        let (height, rest) = rest.split_first_chunk()?;
+        let [width, height] = [width, height].map(|side| u32::from_le_bytes(*side));
+        let (words, []) = rest.as_chunks() else {
+            return None;
+        };
+        let values: Vec<f32> = words.iter().map(|word| f32::from_le_bytes(*word)).collect();
+        let (pixels, []) = values.as_chunks() else {
+            return None;
+        };
+        let count = usize::try_from(u64::from(width) * u64::from(height)).ok()?;
+        if Some(pixels.len()) != count.checked_mul(2) {
+            return None;
+        }
+        let film = |rgb: &[[f32; 3]]| Film {
+            width,
+            height,
+            rgb: rgb.to_vec(),
+        };
+        let (a, b) = pixels.split_at(count);
+        Some(Self {
+            films: [film(a), film(b)],
+            spp: u64::from_le_bytes(*spp),
+            seconds: f64::from_le_bytes(*seconds),
+        })
+    }
+}
+
 /// Renders both halves by turns until they took `seconds` together, with `spp` samples each at most; `None` if `stop`
 /// came first. The job's seed and samples are not looked at.
 ///
@@ -56,5 +99,30 @@ pub fn halves(
             }));
         }
         spp = next;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_are_read_back_whole_or_not_at_all() {
+        let film = |first: f32| Film {
+            width: 2,
+            height: 1,
+            rgb: vec![[first, 0.25, -1.5], [0.0, 3e9, f32::MIN_POSITIVE]],
+        };
+        let halves = Halves {
+            films: [film(1.0), film(2.0)],
+            spp: 12,
+            seconds: 0.75,
+        };
+        let bytes = halves.to_bytes();
+        assert_eq!(Halves::from_bytes(&bytes), Some(halves));
+        for length in 0..bytes.len() {
+            assert_eq!(Halves::from_bytes(&bytes[..length]), None, "{length}");
+        }
+        assert_eq!(Halves::from_bytes(&[&bytes[..], &[0; 12]].concat()), None);
     }
 }

@@ -76,6 +76,11 @@ impl Job<'_> {
         }
     }
 
+    /// Width and height of the picture, or of its crop.
+    pub fn size(&self) -> [u32; 2] {
+        [self.area().width, self.area().height]
+    }
+
     /// The pixels to be rendered.
     fn area(&self) -> Tile {
         let [left, top, right, bottom] =

@@ -1,28 +1,36 @@
 //! `vkpt converge`: the table, the files, and how it ends.
 
 use std::fs;
+use std::path::Path;
 
 use serde_json::Value;
 
-use super::program::{Run, folder, names, run};
+use super::program::{Run, command, finish, folder, names, run};
 
 /// A room with a lamp, small enough for the reference renderer.
 const LIT: &str = "screen 12 8\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 2 1 0.5\n\
     brdf .5 .6 .7 0 0 0 1\nbox -9 -9 -2 18 18 1\n";
-/// Some milliseconds of samples, and two seconds of a reference where none is given; needs no Vulkan.
-const SMALL: [&str; 6] = ["scene.scn", "--device", "cpu-f32", "--spp", "8", "--time=2"];
+/// Some milliseconds of samples, and a second of a reference where none is given; needs no Vulkan.
+const SMALL: [&str; 6] = ["scene.scn", "--device", "cpu-f32", "--spp", "8", "--time=1"];
 
-fn converge(folder: &std::path::Path, more: &[&str]) -> Run {
-    run(folder, &[&["converge"], &SMALL[..], more].concat())
+/// Without a cache of references.
+fn converge(folder: &Path, more: &[&str]) -> Run {
+    with_cache(folder, "", more)
 }
 
-fn json(folder: &std::path::Path, name: &str) -> Value {
+fn with_cache(folder: &Path, cache: &str, more: &[&str]) -> Run {
+    let arguments = [&["converge"], &SMALL[..], more].concat();
+    let mut command = command(folder, &arguments);
+    finish(command.env("VKPT_CACHE", cache))
+}
+
+fn json(folder: &Path, name: &str) -> Value {
     let text = fs::read_to_string(folder.join(name)).expect("a report");
     serde_json::from_str(&text).expect("JSON")
 }
 
 /// A picture of 512 samples per pixel and its standard errors, by other random numbers.
-fn reference(folder: &std::path::Path, name: &str) {
+fn reference(folder: &Path, name: &str) {
     let arguments = "scene.scn --device cpu-f32 --spp 512 --seed 77 --aov stderr --quiet -o";
     let arguments: Vec<&str> = arguments.split(' ').chain([name]).collect();
     assert_eq!(run(folder, &arguments).code, Some(0));
@@ -227,4 +235,37 @@ fn what_cannot_be_measured_is_refused() {
         assert_eq!(refused.out, "", "{more:?}");
         assert_eq!(names(folder), before, "{more:?}");
     }
+}
+
+/// The second run has the first's reference, to the bit; not where its file is broken, the scene or the model another.
+#[test]
+fn references_are_kept_and_trusted_only_whole() {
+    let folder = folder(LIT);
+    let folder = folder.path();
+    let own = |more: &[&str]| {
+        let more = [&["--json", "c.json", "--replicates", "2"], more].concat();
+        let done = with_cache(folder, "cache", &more);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        let reference = json(folder, "c.json")["variants"][0]["reference"].clone();
+        let name = reference["name"].as_str().expect("a name").to_owned();
+        (name.contains("kept"), reference["own"].clone())
+    };
+    let (kept, first) = own(&[]);
+    assert!(!kept);
+    assert_eq!(own(&[]), (true, first.clone()));
+    assert!(!own(&["--max-depth", "2"]).0);
+    assert!(!own(&["--crop", "0,0,4,4"]).0);
+    assert_eq!(own(&["--seed", "9", "--connect", "light"]), (true, first));
+    for entry in fs::read_dir(folder.join("cache/references"))
+        .expect("a cache")
+        .flatten()
+    {
+        let mut bytes = fs::read(entry.path()).expect("a file");
+        let middle = bytes.len() / 2;
+        bytes[middle] ^= 1;
+        fs::write(entry.path(), bytes).expect("broken");
+    }
+    assert!(!own(&[]).0, "broken");
+    fs::write(folder.join("scene.scn"), LIT.replace("9 8 7", "9 8 6")).expect("a scene");
+    assert!(!own(&[]).0, "another scene");
 }

@@ -36,9 +36,12 @@ pub fn command(folder: &Path, arguments: &[&str]) -> Command {
 
 /// Runs to its end.
 pub fn run(folder: &Path, arguments: &[&str]) -> Run {
-    let output = command(folder, arguments)
-        .output()
-        .expect("the program runs");
+    finish(&mut command(folder, arguments))
+}
+
+/// Runs a command to its end.
+pub fn finish(command: &mut Command) -> Run {
+    let output = command.output().expect("the program runs");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
     Run {
         code: output.status.code(),

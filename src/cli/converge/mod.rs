@@ -1,6 +1,7 @@
 //! `vkpt converge`: how fast a scene converges, and by which settings faster.
 
 mod arguments;
+mod kept;
 mod outputs;
 mod record;
 mod reference;

@@ -5,6 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::arguments::ConvergeArguments;
 use super::failure;
+use super::kept::Kept;
 use crate::cli::exit::{Failure, warn};
 use crate::cli::progress::Display;
 use crate::converge::{Halves, Plan, halves};
@@ -120,17 +121,23 @@ fn own(
         ..Settings::default()
     };
     let job = Job { settings, ..*job };
+    let kept = Kept::new(&job);
+    if let Some(halves) = kept.read(job.size(), plan.seconds) {
+        return named(halves, ", kept from an earlier run", plan).map(Some);
+    }
     let effort = (plan.seconds, MOST);
     let made = halves(&job, engine, effort, stop, &mut |p| display.update(p));
-    let Some(Halves {
-        films: [a, b],
-        spp,
-        seconds,
-    }) = made.map_err(failure)?
-    else {
+    let Some(halves) = made.map_err(failure)? else {
         return Ok(None);
     };
+    kept.write(&halves);
+    named(halves, "", plan).map(Some)
+}
+
+fn named(halves: Halves, origin: &str, plan: &Plan) -> Result<Named, Failure> {
+    let (spp, time) = (halves.spp, duration(halves.seconds));
+    let [a, b] = halves.films;
     let reference = Reference::halves(a, b, &plan.viewing).map_err(|e| failure(e.into()))?;
-    let name = format!("of two halves by {spp} spp, {}", duration(seconds));
-    Ok(Some(Named { name, reference }))
+    let name = format!("of two halves by {spp} spp, {time}{origin}");
+    Ok(Named { name, reference })
 }
