@@ -42,10 +42,11 @@ impl Terms {
     ///
     /// A normal h has E h⁴ = 3 (Var x)², so 4/3 Σ q² estimates the variance 4 Σ w² (Var x)² of Σ q's distance from the
     /// error: exactly where the channels' noise is one, too much where it is not, or where it has heavier tails than
-    /// the normal distribution. The doubt of the weights comes on top, as an error of its own.
+    /// the normal distribution. The doubt of the weights is no chance, which may cancel: it comes on top
+    /// in full.
     pub fn rel_mse(&self) -> RelMse {
         let chance = Z * (4.0 / 3.0 * self.squares).sqrt();
-        let reach = chance.hypot(self.doubt);
+        let reach = chance + self.doubt;
         let interval = [self.sum - reach, self.sum + reach].map(|end| end / self.pixels);
         RelMse {
             estimate: self.sum / self.pixels,
