@@ -67,6 +67,15 @@ pub enum Connect {
     Bsdf,
 }
 
+/// Which numbers the samples of a pixel draw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Sampler {
+    /// Independent ones.
+    Random,
+    /// Scrambled Sobol points, which are spread more evenly.
+    Sobol,
+}
+
 /// What the picture converges to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Model {
@@ -87,6 +96,7 @@ pub struct Estimator {
     pub normals: Normals,
     pub roulette: Roulette,
     pub connect: Connect,
+    pub sampler: Sampler,
 }
 
 /// All settings of one rendering.
@@ -111,6 +121,7 @@ impl Default for Settings {
                 normals: Normals::Visible,
                 roulette: Roulette::Throughput,
                 connect: Connect::Mis,
+                sampler: Sampler::Random,
             },
         }
     }
@@ -125,6 +136,7 @@ impl Settings {
         s.estimator.lobe = LobeChoice::Norms;
         s.estimator.normals = Normals::Distribution;
         s.estimator.roulette = Roulette::Constant(0.8);
+        s.estimator.sampler = Sampler::Random;
         s
     }
 }

@@ -12,7 +12,9 @@ const ROOMS: [(&str, &[&str]); 19] = [
     ("flat", &["prepared", "layout"]),
     (
         "kernel",
-        &["features", "prepared", "settings", "layout", "flat"],
+        &[
+            "features", "prepared", "settings", "layout", "flat", "sample",
+        ],
     ),
     ("cache", &[]),
     ("gpu", &["cache", "kernel", "layout"]),

@@ -10,7 +10,7 @@ use vkpt::film::Aov;
 use vkpt::prepared::Prepared;
 use vkpt::render::{Job, KernelChoice, Plan, PlanLimits};
 use vkpt::report::explanation::Part;
-use vkpt::settings::{Connect, Distribution, DistributionRule, Settings};
+use vkpt::settings::{Connect, Distribution, DistributionRule, Sampler, Settings};
 
 fn plan(job: &Job) -> Plan {
     Plan::new(job, PlanLimits::default()).expect("a plan")
@@ -125,6 +125,7 @@ fn the_word_the_alpha_or_the_flag_is_named() {
     flags.model.distribution = DistributionRule::Always(Distribution::Beckmann);
     flags.model.max_depth = Some(7);
     flags.estimator.connect = Connect::Light;
+    flags.estimator.sampler = Sampler::Sobol;
     assert_eq!(
         why(TABLE, flags, "distribution", "beckmann"),
         "--distribution beckmann"
@@ -138,6 +139,8 @@ fn the_word_the_alpha_or_the_flag_is_named() {
         "--connect light"
     );
     assert_eq!(why(TABLE, flags, "roulette", "throughput"), "the default");
+    assert_eq!(why(TABLE, flags, "sampler", "sobol"), "--sampler sobol");
+    assert_eq!(why(TABLE, default, "sampler", "random"), "the default");
 }
 
 #[test]

@@ -5,7 +5,9 @@ use vkpt::report::{
     Dropped, ErrorAt, Job, Kernel, Machine, Memory, Record, SOFTWARE, Seconds, Work, concerns,
     notes, summary,
 };
-use vkpt::settings::{Connect, Distribution, DistributionRule, Fresnel, Roulette, Settings};
+use vkpt::settings::{
+    Connect, Distribution, DistributionRule, Fresnel, Roulette, Sampler, Settings,
+};
 
 fn record() -> Record {
     let seconds = Seconds {
@@ -92,7 +94,7 @@ fn json_holds_every_field_by_name() {
         "settings": {
             "fresnel": "scene", "distribution": "scene", "absorption": "segment", "radiance_scaling": true,
             "max_depth": null, "lobe": "fresnel", "normals": "visible", "roulette": "throughput",
-            "connect": "mis",
+            "connect": "mis", "sampler": "random",
         },
         "device": "llvmpipe",
         "driver": "Mesa 22.3.6",
@@ -226,7 +228,7 @@ fn settings_are_told_in_the_words_of_their_flags() {
     assert_eq!(
         words(&Settings::handout()),
         "fresnel=scene distribution=scene absorption=term radiance-scaling=off max-depth=none \
-         lobe=norms normals=distribution roulette=0.8 connect=mis"
+         lobe=norms normals=distribution roulette=0.8 connect=mis sampler=random"
     );
     let mut settings = Settings::default();
     settings.model.fresnel = Some(Fresnel::Exact);
@@ -234,10 +236,11 @@ fn settings_are_told_in_the_words_of_their_flags() {
     settings.model.max_depth = Some(3);
     settings.estimator.roulette = Roulette::Off;
     settings.estimator.connect = Connect::Light;
+    settings.estimator.sampler = Sampler::Sobol;
     assert_eq!(
         words(&settings),
         "fresnel=exact distribution=ggx absorption=segment radiance-scaling=on max-depth=3 \
-         lobe=fresnel normals=visible roulette=off connect=light"
+         lobe=fresnel normals=visible roulette=off connect=light sampler=sobol"
     );
 }
 

@@ -1,6 +1,6 @@
 // The decisions of a path as one word: two paths that decided alike have the same.
 // Twin of src/reference/path/signature.rs.
-// uses: math/vec, sampler/random
+// uses: math/vec, sampler/pcg4d
 
 const uint DECISION_SHAPE = 1u;
 const uint DECISION_LIGHT = 2u;

@@ -1,24 +1,7 @@
 // Independent random numbers: a hash of where they are used.
 // Twin of src/reference/sampler/random.rs.
 
-// uses:
-
-// x += y w, y += z x, z += x y, w += y z, one after the other.
-uvec4 mix_words(uvec4 v) {
-    uint x = v.x + v.y * v.w;
-    uint y = v.y + v.z * x;
-    uint z = v.z + x * y;
-    uint w = v.w + y * z;
-    return uvec4(x, y, z, w);
-}
-
-// Hash of four words to four words: a linear congruential step a component, then two rounds that mix the
-// components, with a shift of the upper half into the lower between them.
-// Jarzynski & Olano, Hash Functions for GPU Rendering, JCGT 9(3), 2020.
-uvec4 pcg4d(uvec4 v) {
-    uvec4 a = mix_words(v * 1664525u + 1013904223u);
-    return mix_words(a ^ (a >> 16u));
-}
+// uses: sampler/pcg4d
 
 // Four words for one block of a path, pixel = row * width + column of the full picture.
 uvec4 sampler_block(uint pixel, uint sample_index, uint block, uint seed) {

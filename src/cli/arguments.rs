@@ -16,7 +16,8 @@ use crate::gpu::Selector;
 use crate::render::{KernelChoice, Target, Until};
 use crate::report::names::Named;
 use crate::settings::{
-    Absorption, Connect, DistributionRule, Fresnel, LobeChoice, Normals, Roulette, Settings,
+    Absorption, Connect, DistributionRule, Fresnel, LobeChoice, Normals, Roulette, Sampler,
+    Settings,
 };
 
 const EXIT_CODES: &str = "\
@@ -212,6 +213,12 @@ pub struct SettingArguments {
     #[arg(long, value_name = "HOW", help_heading = ESTIMATOR)]
     #[arg(value_parser = choice::<Connect>(), hide_possible_values = true)]
     pub connect: Option<Connect>,
+
+    /// Numbers that the samples of a pixel draw: independent ones, or scrambled Sobol points, spread
+    /// evenly: random or sobol [default: random]
+    #[arg(long, value_name = "KIND", help_heading = ESTIMATOR)]
+    #[arg(value_parser = choice::<Sampler>(), hide_possible_values = true)]
+    pub sampler: Option<Sampler>,
 }
 
 const MODEL: &str = "Model (what the picture converges to)";
@@ -329,6 +336,7 @@ impl SettingArguments {
         replace(&mut estimator.normals, self.normals);
         replace(&mut estimator.roulette, self.roulette);
         replace(&mut estimator.connect, self.connect);
+        replace(&mut estimator.sampler, self.sampler);
         settings
     }
 }

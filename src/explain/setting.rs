@@ -3,7 +3,7 @@
 use super::Subject;
 use crate::report::SettingsRecord;
 use crate::report::explanation::Part;
-use crate::settings::{Connect, LobeChoice, Normals, Roulette};
+use crate::settings::{Connect, LobeChoice, Normals, Roulette, Sampler};
 
 /// A part of the kernel that a flag decides on.
 struct Setting {
@@ -43,7 +43,7 @@ pub fn by(subject: &Subject, flag: &str, value: impl Fn(&SettingsRecord) -> Stri
     }
 }
 
-fn estimator(subject: &Subject) -> [Setting; 5] {
+fn estimator(subject: &Subject) -> [Setting; 6] {
     let settings = &subject.job.settings.estimator;
     let names = SettingsRecord::from(&subject.job.settings);
     let connect = by(subject, "connect", |s| s.connect.to_owned());
@@ -98,6 +98,16 @@ fn estimator(subject: &Subject) -> [Setting; 5] {
                 Roulette::Off => "path/roulette/off",
             },
             by: by(subject, "roulette", |s| s.roulette.clone()),
+            absent: "",
+        },
+        Setting {
+            group: "sampler",
+            name: names.sampler.to_owned(),
+            file: match settings.sampler {
+                Sampler::Random => "sampler/random",
+                Sampler::Sobol => "sampler/sobol",
+            },
+            by: by(subject, "sampler", |s| s.sampler.to_owned()),
             absent: "",
         },
     ]

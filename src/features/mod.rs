@@ -14,7 +14,7 @@ use glam::DVec3;
 use crate::film::Aov;
 use crate::prepared::{LightKind, Material, MaterialKind, Prepared, ShapeKind};
 use crate::settings::{
-    Absorption, Connect, Distribution, Fresnel, LobeChoice, Normals, Roulette, Settings,
+    Absorption, Connect, Distribution, Fresnel, LobeChoice, Normals, Roulette, Sampler, Settings,
 };
 pub use member::Member;
 
@@ -46,6 +46,7 @@ pub struct Features {
     pub normals: Normals,
     pub lobe: LobeChoice,
     pub connect: Connect,
+    pub sampler: Sampler,
     pub roulette: RouletteKind,
     pub radiance_scaling: bool,
     /// `None` where nothing absorbs.
@@ -120,6 +121,7 @@ impl Features {
             normals: estimator.normals,
             lobe: estimator.lobe,
             connect: estimator.connect,
+            sampler: estimator.sampler,
             roulette: match estimator.roulette {
                 Roulette::Throughput => RouletteKind::Throughput,
                 Roulette::Constant(_) => RouletteKind::Constant,

@@ -19,6 +19,7 @@ impl Features {
             set("normals", lower(&self.normals)),
             set("lobe", lower(&self.lobe)),
             set("connect", lower(&self.connect)),
+            set("sampler", lower(&self.sampler)),
             set("roulette", lower(&self.roulette)),
         ];
         if let Some(absorption) = self.absorption {

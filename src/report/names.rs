@@ -1,7 +1,7 @@
 //! The settings' names, as the command line and every record spell them.
 
 use crate::film::Aov;
-use crate::settings::{Absorption, Connect, Distribution, Fresnel, LobeChoice, Normals};
+use crate::settings::{Absorption, Connect, Distribution, Fresnel, LobeChoice, Normals, Sampler};
 
 /// A choice among few, each with a name.
 pub trait Named: Copy + PartialEq + Send + Sync + 'static {
@@ -55,6 +55,11 @@ impl Named for Connect {
     ];
 }
 
+impl Named for Sampler {
+    const ALL: &'static [(Self, &'static str)] =
+        &[(Self::Random, "random"), (Self::Sobol, "sobol")];
+}
+
 impl Named for Aov {
     const ALL: &'static [(Self, &'static str)] = &[(Self::Stderr, "stderr")];
 }
@@ -88,5 +93,6 @@ mod tests {
         distinct(&[Normals::Visible, Normals::Distribution]);
         distinct(&[Aov::Stderr]);
         distinct(&[Connect::Mis, Connect::Light, Connect::Bsdf]);
+        distinct(&[Sampler::Random, Sampler::Sobol]);
     }
 }

@@ -22,6 +22,7 @@ pub struct SettingsRecord {
     pub normals: &'static str,
     pub roulette: String,
     pub connect: &'static str,
+    pub sampler: &'static str,
 }
 
 impl From<&Settings> for SettingsRecord {
@@ -45,6 +46,7 @@ impl From<&Settings> for SettingsRecord {
                 Roulette::Off => "off".to_owned(),
             },
             connect: estimator.connect.name(),
+            sampler: estimator.sampler.name(),
         }
     }
 }
@@ -64,6 +66,7 @@ impl fmt::Display for SettingsRecord {
             normals,
             roulette,
             connect,
+            sampler,
             ..
         } = self;
         write!(
@@ -73,7 +76,7 @@ impl fmt::Display for SettingsRecord {
         write!(f, "radiance-scaling={scaling} max-depth={depth} ")?;
         write!(
             f,
-            "lobe={lobe} normals={normals} roulette={roulette} connect={connect}"
+            "lobe={lobe} normals={normals} roulette={roulette} connect={connect} sampler={sampler}"
         )
     }
 }

@@ -5,7 +5,8 @@ use std::path::Path;
 use vkpt::film::Film;
 use vkpt::image::file::write_whole;
 use vkpt::image::{Format, Frame, Labels, encode};
-use vkpt::reference::sampler::{sampler_block, unit_float};
+use vkpt::reference::sampler::random::sampler_block;
+use vkpt::reference::sampler::unit_float;
 
 use super::program::{Run, names, run};
 

@@ -2,7 +2,7 @@
 
 use vkpt::settings::{
     Absorption, Connect, Distribution, DistributionRule, Estimator, Fresnel, LobeChoice, Model,
-    Normals, Roulette, Settings,
+    Normals, Roulette, Sampler, Settings,
 };
 
 /// Each estimator setting alone, and all that the hand-out has, with the default model.
@@ -25,6 +25,7 @@ pub fn estimators() -> Vec<(&'static str, Settings)> {
         ("roulette off", with(|e| e.roulette = Roulette::Off)),
         ("connect light", with(|e| e.connect = Connect::Light)),
         ("connect bsdf", with(|e| e.connect = Connect::Bsdf)),
+        ("sampler sobol", with(|e| e.sampler = Sampler::Sobol)),
         (
             "the hand-out's",
             with(|e| *e = Settings::handout().estimator),

@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use vkpt::prepared::LightKind;
 use vkpt::reference::math::Vec3;
-use vkpt::reference::sampler::{light_block, sampler_block, unit_float};
+use vkpt::reference::sampler::random::sampler_block;
+use vkpt::reference::sampler::{light_block, unit_float};
 use vkpt::reference::world::World;
 use vkpt::settings::Settings;
 

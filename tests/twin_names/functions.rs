@@ -28,7 +28,7 @@ impl fmt::Display for Function {
 }
 
 /// Types of arguments that stand for what a kernel has in its slots, buffers and push constants, or that record.
-const GIVEN_TO_RUST: [&str; 9] = [
+const GIVEN_TO_RUST: [&str; 10] = [
     "&Settings",
     "&World<F>",
     "&mut impl Recorder<F>",
@@ -36,6 +36,7 @@ const GIVEN_TO_RUST: [&str; 9] = [
     "Absorption",
     "Connect",
     "Roulette",
+    "Sampler",
     "&[",
     "Option<&[",
 ];
@@ -85,9 +86,12 @@ pub fn sources(folder: &Path) -> Vec<(std::path::PathBuf, String)> {
     let mut all = Vec::new();
     for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
         let path = entry.path();
+        if path.ends_with("tests") || path.ends_with("tests.rs") {
+            continue;
+        }
         if path.is_dir() {
             all.extend(sources(&path));
-        } else if !path.ends_with("tests.rs") {
+        } else {
             let text = std::fs::read_to_string(&path).expect("a file");
             let code = text.split("#[cfg(test)]\nmod tests {").next();
             all.push((path, code.unwrap_or_default().to_owned()));

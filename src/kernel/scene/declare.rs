@@ -5,6 +5,7 @@ use crate::features::Features;
 use crate::layout::BufferUse;
 use crate::layout::{self, GpuStruct};
 use crate::prepared::{MaterialKind, NONE, ShapeKind};
+use crate::sample::GROUPS;
 use crate::settings::Roulette;
 
 /// What an array is made of.
@@ -113,6 +114,7 @@ fn constants(parameters: &Parameters) -> String {
     let mut text = String::new();
     let mut uint = |name: &str, value: u32| text += &format!("const uint {name} = {value}u;\n");
     uint("NONE", NONE);
+    uint("GROUPS", GROUPS);
     uint("KIND_BLACK", MaterialKind::Black as u32);
     uint("KIND_NOTHING", MaterialKind::Nothing as u32);
     uint("SHAPE_MESH", ShapeKind::Mesh as u32);

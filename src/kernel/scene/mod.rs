@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use super::{Composed, Composer, KernelError, Slot};
 use crate::features::{Features, RouletteKind};
 use crate::prepared::{LightKind, ShapeKind};
-use crate::settings::{Absorption, Connect, LobeChoice, Normals, Settings};
+use crate::settings::{Absorption, Connect, LobeChoice, Normals, Sampler, Settings};
 pub use declare::{Binding, Element, declare_binding};
 
 /// What the text of a kernel depends on besides its features.
@@ -68,7 +68,13 @@ fn composer(features: &Features, parameters: &Parameters) -> Composer {
 fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'static str)> {
     let connects = !features.lights.is_empty() && features.connect != Connect::Bsdf;
     vec![
-        ("sampler", "sampler/random"),
+        (
+            "sampler",
+            match features.sampler {
+                Sampler::Random => "sampler/random",
+                Sampler::Sobol => "sampler/sobol",
+            },
+        ),
         (
             "normals",
             match features.normals {

@@ -83,7 +83,7 @@ mod tests {
     fn fireflies(n: u32) -> (Vec<f32>, u128) {
         let mut exact = 0u128;
         let samples = (0..n).map(|i| {
-            let [a, b, _, _] = crate::reference::sampler::sampler_block(0, i, 0, 0);
+            let [a, b, _, _] = crate::reference::sampler::random::sampler_block(0, i, 0, 0);
             let k = u64::from(a >> 8) << (b >> 27);
             exact += u128::from(k);
             k as f32 * 2f32.powi(-32)

@@ -2,7 +2,8 @@
 
 use super::{FilmMoments, FilmPixel, film_half_difference, film_moments, film_sample, film_stderr};
 use crate::reference::math::{Vec3, vec3};
-use crate::reference::sampler::{sampler_block, unit_float};
+use crate::reference::sampler::random::sampler_block;
+use crate::reference::sampler::unit_float;
 
 /// Σ (x − mean)², and the error that it is granted, from the bound of [`film_moments`].
 struct Exact {

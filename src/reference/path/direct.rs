@@ -9,7 +9,7 @@ use crate::reference::bsdf::bsdf_eval;
 use crate::reference::math::Real;
 use crate::reference::math::finite::is_black;
 use crate::reference::math::frame::to_local;
-use crate::reference::sampler::{light_block, sampler_block, unit_float};
+use crate::reference::sampler::{light_block, unit_float};
 use crate::reference::shape::{FAR, Target};
 use crate::reference::world::World;
 use crate::settings::{Connect, Settings};
@@ -44,7 +44,7 @@ fn shadow_to_light<F: Real>(
     id: SampleId,
     recorder: &mut impl Recorder<F>,
 ) -> Option<ShadowRay<F>> {
-    let u = sampler_block(id.pixel, id.sample, light_block(s.bounce), id.seed);
+    let u = id.words(settings, light_block(s.bounce));
     let light = world.light_choice(u[0] >> 8);
     recorder.light(s, light);
     let l = world.light_sample(light, v.p, u[1] >> 8, [unit_float(u[2]), unit_float(u[3])]);

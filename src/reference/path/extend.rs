@@ -8,7 +8,7 @@ use crate::reference::bsdf::{LOBE_DELTA, LOBE_NONE, bsdf_sample, transmission_sc
 use crate::reference::math::Real;
 use crate::reference::math::finite::{is_black, is_finite3};
 use crate::reference::math::frame::to_world;
-use crate::reference::sampler::{bsdf_block, roulette_block, sampler_block, unit_float};
+use crate::reference::sampler::{bsdf_block, roulette_block, unit_float};
 use crate::settings::Settings;
 
 /// Draws the next direction and moves the path onto it; false where the path ends.
@@ -19,9 +19,9 @@ pub fn extend<F: Real>(
     id: SampleId,
     recorder: &mut impl Recorder<F>,
 ) -> bool {
-    let u = sampler_block(id.pixel, id.sample, bsdf_block(s.bounce), id.seed).map(unit_float::<F>);
-    let w =
-        sampler_block(id.pixel, id.sample, roulette_block(s.bounce), id.seed).map(unit_float::<F>);
+    let numbers = |block| id.words(settings, block).map(unit_float::<F>);
+    let u = numbers(bsdf_block(s.bounce));
+    let w = numbers(roulette_block(s.bounce));
     let b = bsdf_sample(
         settings,
         &v.interaction,

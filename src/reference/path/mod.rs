@@ -36,6 +36,14 @@ pub struct SampleId {
     pub seed: u32,
 }
 
+impl SampleId {
+    /// The four words of a block of [`sampler::dimensions`](super::sampler::dimensions).
+    fn words(self, settings: &Settings, block: u32) -> [u32; 4] {
+        let sampler = settings.estimator.sampler;
+        sampler_block(sampler, self.pixel, self.sample, block, self.seed)
+    }
+}
+
 /// What carries over from one vertex to the next.
 #[derive(Clone, Copy, Debug)]
 pub struct PathState<F> {
@@ -71,7 +79,7 @@ pub fn trace_path<F: Real>(
     id: SampleId,
     recorder: &mut impl Recorder<F>,
 ) -> PathResult<F> {
-    let mut s = begin_path(world, id);
+    let mut s = begin_path(world, settings, id);
     let mut alive = true;
     while alive {
         let origin = s.ray.o;
@@ -99,8 +107,8 @@ pub fn trace_path<F: Real>(
     }
 }
 
-fn begin_path<F: Real>(world: &World<F>, id: SampleId) -> PathState<F> {
-    let u = sampler_block(id.pixel, id.sample, camera_block(), id.seed);
+fn begin_path<F: Real>(world: &World<F>, settings: &Settings, id: SampleId) -> PathState<F> {
+    let u = id.words(settings, camera_block());
     let d = camera_direction(
         &world.camera,
         id.column,

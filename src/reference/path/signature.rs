@@ -16,7 +16,7 @@ use super::flight::ShadowRay;
 use super::record::Recorder;
 use super::vertex::Vertex;
 use crate::reference::math::{Real, Vec3, max_component};
-use crate::reference::sampler::random::pcg4d;
+use crate::reference::sampler::pcg4d::pcg4d;
 
 const DECISION_SHAPE: u32 = 1;
 const DECISION_LIGHT: u32 = 2;

@@ -2,16 +2,31 @@
 //!
 //! A sampler is a pure function `sampler_block(pixel, sample_index, block, seed)` to four words, one block
 //! of the layout in [`dimensions`]. It keeps no state: a path may be cut anywhere and carried on elsewhere.
-//! [`random`] is such a sampler; a quasi-random one (Owen-scrambled Sobol points, padded by four
-//! dimensions at a time: the block decides the scrambling and the shuffle of `sample_index`) needs no more
-//! than the same signature.
 
 pub mod dimensions;
+pub mod owen;
+pub mod pcg4d;
 pub mod random;
+pub mod sobol;
+pub mod sobol_digits;
 #[cfg(test)]
 mod tests;
 mod unit_float;
 
+use crate::settings::Sampler;
 pub use dimensions::{bsdf_block, camera_block, light_block, roulette_block};
-pub use random::sampler_block;
 pub use unit_float::unit_float;
+
+/// Four words for one block of a path by the sampler chosen, `pixel` = row · width + column of the full picture.
+pub fn sampler_block(
+    sampler: Sampler,
+    pixel: u32,
+    sample_index: u32,
+    block: u32,
+    seed: u32,
+) -> [u32; 4] {
+    match sampler {
+        Sampler::Random => random::sampler_block(pixel, sample_index, block, seed),
+        Sampler::Sobol => sobol::sampler_block(pixel, sample_index, block, seed),
+    }
+}

@@ -42,6 +42,7 @@ fn settings(settings: &Settings) -> Vec<String> {
             ("normals", s.normals.to_owned()),
             ("roulette", s.roulette),
             ("connect", s.connect.to_owned()),
+            ("sampler", s.sampler.to_owned()),
         ]
     };
     let pairs = words(given).into_iter().zip(words(default));
