@@ -12,14 +12,16 @@ mod outputs;
 mod progress;
 mod record;
 mod render;
+mod settings;
 mod trace;
 mod values;
 
-pub use arguments::{Arguments, RenderArguments, SettingArguments, Task, task};
+pub use arguments::{Arguments, RenderArguments, Task, task};
 pub use compare::{CompareArguments, compare};
 pub use converge::{ConvergeArguments, converge};
 pub use devices::devices;
 pub use exit::{Ending, Failure, exit};
 pub use explain::{ExplainArguments, explain};
 pub use render::render;
+pub use settings::SettingArguments;
 pub use trace::trace;

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use crate::cli::arguments::SettingArguments;
 use crate::cli::job::Request;
+use crate::cli::settings::SettingArguments;
 use crate::cli::values::{self, Output};
 use crate::gpu::Selector;
 

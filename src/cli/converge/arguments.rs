@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use super::vary::{Vary, vary};
-use crate::cli::arguments::{SettingArguments, usage};
+use crate::cli::arguments::usage;
 use crate::cli::exit::Failure;
 use crate::cli::job::Request;
+use crate::cli::settings::SettingArguments;
 use crate::cli::values;
 use crate::converge::HALVES;
 use crate::gpu::Selector;

@@ -3,8 +3,9 @@
 use clap::error::ErrorKind;
 use clap::{Args, Command, FromArgMatches};
 
-use crate::cli::arguments::{SettingArguments, usage};
+use crate::cli::arguments::usage;
 use crate::cli::exit::Failure;
+use crate::cli::settings::SettingArguments;
 use crate::settings::Settings;
 
 /// A setting and the values that it is to have.
