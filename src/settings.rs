@@ -8,12 +8,20 @@ pub enum Fresnel {
     Exact,
 }
 
+impl Fresnel {
+    pub const EVERY: [Self; 2] = [Self::Schlick, Self::Exact];
+}
+
 /// Distribution of micro-normals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Distribution {
     Phong,
     Beckmann,
     Ggx,
+}
+
+impl Distribution {
+    pub const EVERY: [Self; 3] = [Self::Phong, Self::Beckmann, Self::Ggx];
 }
 
 /// Which distribution a material gets.

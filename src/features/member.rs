@@ -22,36 +22,6 @@ pub enum Member {
     ShadingNormals,
 }
 
-const SHAPES: [ShapeKind; 4] = [
-    ShapeKind::Sphere,
-    ShapeKind::Box,
-    ShapeKind::Cylinder,
-    ShapeKind::Mesh,
-];
-const MATERIALS: [MaterialKind; 8] = [
-    MaterialKind::Black,
-    MaterialKind::Diffuse,
-    MaterialKind::Opaque,
-    MaterialKind::Mirror,
-    MaterialKind::Dielectric,
-    MaterialKind::Glass,
-    MaterialKind::Weak,
-    MaterialKind::Nothing,
-];
-const DISTRIBUTIONS: [Distribution; 3] = [
-    Distribution::Phong,
-    Distribution::Beckmann,
-    Distribution::Ggx,
-];
-const FRESNEL: [Fresnel; 2] = [Fresnel::Schlick, Fresnel::Exact];
-const LIGHTS: [LightKind; 5] = [
-    LightKind::Sphere,
-    LightKind::Box,
-    LightKind::Cylinder,
-    LightKind::Mesh,
-    LightKind::Background,
-];
-
 impl Member {
     /// Every member there is, where the model has this rule of absorption.
     pub fn all(absorption: Absorption) -> BTreeSet<Self> {
@@ -61,12 +31,12 @@ impl Member {
             Self::Absorption(absorption),
             Self::ShadingNormals,
         ]);
-        all.extend(SHAPES.map(Self::Shape));
-        all.extend(SHAPES.map(Self::InBvh));
-        all.extend(MATERIALS.map(Self::Material));
-        all.extend(DISTRIBUTIONS.map(Self::Distribution));
-        all.extend(FRESNEL.map(Self::Fresnel));
-        all.extend(LIGHTS.map(Self::Light));
+        all.extend(ShapeKind::EVERY.map(Self::Shape));
+        all.extend(ShapeKind::EVERY.map(Self::InBvh));
+        all.extend(MaterialKind::EVERY.map(Self::Material));
+        all.extend(Distribution::EVERY.map(Self::Distribution));
+        all.extend(Fresnel::EVERY.map(Self::Fresnel));
+        all.extend(LightKind::EVERY.map(Self::Light));
         all
     }
 }

@@ -73,6 +73,10 @@ pub enum ShapeKind {
     Mesh = 3,
 }
 
+impl ShapeKind {
+    pub const EVERY: [Self; 4] = [Self::Sphere, Self::Box, Self::Cylinder, Self::Mesh];
+}
+
 #[derive(Clone, Copy, Debug)]
 pub struct Shape {
     pub kind: ShapeKind,
@@ -141,6 +145,19 @@ pub enum MaterialKind {
     Nothing = 7,
 }
 
+impl MaterialKind {
+    pub const EVERY: [Self; 8] = [
+        Self::Black,
+        Self::Diffuse,
+        Self::Opaque,
+        Self::Mirror,
+        Self::Dielectric,
+        Self::Glass,
+        Self::Weak,
+        Self::Nothing,
+    ];
+}
+
 /// A material, with all that depends on it alone. Pairs hold the outer side first.
 #[derive(Clone, Copy, Debug)]
 pub struct Material {
@@ -187,6 +204,16 @@ pub enum LightKind {
     Cylinder = 2,
     Mesh = 3,
     Background = 4,
+}
+
+impl LightKind {
+    pub const EVERY: [Self; 5] = [
+        Self::Sphere,
+        Self::Box,
+        Self::Cylinder,
+        Self::Mesh,
+        Self::Background,
+    ];
 }
 
 /// An emitter that is sampled explicitly.

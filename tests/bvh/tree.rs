@@ -8,12 +8,7 @@ use vkpt::prepared::{Prepared, ShapeKind};
 
 use crate::scenes::{self, Builder};
 
-pub const ALL_KINDS: [ShapeKind; 4] = [
-    ShapeKind::Sphere,
-    ShapeKind::Box,
-    ShapeKind::Cylinder,
-    ShapeKind::Mesh,
-];
+pub const ALL_KINDS: [ShapeKind; 4] = ShapeKind::EVERY;
 
 /// What a walk over a tree found.
 #[derive(Default)]

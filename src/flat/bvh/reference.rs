@@ -47,12 +47,7 @@ mod tests {
 
     #[test]
     fn references_decode_to_what_was_encoded() {
-        for kind in [
-            ShapeKind::Sphere,
-            ShapeKind::Box,
-            ShapeKind::Cylinder,
-            ShapeKind::Mesh,
-        ] {
+        for kind in ShapeKind::EVERY {
             for index in [0, 1, INDEX_MASK] {
                 assert_eq!(decode(encode(kind, index)), (kind, index as usize));
             }

@@ -74,11 +74,7 @@ pub fn estimator(lobe: LobeChoice, normals: Normals) -> Settings {
     s
 }
 
-pub const DISTRIBUTIONS: [Distribution; 3] = [
-    Distribution::Phong,
-    Distribution::Beckmann,
-    Distribution::Ggx,
-];
+pub const DISTRIBUTIONS: [Distribution; 3] = Distribution::EVERY;
 pub const ESTIMATORS: [(LobeChoice, Normals); 4] = [
     (LobeChoice::Fresnel, Normals::Visible),
     (LobeChoice::Fresnel, Normals::Distribution),

@@ -30,21 +30,8 @@ pub fn put(row: Row, outside: bool, at: &Interaction<f32>) -> Row {
         .vec3(at.attenuation)
 }
 
-const KINDS: [MaterialKind; 8] = [
-    MaterialKind::Black,
-    MaterialKind::Diffuse,
-    MaterialKind::Opaque,
-    MaterialKind::Mirror,
-    MaterialKind::Dielectric,
-    MaterialKind::Glass,
-    MaterialKind::Weak,
-    MaterialKind::Nothing,
-];
-const DISTRIBUTIONS: [Distribution; 3] = [
-    Distribution::Phong,
-    Distribution::Beckmann,
-    Distribution::Ggx,
-];
+const KINDS: [MaterialKind; 8] = MaterialKind::EVERY;
+const DISTRIBUTIONS: [Distribution; 3] = Distribution::EVERY;
 
 /// Reads what [`put`] has written.
 pub fn take(i: &mut In) -> Interaction<f32> {
