@@ -9,8 +9,11 @@ use common::scenes::{SMOOTH, TABLE, WIDE, scene_files};
 use common::settings::{estimators, models};
 use common::spirv_tools::tool;
 use vkpt::film::Aov;
+use vkpt::kernel::{KernelError, OwnFile, file};
 use vkpt::prepared::Prepared;
-use vkpt::render::{DispatchLimits, Job, Plan, PlanLimits, kernel, render_on};
+use vkpt::render::{
+    DispatchLimits, Job, KernelChoice, Plan, PlanLimits, RenderError, kernel, render_on,
+};
 use vkpt::settings::Settings;
 
 /// Diffuse surfaces and a light.
@@ -167,4 +170,41 @@ fn values_are_not_in_the_text() {
     assert_eq!(text(DIFFUSE), text(&edited));
     let more = format!("{DIFFUSE}sphere 2 0 1 1\n");
     assert_ne!(text(DIFFUSE), text(&more));
+}
+
+/// A file of one's own stands in the place of its namesake, with a further one that it uses; one that nothing uses is
+/// an error, for it would be no one's estimator.
+#[test]
+fn a_kernel_holds_files_of_ones_own() {
+    let settings = Settings::default();
+    let scene = prepared(DIFFUSE, &settings);
+    let plain = job(&scene, settings, 1, 1);
+    let text = |files: &[OwnFile]| {
+        let own = Job {
+            kernel: KernelChoice::Own(files),
+            ..plain
+        };
+        Plan::new(&own, PlanLimits::default()).map(|plan| plan.kernel.text().to_owned())
+    };
+    let none = text(&[]).expect("a kernel");
+    let own = |name, text| OwnFile { name, text };
+    let same = file("path/connect/mis").expect("a shader");
+    assert_eq!(
+        text(&[own("path/connect/mis", same)]).expect("a kernel"),
+        none
+    );
+    let half = "// uses: half\nfloat connection_weight(float light_pdf, float bsdf_pdf) { return HALF; }\n\
+                float hit_weight(bool delta, float bsdf_pdf, float light_pdf) { return delta ? 1.0 : HALF; }\n";
+    let files = [
+        own("path/connect/mis", half),
+        own("half", "const float HALF = 0.5;\n"),
+    ];
+    let with = text(&files).expect("a kernel");
+    assert!(with.contains("return HALF") && !with.contains("power_heuristic"));
+    let unused = text(&[own("path/connect/light", half)]);
+    let Err(RenderError::Kernel { error, .. }) = unused else {
+        panic!("{unused:?}");
+    };
+    let name = "path/connect/light".to_owned();
+    assert_eq!(error, KernelError::Unused { name });
 }

@@ -50,6 +50,7 @@ fn generated() -> String {
         background_light: Some(0),
         recording: Recording::Nothing,
         read_first: true,
+        own_files: &[],
     };
     let composed = compose(&features, &parameters).expect("a kernel");
     composed.text().to_owned()

@@ -19,6 +19,15 @@ pub enum Slot {
     Text(String),
 }
 
+/// A shader file of one's own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OwnFile<'a> {
+    /// Its path below `shaders/` without `.glsl`: that of the file whose place it takes, or another that one of these
+    /// uses.
+    pub name: &'a str,
+    pub text: &'a str,
+}
+
 /// Collects what a kernel is made of; [`compose`](Composer::compose) puts it in order.
 #[derive(Clone, Debug, Default)]
 pub struct Composer {

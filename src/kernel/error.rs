@@ -11,6 +11,8 @@ pub enum KernelError {
     UnknownSlot { slot: String, asked_by: String },
     #[error("shader files use each other in a circle: {}", chain.join(" → "))]
     Cycle { chain: Vec<String> },
+    #[error("the kernel uses no file {name}, so that nothing would come of one in its place")]
+    Unused { name: String },
     #[error("GLSL: {}", list(.0))]
     Glsl(Vec<Culprit>),
     #[error("invalid kernel: {message}{}", list(.culprits))]

@@ -26,7 +26,7 @@ mod spirv;
 mod uninitialised;
 
 pub use compile::compile;
-pub use compose::{Composer, Slot};
+pub use compose::{Composer, OwnFile, Slot};
 pub use composed::{Composed, Place};
 pub use error::{Culprit, KernelError};
 pub use reflect::{Member, StructLayout, struct_layouts};

@@ -17,7 +17,7 @@ use crate::features::Features;
 use crate::film::{Aov, Film};
 pub use crate::gpu::Selector;
 use crate::gpu::{Device, GpuError};
-use crate::kernel::{KernelError, Spirv};
+use crate::kernel::{KernelError, OwnFile, Spirv};
 use crate::prepared::Prepared;
 use crate::settings::Settings;
 pub use course::{End, ErrorAt, Until};
@@ -36,7 +36,8 @@ pub enum Target {
     CpuF64,
 }
 
-/// Which kernel renders on a Vulkan device. The picture does not depend on it; the reference has none.
+/// Which kernel renders on a Vulkan device. The picture does not depend on it, but for files of one's own; the reference
+/// has none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum KernelChoice<'a> {
     /// What scene and settings need, and nothing else.
@@ -46,6 +47,10 @@ pub enum KernelChoice<'a> {
     Full,
     /// These features, which must hold what scene and settings need.
     Given(&'a Features),
+    /// What scene and settings need, with files of one's own in place of some of `shaders/`: another estimator, say,
+    /// to be measured beside vkpt's by [`converge`](crate::converge). [`file`](crate::kernel::file) has vkpt's text. A
+    /// file that the kernel does not use is an error.
+    Own(&'a [OwnFile<'a>]),
 }
 
 /// What is to be rendered.
@@ -70,9 +75,19 @@ impl Job<'_> {
     /// What the kernel of this job holds.
     pub fn features(&self) -> Features {
         match self.kernel {
-            KernelChoice::Composed => Features::of(self.prepared, &self.settings, self.aovs),
+            KernelChoice::Composed | KernelChoice::Own(_) => {
+                Features::of(self.prepared, &self.settings, self.aovs)
+            }
             KernelChoice::Full => Features::full(&self.settings, self.aovs),
             KernelChoice::Given(features) => features.clone(),
+        }
+    }
+
+    /// What stands in place of shader files of vkpt's.
+    fn own_files(&self) -> &[OwnFile<'_>] {
+        match self.kernel {
+            KernelChoice::Own(files) => files,
+            _ => &[],
         }
     }
 
@@ -173,7 +188,7 @@ pub enum RenderError {
     #[error(transparent)]
     Gpu(#[from] GpuError),
     #[error(
-        "the kernel of this scene does not compile, which is a mistake of vkpt's:\n{error}\n\
+        "the kernel of this scene does not compile, which is a mistake of vkpt's or in a shader file given to it:\n{error}\n\
          It was to hold {features}"
     )]
     Kernel {

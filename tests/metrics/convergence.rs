@@ -181,6 +181,30 @@ fn a_floor_is_found_where_there_is_one() {
     );
 }
 
+/// The interval of the jackknife, over a reference without noise.
+#[test]
+fn a_floor_knows_its_own_error() {
+    let (truth, mut random) = (truth(), Random(17));
+    let reference = Reference::picture(truth.clone(), None).expect("a reference");
+    // Above the noise everywhere, or there would be too little of what pairs share.
+    let biased = mapped(&truth, |v| v + 0.1);
+    let expected = {
+        let limits = [biased.clone(), biased.clone(), biased.clone()];
+        floor(&limits, &reference).expect("replicates").rel_mse
+    };
+    // Student's t of 5 degrees of freedom, 97.5 %.
+    check_coverage("floor", expected, || {
+        let pictures = replicates(&mut random, &biased, 1024);
+        let floor = floor(&pictures, &reference).expect("replicates");
+        let half = 2.571 * floor.standard_error;
+        Interval {
+            value: floor.rel_mse,
+            low: floor.rel_mse - half,
+            high: floor.rel_mse + half,
+        }
+    });
+}
+
 /// A floor of 2.5e-3 under noise of σ²/n: the slope is −1 above it and 0 on it.
 #[test]
 fn a_bias_flattens_the_curve() {

@@ -6,7 +6,7 @@ mod generate;
 
 use std::collections::BTreeSet;
 
-use super::{Composed, Composer, KernelError, Slot};
+use super::{Composed, Composer, KernelError, OwnFile, Slot};
 use crate::features::{Features, RouletteKind};
 use crate::prepared::{LightKind, ShapeKind};
 use crate::settings::{Absorption, Connect, LobeChoice, Normals, Sampler, Settings};
@@ -24,6 +24,8 @@ pub struct Parameters<'a> {
     pub recording: Recording,
     /// Read what is tried one by one before any branch, as CPU drivers want it; no bit depends on it.
     pub read_first: bool,
+    /// What stands in place of the files of `shaders/`, or beside them.
+    pub own_files: &'a [OwnFile<'a>],
 }
 
 impl Parameters<'_> {
@@ -47,9 +49,16 @@ pub enum Recording {
 /// The path kernel for a scene of these features: the files it needs, the generated dispatch, nothing else.
 ///
 /// # Errors
-/// If a file or slot is missing, which would be a mistake in this program.
+/// If a file or slot is missing, which would be a mistake in this program; if a file of one's own is not used.
 pub fn compose(features: &Features, parameters: &Parameters) -> Result<Composed, KernelError> {
-    composer(features, parameters).compose(&["path_trace.comp"])
+    let kernel = composer(features, parameters).compose(&["path_trace.comp"])?;
+    let unused = |own: &&OwnFile| !kernel.files().any(|file| file == own.name);
+    match parameters.own_files.iter().find(unused) {
+        Some(OwnFile { name, .. }) => Err(KernelError::Unused {
+            name: (*name).to_owned(),
+        }),
+        None => Ok(kernel),
+    }
 }
 
 fn composer(features: &Features, parameters: &Parameters) -> Composer {
@@ -60,6 +69,9 @@ fn composer(features: &Features, parameters: &Parameters) -> Composer {
     }
     for (name, text) in generate::texts(features, parameters) {
         composer = composer.slot(name, Slot::Text(text));
+    }
+    for own in parameters.own_files {
+        composer = composer.add(own.name, own.text);
     }
     composer
 }

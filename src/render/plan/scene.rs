@@ -89,6 +89,7 @@ impl<'a> ScenePlan<'a> {
             background_light: self.background_light,
             recording,
             read_first: self.read_first,
+            own_files: self.job.own_files(),
         }
     }
 }
