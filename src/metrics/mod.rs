@@ -1,7 +1,7 @@
 //! How far a picture is from another: pure functions over films, every sum in f64.
 //!
 //! [`Pair`] checks two pictures once, so that no metric has to. [`Errors`] are single numbers;
-//! [`flip`] and [`heatmap()`] show where they come from; [`blocks`] tests whether chance explains them;
+//! [`flip`], [`heatmap()`] and [`worst_pixels`] show where they come from; [`blocks`] tests whether chance explains them;
 //! [`convergence`] how fast they fall.
 
 pub mod blocks;
@@ -16,11 +16,13 @@ pub mod paired;
 mod rel_mse;
 mod smape;
 mod trimmed;
+mod worst;
 
 pub use error::MetricsError;
-pub use heatmap::{HEATMAP_RANGE, heatmap};
+pub use heatmap::{HEATMAP_RANGE, heatmap, heatmap_scale};
 pub use pair::Pair;
 pub use trimmed::{Trimmed, trimmed};
+pub use worst::{WorstPixel, worst_pixels};
 
 use crate::film::Film;
 

@@ -41,7 +41,8 @@ fn a_curve_goes_to_table_csv_and_json() {
     let folder = folder(LIT);
     let folder = folder.path();
     reference(folder, "r.exr");
-    let files = ["--reference", "r.exr", "--csv", "c.csv", "--json", "c.json"];
+    let files = "--reference r.exr --csv c.csv --json c.json --svg c.svg".split(' ');
+    let files: Vec<&str> = files.collect();
     let done = converge(folder, &files);
     assert_eq!(done.code, Some(0), "{}", done.err);
     for word in [
@@ -92,6 +93,9 @@ fn a_curve_goes_to_table_csv_and_json() {
         "{csv}"
     );
     assert!(lines[0].starts_with("variant,spp,wall_s,"));
+
+    let svg = fs::read_to_string(folder.join("c.svg")).expect("a plot");
+    assert!(svg.starts_with("<svg ") && svg.contains("scene.scn") && svg.ends_with("</svg>\n"));
 }
 
 /// The errors that it tells are those of the picture that `vkpt SCENE` renders, by `vkpt compare`'s numbers.
@@ -224,6 +228,7 @@ fn what_cannot_be_measured_is_refused() {
             "has 12×8 pixels, the renderings 6×4",
         ),
         (&["--csv", "none/c.csv"], 5, "none/c.csv"),
+        (&["--svg", "none/c.svg"], 5, "none/c.svg"),
     ];
     for (more, code, said) in rows {
         // A flag may not be there twice.

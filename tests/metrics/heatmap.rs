@@ -1,7 +1,7 @@
 //! The heat map's colours against the published table of magma.
 
 use vkpt::image::srgb;
-use vkpt::metrics::{HEATMAP_RANGE, Pair, heatmap};
+use vkpt::metrics::{HEATMAP_RANGE, Pair, heatmap, heatmap_scale};
 
 use crate::pictures::{constant, film};
 
@@ -39,4 +39,17 @@ fn a_larger_error_is_brighter() {
     let map = heatmap(&Pair::new(&test, &constant(61, 1, [0.0; 3])).expect("two pictures"));
     let brightness: Vec<f32> = map.rgb.iter().map(|rgb| rgb.iter().sum()).collect();
     assert!(brightness.is_sorted() && brightness[0] < brightness[60]);
+}
+
+#[test]
+fn the_scale_has_the_colours_of_its_figures() {
+    let scale = heatmap_scale(7);
+    assert_eq!((scale.width, scale.height), (7, 1));
+    for (i, rgb) in scale.rgb.iter().enumerate() {
+        let shown = rgb.map(|v| srgb::quantise(f64::from(v)));
+        // 1e-6, 1e-5 … 1; the map's own error is rounded in f32.
+        for (a, b) in shown.into_iter().zip(code(10f64.powi(i as i32 - 6))) {
+            assert!(a.abs_diff(b) <= 1, "{i}");
+        }
+    }
 }

@@ -84,6 +84,10 @@ pub struct ConvergeArguments {
     #[arg(long, value_name = "FILE", help_heading = REPORTS)]
     pub csv: Option<PathBuf>,
 
+    /// Write a plot of error over seconds, log–log, with intervals
+    #[arg(long, value_name = "FILE", help_heading = REPORTS)]
+    pub svg: Option<PathBuf>,
+
     /// No progress and no table, only warnings and errors
     #[arg(long, help_heading = REPORTS)]
     pub quiet: bool,

@@ -6,37 +6,44 @@ use std::path::Path;
 use super::arguments::ConvergeArguments;
 use crate::cli::exit::Failure;
 use crate::image::file::{FileError, check_writable, write_whole};
-use crate::report::convergence::{Convergence, csv};
+use crate::report::convergence::{Convergence, csv, svg};
 
 /// Each known to be writable when the experiment starts.
 pub struct Outputs<'a> {
     json: Option<&'a Path>,
     csv: Option<&'a Path>,
+    svg: Option<&'a Path>,
 }
 
 impl<'a> Outputs<'a> {
     /// What the command line asks for, and whether it can be written; touches nothing.
     pub fn check(arguments: &'a ConvergeArguments) -> Result<Self, Failure> {
-        let (json, csv) = (arguments.json.as_deref(), arguments.csv.as_deref());
-        let checked = json.into_iter().chain(csv).map(check_writable);
+        let all = [&arguments.json, &arguments.csv, &arguments.svg].map(Option::as_deref);
+        let checked = all.into_iter().flatten().map(check_writable);
         failed(checked.filter_map(Result::err).collect())?;
-        Ok(Self { json, csv })
+        let [json, csv, svg] = all;
+        Ok(Self { json, csv, svg })
     }
 
     /// Writes what was asked for.
     pub fn write(&self, record: &Convergence) -> Result<(), Failure> {
-        let json = |out: &mut dyn Write| -> io::Result<()> {
-            serde_json::to_writer_pretty(&mut *out, record)?;
-            writeln!(out)
+        let json = || {
+            let text = serde_json::to_string_pretty(record)?;
+            Ok(text + "\n")
         };
-        let json = self.json.map(|path| write_whole(path, |out| json(out)));
-        let text = csv(record);
-        let csv = self
-            .csv
-            .map(|path| write_whole(path, |out| out.write_all(text.as_bytes())));
-        let written = json.into_iter().chain(csv);
-        failed(written.filter_map(Result::err).collect())
+        let written = [
+            whole(self.json, json),
+            whole(self.csv, || Ok(csv(record))),
+            whole(self.svg, || svg(record).map_err(io::Error::other)),
+        ];
+        failed(written.into_iter().filter_map(Result::err).collect())
     }
+}
+
+/// Writes a text, if it was asked for.
+fn whole(path: Option<&Path>, text: impl FnOnce() -> io::Result<String>) -> Result<(), FileError> {
+    let Some(path) = path else { return Ok(()) };
+    write_whole(path, |out| out.write_all(text()?.as_bytes()))
 }
 
 fn failed(errors: Vec<FileError>) -> Result<(), Failure> {

@@ -1,7 +1,8 @@
 //! The experiment for people: a table a variant, then which variant wins.
 
-use super::{Convergence, ErrorRecord, ReachRecord, StepRecord, VariantRecord};
-use crate::metrics::convergence::{Figures, Interval, Metric, Reach};
+use super::words::{NONE, between, marked, number, own, reached, with_half_width};
+use super::{Convergence, StepRecord, VariantRecord};
+use crate::metrics::convergence::Metric;
 use crate::report::human::{duration, plural};
 
 /// The experiment as text.
@@ -100,9 +101,6 @@ fn row(step: &StepRecord) -> Row {
     ]
 }
 
-/// What there is not.
-const NONE: &str = "–";
-
 /// Columns to the right, as wide as their widest cell, two blanks before each.
 fn lined_up(rows: &[Row]) -> String {
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
@@ -123,56 +121,8 @@ fn has_marks(step: &StepRecord) -> bool {
         .any(|&(metric, _)| step.errors.of(metric).below_reference)
 }
 
-/// A figure that says nothing is not told as if it were true.
-fn marked(error: &ErrorRecord) -> String {
-    let mark = if error.below_reference { "*" } else { "" };
-    format!("{mark}{}", number(error.summary.mean.value))
-}
-
-/// Three digits.
-fn number(x: f64) -> String {
-    match x.abs() {
-        0.0 => "0".to_owned(),
-        0.01..10.0 => format!("{x:.3}"),
-        10.0..1000.0 => format!("{x:.1}"),
-        _ => format!("{x:.2e}"),
-    }
-}
-
-fn between(i: &Interval) -> String {
-    format!("{}–{}", number(i.low), number(i.high))
-}
-
-/// `-1.02 ± 0.11`
-fn with_half_width(i: &Interval) -> String {
-    format!("{:.2} ± {:.2}", i.value, 0.5 * (i.high - i.low))
-}
-
-fn own(own: &Figures<Option<f64>>) -> String {
-    let known = Metric::ALL
-        .iter()
-        .filter_map(|&(metric, name)| own.of(metric).map(|x| format!("{name} {}", number(x))));
-    let known: Vec<String> = known.collect();
-    match known.is_empty() {
-        true => "whose own error is not known".to_owned(),
-        false => format!("itself off by {}", known.join(", ")),
-    }
-}
-
-/// `relMSE 1e-2 after 3.20 s`
-fn reached(record: &ReachRecord) -> String {
-    let target = record.rel_mse;
-    let when = match record.reach {
-        Reach::Before(seconds) => format!("within the first {}", duration(seconds)),
-        Reach::At(seconds) => format!("after {}", duration(seconds)),
-        Reach::Extrapolated(seconds) => format!("after about {} (extrapolated)", duration(seconds)),
-        Reach::Never => "not reached".to_owned(),
-    };
-    format!("relMSE {target:e} {when}")
-}
-
 /// Whether the pictures go where the reference is.
-fn verdict(variant: &VariantRecord) -> String {
+pub fn verdict(variant: &VariantRecord) -> String {
     let Some(floor) = variant.floor else {
         return String::new();
     };
@@ -196,20 +146,25 @@ fn winner(e: &Convergence) -> String {
     let first = e.variants.first().map(name).unwrap_or_default();
     let mut text = format!("efficiency, 1/(relMSE·s), by that of {first} (95 % interval)\n");
     for variant in &e.variants[1..] {
-        let ratio = variant.against_first.map_or(NONE.to_owned(), |r| {
-            let verdict = match () {
-                () if r.low > 1.0 => "better",
-                () if r.high < 1.0 => "worse",
-                () => "no difference is shown",
-            };
-            format!("×{} ({})  {verdict}", number(r.value), between(&r))
-        });
-        text += &format!("  {:<width$}  {ratio}\n", variant.name);
+        text += &format!("  {:<width$}  {}\n", variant.name, against(variant));
     }
     text + different_limits(e)
 }
 
-fn different_limits(e: &Convergence) -> &'static str {
+/// `×2.10 (1.90–2.31)  better`: a variant's efficiency by the first's.
+pub fn against(variant: &VariantRecord) -> String {
+    variant.against_first.map_or(NONE.to_owned(), |r| {
+        let verdict = match () {
+            () if r.low > 1.0 => "better",
+            () if r.high < 1.0 => "worse",
+            () => "no difference is shown",
+        };
+        format!("×{} ({})  {verdict}", number(r.value), between(&r))
+    })
+}
+
+/// What to know where settings of the model vary.
+pub fn different_limits(e: &Convergence) -> &'static str {
     match (e.models_differ, e.own_references) {
         (false, _) => "",
         (true, true) => {
