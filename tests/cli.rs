@@ -5,6 +5,7 @@ mod common;
 mod cli {
     mod compare;
     mod converge;
+    mod converge_refusals;
     mod ends;
     mod explain;
     mod help;

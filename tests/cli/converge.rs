@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::program::{Run, command, finish, folder, names, run};
 
 /// A room with a lamp, small enough for the reference renderer.
-const LIT: &str = "screen 12 8\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 2 1 0.5\n\
+pub const LIT: &str = "screen 12 8\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 2 1 0.5\n\
     brdf .5 .6 .7 0 0 0 1\nbox -9 -9 -2 18 18 1\n";
 /// Some milliseconds of samples, and a second of a reference where none is given; needs no Vulkan.
 const SMALL: [&str; 6] = ["scene.scn", "--device", "cpu-f32", "--spp", "8", "--time=1"];
@@ -30,7 +30,7 @@ fn json(folder: &Path, name: &str) -> Value {
 }
 
 /// A picture of 512 samples per pixel and its standard errors, by other random numbers.
-fn reference(folder: &Path, name: &str) {
+pub fn reference(folder: &Path, name: &str) {
     let arguments = "scene.scn --device cpu-f32 --spp 512 --seed 77 --aov stderr --quiet -o";
     let arguments: Vec<&str> = arguments.split(' ').chain([name]).collect();
     assert_eq!(run(folder, &arguments).code, Some(0));
@@ -194,52 +194,6 @@ fn where_the_model_varies_it_says_that_the_limits_differ() {
         done.out
     );
     assert_eq!(names(folder.path()), ["scene.scn"]);
-}
-
-#[test]
-fn what_cannot_be_measured_is_refused() {
-    let folder = folder(LIT);
-    let folder = folder.path();
-    reference(folder, "r.exr");
-    fs::write(folder.join("no.exr"), "no picture").expect("a file");
-    let before = names(folder);
-    let rows: &[(&[&str], i32, &str)] = &[
-        (
-            &["--replicates", "1"],
-            2,
-            "one replicate tells nothing of chance",
-        ),
-        (&["--spp", "0"], 2, "--spp"),
-        (&["--time", "0"], 2, "seconds above 0"),
-        (&["--vary", "colour=red"], 2, "no such setting"),
-        (&["--vary", "connect=all"], 2, "invalid value 'all'"),
-        (
-            &["--vary", "connect=mis", "--vary", "connect=light"],
-            2,
-            "there twice",
-        ),
-        (&["--seed", "4294967290"], 2, "too large"),
-        (&["--crop", "0,0,13,8"], 2, "outside the picture of 12x8"),
-        (&["--reference", "none.exr"], 3, "none.exr"),
-        (&["--reference", "no.exr"], 3, "no.exr"),
-        (
-            &["--reference", "r.exr", "--size", "6x4"],
-            3,
-            "has 12×8 pixels, the renderings 6×4",
-        ),
-        (&["--csv", "none/c.csv"], 5, "none/c.csv"),
-        (&["--svg", "none/c.svg"], 5, "none/c.svg"),
-    ];
-    for (more, code, said) in rows {
-        // A flag may not be there twice.
-        let mut arguments = vec!["converge", "scene.scn", "--device", "cpu-f32"];
-        arguments.extend(*more);
-        let refused = run(folder, &arguments);
-        assert_eq!(refused.code, Some(*code), "{more:?}: {}", refused.err);
-        assert!(refused.err.contains(said), "{more:?}: {}", refused.err);
-        assert_eq!(refused.out, "", "{more:?}");
-        assert_eq!(names(folder), before, "{more:?}");
-    }
 }
 
 /// The second run has the first's reference, to the bit; not where its file is broken, the scene or the model another.
