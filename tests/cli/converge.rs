@@ -98,6 +98,40 @@ fn a_curve_goes_to_table_csv_and_json() {
     assert!(svg.starts_with("<svg ") && svg.contains("scene.scn") && svg.ends_with("</svg>\n"));
 }
 
+/// A lamp a tenth darker than the reference's: said where no one looks at the table, without an error.
+#[test]
+fn what_does_not_converge_is_a_warning_and_a_field() {
+    let folder = folder(&LIT.replace("9 8 7", "10 8.9 7.8"));
+    let folder = folder.path();
+    reference(folder, "brighter.exr");
+    fs::write(folder.join("scene.scn"), LIT).expect("a scene");
+    reference(folder, "right.exr");
+    let quiet = |reference| {
+        let more = [
+            "--spp=64",
+            "--quiet",
+            "--json=c.json",
+            "--reference",
+            reference,
+        ];
+        let arguments = "converge scene.scn --device cpu-f32 --time 9";
+        let arguments: Vec<&str> = arguments.split(' ').chain(more).collect();
+        let run = run(folder, &arguments);
+        let converges = json(folder, "c.json")["variants"][0]["converges"].clone();
+        (run.code, run.out, run.err, converges)
+    };
+    let nothing = String::new();
+    assert_eq!(
+        quiet("right.exr"),
+        (Some(0), nothing.clone(), nothing.clone(), true.into())
+    );
+    let (code, out, err, converges) = quiet("brighter.exr");
+    assert_eq!((code, out, converges), (Some(0), nothing, false.into()));
+    let said = "warning: the pictures do not converge to the reference brighter.exr: relMSE ";
+    assert!(err.starts_with(said), "{err}");
+    assert_eq!(err.lines().count(), 1, "{err}");
+}
+
 /// The errors that it tells are those of the picture that `vkpt SCENE` renders, by `vkpt compare`'s numbers.
 #[test]
 fn a_replicate_is_the_picture_of_its_seed() {

@@ -14,7 +14,8 @@ use crate::render::Target;
 
 const EXIT_CODES: &str = "\
 Exit codes:
-    0  measured, whatever was found
+    0  measured, whatever was found: that pictures do not converge to the reference is a warning,
+       and `converges` is false in --json
     1  rendering failed, by an error of the device or in a check of the samples
     2  the command line is wrong
     3  the scene, one of its meshes or the reference is wrong; nothing was written

@@ -20,7 +20,7 @@ use super::progress::Display;
 use crate::converge::{ConvergeError, Measured, Plan, Variant, measure};
 use crate::metrics::flip::Viewing;
 use crate::render::{Engine, Job};
-use crate::report::convergence::table;
+use crate::report::convergence::{concerns, table};
 pub use arguments::ConvergeArguments;
 
 /// Renders replicates of every variant, judges them and tells what came out.
@@ -51,6 +51,7 @@ pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
         // A reader that has gone away is no reason to fail.
         let _ = write!(std::io::stdout(), "{}", table(&record));
     }
+    concerns(&record).iter().for_each(|concern| warn(concern));
     outputs.write(&record)?;
     if measured.interrupted {
         warn("interrupted: the step under way is not told");

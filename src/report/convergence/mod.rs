@@ -1,5 +1,6 @@
 //! What `vkpt converge` found: a record, and the record as a table, as CSV and as a plot.
 
+mod concerns;
 mod csv;
 pub mod plot;
 mod record;
@@ -7,6 +8,7 @@ mod table;
 mod variant;
 mod words;
 
+pub use concerns::concerns;
 pub use csv::csv;
 pub use plot::svg;
 pub use record::{Convergence, ReferenceRecord};

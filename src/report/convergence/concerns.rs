@@ -1,0 +1,20 @@
+//! What must not be overlooked, even by those who look at nothing but warnings.
+
+use super::Convergence;
+
+/// A sentence for each variant that goes elsewhere than the reference.
+pub fn concerns(experiment: &Convergence) -> Vec<String> {
+    let off = experiment.variants.iter().filter(|v| v.is_off());
+    let told = off.filter_map(|variant| {
+        let name = match variant.name.as_str() {
+            "" => String::new(),
+            name => format!("{name}: "),
+        };
+        let floor = variant.floor?;
+        Some(format!(
+            "{name}the pictures do not converge to the reference {}: relMSE {:.1e} ± {:.1e} stays",
+            variant.reference.name, floor.rel_mse, floor.standard_error
+        ))
+    });
+    told.collect()
+}
