@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use crate::converge::{self, Part};
 use crate::render::Progress;
 use crate::report::human::duration;
 
@@ -15,50 +16,59 @@ const PAUSE: Duration = Duration::from_secs(5);
 const STEPS: u64 = 10_000;
 
 /// Shows progress on stderr.
-pub enum Display {
+pub struct Display {
+    start: Instant,
+    form: Form,
+}
+
+enum Form {
     Silent,
     Bar(ProgressBar),
-    Lines { start: Instant, last: Instant },
+    Lines { last: Instant },
 }
 
 impl Display {
     /// What suits stderr; silent if asked to be `quiet`.
     pub fn new(quiet: bool) -> Self {
-        let now = Instant::now();
-        match () {
-            () if quiet => Self::Silent,
-            () if std::io::stderr().is_terminal() => Self::Bar(bar()),
-            () => Self::Lines {
-                start: now,
-                last: now,
-            },
-        }
+        let start = Instant::now();
+        let form = match () {
+            () if quiet => Form::Silent,
+            () if std::io::stderr().is_terminal() => Form::Bar(bar()),
+            () => Form::Lines { last: start },
+        };
+        Self { start, form }
     }
 
     /// Shows how far the rendering is.
     pub fn update(&mut self, progress: Progress) {
-        match self {
-            Self::Silent => {}
-            Self::Bar(bar) => {
-                bar.set_message(format!(
-                    "{}{}",
-                    progress.samples_done,
-                    most("/", progress.spp)
-                ));
-                bar.set_position((progress.fraction * STEPS as f64) as u64);
+        let elapsed = self.start.elapsed();
+        self.show(progress.fraction, || of_rendering(&progress, elapsed));
+    }
+
+    /// Shows how far the experiment is.
+    pub fn experiment(&mut self, progress: converge::Progress) {
+        let fraction = (progress.spent_s / progress.seconds).min(1.0);
+        self.show(fraction, || of_experiment(&progress));
+    }
+
+    fn show(&mut self, fraction: f64, words: impl FnOnce() -> String) {
+        match &mut self.form {
+            Form::Silent => {}
+            Form::Bar(bar) => {
+                bar.set_message(words());
+                bar.set_position((fraction * STEPS as f64) as u64);
             }
-            Self::Lines { start, last } => {
-                if last.elapsed() >= PAUSE {
-                    *last = Instant::now();
-                    eprintln!("{}", line(&progress, start.elapsed()));
-                }
+            Form::Lines { last } if last.elapsed() >= PAUSE => {
+                *last = Instant::now();
+                eprintln!("{:.0} %, {}", (100.0 * fraction).floor(), words());
             }
+            Form::Lines { .. } => {}
         }
     }
 
     /// Makes room for what comes after.
     pub fn finish(&mut self) {
-        if let Self::Bar(bar) = self {
+        if let Form::Bar(bar) = &self.form {
             bar.finish_and_clear();
         }
     }
@@ -67,44 +77,53 @@ impl Display {
 fn bar() -> ProgressBar {
     let bar = ProgressBar::new(STEPS);
     // The template is a constant; should it ever be wrong, the crate's own style shows as much.
-    if let Ok(style) = ProgressStyle::with_template(
-        "[{bar:30}] {percent:>3} %  {msg} samples per pixel, {eta} left",
-    ) {
+    if let Ok(style) = ProgressStyle::with_template("[{bar:30}] {percent:>3} %  {msg}") {
         bar.set_style(style.progress_chars("=> "));
     }
-    bar.set_message("0");
     bar
 }
 
-/// `12 %, 31 of 256 samples per pixel, 1 min 20 s left`
-fn line(progress: &Progress, elapsed: Duration) -> String {
+/// `31 of 256 samples per pixel, 1 min 20 s left`
+fn of_rendering(progress: &Progress, elapsed: Duration) -> String {
     let Progress {
         samples_done,
         spp,
         fraction,
     } = *progress;
-    let left = if fraction > 0.0 {
-        format!(
-            ", {} left",
-            duration(elapsed.as_secs_f64() * (1.0 - fraction) / fraction)
-        )
-    } else {
-        String::new()
+    // Nothing is said of the most samples where time or error are to end the rendering alone.
+    let most = match spp < u32::MAX.into() {
+        true => format!(" of {spp}"),
+        false => String::new(),
     };
-    format!(
-        "{:.0} %, {samples_done}{} samples per pixel{left}",
-        (100.0 * fraction).floor(),
-        most(" of ", spp)
-    )
+    let left = match fraction > 0.0 {
+        true => {
+            let seconds = elapsed.as_secs_f64() * (1.0 - fraction) / fraction;
+            format!(", {} left", duration(seconds))
+        }
+        false => String::new(),
+    };
+    format!("{samples_done}{most} samples per pixel{left}")
 }
 
-/// The most samples there may be; nothing where time or error are to end the rendering alone.
-fn most(before: &str, spp: u64) -> String {
-    if spp < u32::MAX.into() {
-        format!("{before}{spp}")
-    } else {
-        String::new()
-    }
+/// `step 3: 4 spp, replicate 5 of 8, variant 1 of 6, 12.0 s of 1 min 00 s`
+fn of_experiment(progress: &converge::Progress) -> String {
+    let samples = format!("{} spp", progress.spp);
+    let what = match progress.part {
+        Part::Reference => format!("reference: {samples}"),
+        Part::Step {
+            number,
+            replicate: [replicate, replicates],
+            variant: [variant, variants],
+        } => {
+            let variant = match variants {
+                1 => String::new(),
+                _ => format!(", variant {variant} of {variants}"),
+            };
+            format!("step {number}: {samples}, replicate {replicate} of {replicates}{variant}")
+        }
+    };
+    let [spent, seconds] = [progress.spent_s, progress.seconds].map(duration);
+    format!("{what}, {spent} of {seconds}")
 }
 
 #[cfg(test)]
@@ -112,25 +131,56 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_line_tells_what_is_left() {
-        let at = |samples_done, fraction| {
-            line(
-                &Progress {
-                    samples_done,
-                    spp: 256,
-                    fraction,
-                },
-                Duration::from_secs(30),
-            )
+    fn a_rendering_tells_what_is_left() {
+        let at = |samples_done, spp: u64, fraction| {
+            let progress = Progress {
+                samples_done,
+                spp,
+                fraction,
+            };
+            of_rendering(&progress, Duration::from_secs(30))
         };
-        assert_eq!(
-            at(64, 0.25),
-            "25 %, 64 of 256 samples per pixel, 1 min 30 s left"
-        );
-        assert_eq!(at(0, 0.0), "0 %, 0 of 256 samples per pixel");
-        assert_eq!(
-            at(255, 0.999),
-            "99 %, 255 of 256 samples per pixel, 30 ms left"
-        );
+        let rows = [
+            (
+                at(64, 256, 0.25),
+                "64 of 256 samples per pixel, 1 min 30 s left",
+            ),
+            (at(0, 256, 0.0), "0 of 256 samples per pixel"),
+            (
+                at(255, 256, 0.999),
+                "255 of 256 samples per pixel, 30 ms left",
+            ),
+            (
+                at(7, u32::MAX.into(), 0.5),
+                "7 samples per pixel, 30.0 s left",
+            ),
+        ];
+        for (found, expected) in rows {
+            assert_eq!(found, expected);
+        }
+    }
+
+    #[test]
+    fn an_experiment_tells_which_replicate_and_what_is_spent() {
+        let at = |part| {
+            of_experiment(&converge::Progress {
+                part,
+                spp: 4,
+                spent_s: 12.0,
+                seconds: 60.0,
+            })
+        };
+        let step = |variants| {
+            at(Part::Step {
+                number: 3,
+                replicate: [5, 8],
+                variant: [1, variants],
+            })
+        };
+        let time = "12.0 s of 1 min 00 s";
+        assert_eq!(at(Part::Reference), format!("reference: 4 spp, {time}"));
+        assert_eq!(step(1), format!("step 3: 4 spp, replicate 5 of 8, {time}"));
+        let six = format!("step 3: 4 spp, replicate 5 of 8, variant 1 of 6, {time}");
+        assert_eq!(step(6), six);
     }
 }

@@ -2,9 +2,9 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::ConvergeError;
+use super::{ConvergeError, Part, Progress};
 use crate::film::Film;
-use crate::render::{Engine, Job, Progress, Replicates};
+use crate::render::{Engine, Job, Replicates};
 
 /// The seeds of the halves. No replicate may have them.
 pub const HALVES: [u32; 2] = [u32::MAX - 1, u32::MAX];
@@ -84,9 +84,10 @@ pub fn halves(
             }
         }
         progress(Progress {
-            samples_done: spp,
+            part: Part::Reference,
             spp,
-            fraction: (spent / seconds).min(1.0),
+            spent_s: spent,
+            seconds,
         });
         // What fits into the time that is left, at the pace so far; twice as much at most, for a better look at the pace.
         let fits = spp as f64 * (seconds / spent).min(2.0);

@@ -2,9 +2,11 @@
 //! against a reference. What the figures mean is told by `metrics::convergence`.
 
 mod halves;
+mod progress;
 mod schedule;
 
 pub use halves::{HALVES, Halves, halves};
+pub use progress::{Part, Progress};
 pub use schedule::{Measured, Plan, Variant, measure};
 
 use crate::metrics::MetricsError;

@@ -2,10 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::ConvergeError;
+use super::{ConvergeError, Part, Progress};
 use crate::metrics::convergence::{Curve, Reference, Step};
 use crate::metrics::flip::Viewing;
-use crate::render::{Engine, Job, Progress, Replicates, Took};
+use crate::render::{Engine, Job, Replicates, Took};
 
 /// A rendering to measure, and what it is judged by.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +19,8 @@ pub struct Variant<'a> {
 pub struct Plan {
     /// One a replicate; the same for all variants.
     pub seeds: Vec<u32>,
-    /// Seconds of sampling, of all replicates and variants together. A step that would not fit is not begun.
+    /// The most seconds of sampling, of all replicates and variants together. A step that would not fit is not begun:
+    /// as each doubles the samples, up to half of the time may be left. The first is rendered whatever it takes.
     pub seconds: f64,
     /// The most samples per pixel.
     pub spp: u64,
@@ -31,6 +32,8 @@ pub struct Plan {
 #[derive(Clone, Debug)]
 pub struct Measured {
     pub curves: Vec<Curve>,
+    /// Seconds of sampling, of all replicates and variants together; of a step that was begun and is not told, too.
+    pub spent_s: f64,
     /// Stopped before the plan's end. Steps are whole: what was begun of another is not told.
     pub interrupted: bool,
 }
@@ -60,6 +63,7 @@ pub fn measure(
         spp *= 2;
     };
     Ok(Measured {
+        spent_s: bench.spent,
         curves: bench.curves(),
         interrupted,
     })
@@ -125,15 +129,20 @@ impl<'a> Bench<'a> {
                 };
                 let entrant = &mut self.entrants[v];
                 let took = entrant.replicates.advance(i, spp, stop)?;
+                self.spent += took.wall_s;
                 if entrant.replicates.done(i) < spp {
                     return Ok(false);
                 }
                 entrant.took[i].add(took);
-                self.spent += took.wall_s;
                 progress(Progress {
-                    samples_done: spp / 2,
+                    part: Part::Step {
+                        number: entrant.curve.steps.len() + 1,
+                        replicate: [i + 1, replicates],
+                        variant: [turn + 1, variants],
+                    },
                     spp,
-                    fraction: (self.spent / self.plan.seconds).min(1.0),
+                    spent_s: self.spent,
+                    seconds: self.plan.seconds,
                 });
             }
         }

@@ -51,6 +51,7 @@ fn a_curve_goes_to_table_csv_and_json() {
         "slope",
         "r.exr",
         "nothing speaks against",
+        "of at most 1.00 s of sampling spent",
     ] {
         assert!(done.out.contains(word), "{word}: {}", done.out);
     }
@@ -61,6 +62,7 @@ fn a_curve_goes_to_table_csv_and_json() {
     );
 
     let record = json(folder, "c.json");
+    assert!(record["spent_s"].as_f64().is_some_and(|s| s > 0.0));
     let steps = record["variants"][0]["steps"].as_array().expect("steps");
     let spp: Vec<_> = steps.iter().filter_map(|s| s["spp"].as_u64()).collect();
     assert_eq!(spp, [1, 2, 4, 8]);

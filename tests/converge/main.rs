@@ -96,7 +96,7 @@ fn steps_are_whole_and_keep_to_the_time() {
     };
     let one = measured(&job, &reference, &Engine::CpuF32, &hurried);
     assert_eq!(one.curves[0].steps.len(), 1);
-    assert!(!one.interrupted);
+    assert!(!one.interrupted && one.spent_s > hurried.seconds);
     let all = measured(
         &job,
         &reference,
@@ -117,6 +117,8 @@ fn steps_are_whole_and_keep_to_the_time() {
                 .all(|(a, b)| a < b)
         );
     }
+    let last: f64 = steps[3].wall_s.iter().sum();
+    assert!((all.spent_s / last - 1.0).abs() < 1e-9, "{}", all.spent_s);
     // The first replicate's first sample is the reference itself.
     assert_eq!(steps[0].means(Metric::Mse)[0], 0.0);
     let variant = [Variant {

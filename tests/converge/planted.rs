@@ -44,6 +44,7 @@ fn told(job: &Job, engine: &Engine, reference: &Reference) -> (VariantRecord, St
         seed: plan().seeds[0],
         replicates: plan().seeds.len(),
         seconds: plan().seconds,
+        spent_s: measured.spent_s,
         device,
         driver,
         level: LEVEL,

@@ -74,6 +74,7 @@ pub fn experiment(scene: &str, variants: &[(&str, &Curve)]) -> Convergence {
         seed: 0,
         replicates: 2,
         seconds: 60.0,
+        spent_s: 31.0,
         device: "a device".to_owned(),
         driver: "a driver".to_owned(),
         level: LEVEL,

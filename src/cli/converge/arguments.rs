@@ -30,8 +30,8 @@ pub struct ConvergeArguments {
     /// The scene file
     pub scene: PathBuf,
 
-    /// Seconds of sampling, of all replicates and variants together. Compiling, judging and the
-    /// reference come on top
+    /// The most seconds of sampling, of all replicates and variants together; a step that would not
+    /// fit is not begun, which may leave up to half. Compiling, judging and the reference come on top
     #[arg(long, value_name = "S", help_heading = EXPERIMENT, default_value = "60", value_parser = values::seconds)]
     #[arg(allow_hyphen_values = true)]
     pub time: f64,

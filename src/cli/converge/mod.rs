@@ -74,7 +74,9 @@ fn run(
     };
     let variants: Vec<Variant> = jobs.iter().map(variant).collect();
     let mut display = Display::new(quiet);
-    let measured = measure(&variants, engine, plan, stop, &mut |p| display.update(p));
+    let measured = measure(&variants, engine, plan, stop, &mut |p| {
+        display.experiment(p)
+    });
     display.finish();
     measured.map_err(failure)
 }

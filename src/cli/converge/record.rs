@@ -36,6 +36,7 @@ pub fn record(
         seed: arguments.seed,
         replicates: arguments.replicates as usize,
         seconds: arguments.time,
+        spent_s: measured.spent_s,
         device,
         driver,
         level: LEVEL,

@@ -126,7 +126,7 @@ fn own(
         return named(halves, ", kept from an earlier run", plan).map(Some);
     }
     let effort = (plan.seconds, MOST);
-    let made = halves(&job, engine, effort, stop, &mut |p| display.update(p));
+    let made = halves(&job, engine, effort, stop, &mut |p| display.experiment(p));
     let Some(halves) = made.map_err(failure)? else {
         return Ok(None);
     };

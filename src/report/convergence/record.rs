@@ -17,8 +17,10 @@ pub struct Convergence {
     /// Of the first replicate; the others have those that follow.
     pub seed: u32,
     pub replicates: usize,
-    /// Seconds of sampling that were asked for, of all replicates and variants together.
+    /// The most seconds of sampling, of all replicates and variants together, as asked for.
     pub seconds: f64,
+    /// Seconds of sampling that were spent: less, where another step would not have fitted.
+    pub spent_s: f64,
     pub device: String,
     pub driver: String,
     /// How often an interval holds the truth.

@@ -26,13 +26,14 @@ fn head(e: &Convergence) -> String {
     });
     let last = u64::from(e.seed) + e.replicates as u64 - 1;
     format!(
-        "{}: {width}×{height}{crop}, {}, seeds {} to {last}, {} of sampling\n\
+        "{}: {width}×{height}{crop}, {}, seeds {} to {last}, {} of at most {} of sampling spent\n\
          on {}, {}\n\
          mean of the replicates (95 % interval, Student's t); trimmed: without each one's worst 1 % of pixels;\n\
          median: of the replicates; slope: of relMSE over samples, −1 for independent ones\n",
         e.scene,
         plural(e.replicates as u64, "replicate"),
         e.seed,
+        duration(e.spent_s),
         duration(e.seconds),
         e.device,
         e.driver,
