@@ -10,6 +10,7 @@ mod cli {
     mod explain;
     mod help;
     mod interrupt;
+    mod overstated;
     mod paired;
     pub mod program;
     mod readme;

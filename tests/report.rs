@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use vkpt::report::{
     Dropped, ErrorAt, Job, Kernel, Machine, Memory, Record, SOFTWARE, Seconds, Work, concerns,
-    notes, summary,
+    noted_sampler, notes, summary,
 };
 use vkpt::settings::{
     Connect, Distribution, DistributionRule, Fresnel, Roulette, Sampler, Settings,
@@ -278,4 +278,29 @@ fn a_header_holds_what_the_picture_depends_on() {
         vkpt::report::notes(&asked, "d"),
         vkpt::report::notes(&interrupted, "d")
     );
+}
+
+#[test]
+fn notes_tell_their_sampler_and_no_others_do() {
+    for sampler in [Sampler::Random, Sampler::Sobol] {
+        let mut settings = Settings::default();
+        settings.estimator.sampler = sampler;
+        let job = Job {
+            settings: (&settings).into(),
+            ..record().job
+        };
+        let lines = notes(&job, "d").into_iter();
+        let text: String = lines
+            .map(|(name, value)| format!("{name}: {value}\n"))
+            .collect();
+        assert_eq!(noted_sampler(&text), Some(sampler));
+    }
+    for foreign in [
+        "",
+        "sampler=sobol",
+        "settings: sampler=halton",
+        "settings: spp=4",
+    ] {
+        assert_eq!(noted_sampler(foreign), None, "{foreign}");
+    }
 }

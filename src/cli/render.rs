@@ -16,6 +16,7 @@ use crate::image::file::FileError;
 use crate::image::{Frame, Labels};
 use crate::render::{self, End, Outcome};
 use crate::report::{self, Record, SOFTWARE};
+use crate::settings::Sampler;
 
 /// Reads, prepares, renders, writes and reports.
 pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
@@ -68,6 +69,7 @@ fn write(
     let start = Instant::now();
     let [x0, y0, ..] = arguments.crop.unwrap_or_default();
     let (job, device) = (&record.job, &record.machine.device);
+    let settings = arguments.settings.settings();
     let write = |files: &[Output], film: &Film, notes: &[_]| {
         let frame = Frame {
             film,
@@ -88,6 +90,11 @@ fn write(
         let (more, failed) = write(&outputs.stderr, stderr, &notes);
         written.extend(more);
         errors.extend(failed);
+        if settings.estimator.sampler == Sampler::Sobol {
+            warn(
+                "the standard errors tell more than the error is: samples by --sampler sobol are not independent",
+            );
+        }
     } else if !outputs.stderr.is_empty() {
         warn("no standard errors are written: one sample tells nothing of its error");
     }

@@ -13,7 +13,7 @@ mod settings;
 mod summary;
 
 pub use comparison::{Comparison, Tested, comparison};
-pub use header::{aov_notes, notes};
+pub use header::{aov_notes, noted_sampler, notes};
 pub use record::{Dropped, ErrorAt, Job, Kernel, Machine, Memory, Record, Seconds, Work};
 pub use settings::SettingsRecord;
 pub use summary::{concerns, summary};

@@ -5,6 +5,7 @@
 mod common;
 
 mod planted;
+mod sobol;
 
 use std::sync::atomic::AtomicBool;
 

@@ -8,6 +8,8 @@ use crate::cli::exit::Failure;
 use crate::image::file::stderr_path;
 use crate::image::{self, Picture};
 use crate::metrics::blocks::{Estimate, Stderr};
+use crate::report::noted_sampler;
+use crate::settings::Sampler;
 
 /// A picture, and its standard errors where there are any.
 pub struct Known {
@@ -57,6 +59,12 @@ impl Known {
 
     pub fn name(&self) -> String {
         self.path.display().to_string()
+    }
+
+    /// Whether the standard errors tell more than the error is: samples by Sobol are not independent.
+    pub fn overstates(&self) -> bool {
+        let notes = self.stderr.as_ref().map(|stderr| &stderr.notes);
+        notes.is_some_and(|notes| noted_sampler(notes) == Some(Sampler::Sobol))
     }
 
     /// The picture with its standard errors; otherwise what is missing.

@@ -5,7 +5,7 @@ use std::io::Write;
 use super::arguments::PictureArguments;
 use super::known::Known;
 use crate::cli::arguments::usage;
-use crate::cli::exit::{Ending, Failure};
+use crate::cli::exit::{Ending, Failure, warn};
 use crate::cli::values::Output;
 use crate::film::Film;
 use crate::image::file::{check_writable, write_whole};
@@ -25,12 +25,26 @@ pub fn pictures(arguments: &PictureArguments) -> Result<Ending, Failure> {
         return Err(usage("two pictures are needed"));
     };
     let comparison = compare(arguments.exposure, tested, reference).map_err(Failure::Pictures)?;
+    warn_of_sobol(&known, &comparison);
     // A reader that has gone away is no reason to fail.
     let _ = write!(std::io::stdout(), "{}", report::comparison(&comparison));
     if let Some(output) = &arguments.heatmap {
         write_heatmap(output, tested, reference)?;
     }
     verdict(arguments, &comparison)
+}
+
+/// Tells where the z-test believes standard errors that are too large.
+fn warn_of_sobol(known: &[Known], comparison: &Comparison) {
+    let names = known.iter().filter(|k| k.overstates()).map(Known::name);
+    let names: Vec<String> = names.collect();
+    if !names.is_empty() && comparison.tested.iter().any(|t| t.z_test.is_ok()) {
+        warn(&format!(
+            "{}: samples by --sampler sobol are not independent, their standard errors too large, and the z-test may \
+             pass what differs",
+            names.join(", ")
+        ));
+    }
 }
 
 /// Each of `tested` against the reference.

@@ -47,6 +47,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
             .ok_or_else(|| broken("its data window is too far away"))
     };
     let position = header.own_attributes.layer_position;
+    let comments = header.own_attributes.comments.as_ref();
     Ok(Picture {
         film,
         origin: [
@@ -55,6 +56,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
         ],
         full: [side(window.size.width())?, side(window.size.height())?],
         precision,
+        notes: comments.map(ToString::to_string).unwrap_or_default(),
     })
 }
 

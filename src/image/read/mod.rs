@@ -31,6 +31,8 @@ pub struct Picture {
     /// Width and height of the full picture: the film's, or an EXR's display window.
     pub full: [u32; 2],
     pub precision: Precision,
+    /// What the file says of itself: an EXR's `comments`, where vkpt tells what the picture was made from.
+    pub notes: String,
 }
 
 impl Picture {
@@ -42,6 +44,7 @@ impl Picture {
             origin: [0, 0],
             full,
             precision,
+            notes: String::new(),
         }
     }
 }
