@@ -73,6 +73,23 @@ fn halves_and_replicates_tell_the_error_and_the_spread_of_samples_does_not() {
     let floor = floor(&all, &reference).expect("replicates");
     assert!(!floor.is_there(), "{floor:?}");
 
+    // What a rendering's last line says, from two groups of its samples, each with a scramble of its own.
+    let relative = |film| figures(film).of(Metric::RelMse).all;
+    let (truth_of_line, doubt) = estimate(&all.iter().map(relative).collect::<Vec<_>>());
+    let told = |seed: u32| {
+        let errors = outcome(&Job { seed, ..job }, &Target::CpuF32).errors;
+        let rel_mse = errors.last().and_then(|e| e.rel_mse);
+        rel_mse.expect("two samples").estimate
+    };
+    let (by_groups, doubt_of_groups) =
+        estimate(&(0..REPLICATES as u32).map(told).collect::<Vec<_>>());
+    // 3.77: 23 degrees of freedom.
+    let tolerance_of_line = 3.77 * doubt.hypot(doubt_of_groups);
+    assert!(
+        (by_groups - truth_of_line).abs() < tolerance_of_line,
+        "{by_groups} for {truth_of_line} ± {tolerance_of_line}"
+    );
+
     // Planted: the standard errors of samples that were taken for independent.
     let with_errors = Job {
         aovs: &[Aov::Stderr],
