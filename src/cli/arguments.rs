@@ -12,6 +12,7 @@ use super::explain::ExplainArguments;
 use super::job::Request;
 use super::settings::SettingArguments;
 use super::values::{self, Output, SamplePath, choice};
+use super::view::ViewArguments;
 use crate::film::Aov;
 use crate::gpu::Selector;
 use crate::render::{KernelChoice, Target, Until};
@@ -68,13 +69,8 @@ pub struct RenderArguments {
     #[arg(value_parser = values::output)]
     pub output: Vec<Output>,
 
-    /// Width and height in pixels [default: the scene's]
-    #[arg(long, value_name = "WxH", help_heading = "Picture", value_parser = values::size)]
-    pub size: Option<[u32; 2]>,
-
-    /// Only these pixels, counted from the top left; X1 and Y1 are excluded
-    #[arg(long, value_name = "X0,Y0,X1,Y1", help_heading = "Picture", value_parser = values::crop)]
-    pub crop: Option<[u32; 4]>,
+    #[command(flatten, next_help_heading = "Picture")]
+    pub view: ViewArguments,
 
     /// Write beside each picture what else is known of its pixels. stderr: standard errors of the
     /// mean, to NAME-stderr.exr
@@ -144,10 +140,6 @@ pub struct RenderArguments {
     #[arg(long, help_heading = "Reports")]
     pub quiet: bool,
 
-    /// Take every warning about the scene as an error
-    #[arg(long, help_heading = "Reports")]
-    pub strict: bool,
-
     /// Render nothing; print the path of sample I of pixel X,Y (from the top left), vertex by vertex
     #[arg(long, value_name = "X,Y,I", help_heading = "Reports", value_parser = values::sample_path)]
     trace: Option<SamplePath>,
@@ -185,15 +177,10 @@ pub fn usage(message: impl std::fmt::Display) -> Failure {
 impl RenderArguments {
     /// The scene and what is to be rendered of it.
     pub fn request(&self) -> Result<Request<'_>, Failure> {
-        Ok(Request {
-            scene: self.scene()?,
-            settings: self.settings.settings(),
-            size: self.size,
-            crop: self.crop,
-            spp: self.spp(),
-            seed: self.seed,
-            strict: self.strict,
-        })
+        let settings = self.settings.settings();
+        Ok(self
+            .view
+            .request(self.scene()?, settings, self.spp(), self.seed))
     }
 
     /// The most samples that a pixel is to have.

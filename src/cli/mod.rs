@@ -15,6 +15,7 @@ mod render;
 mod settings;
 mod trace;
 mod values;
+mod view;
 
 pub use arguments::{Arguments, RenderArguments, Task, task};
 pub use compare::{CompareArguments, compare};

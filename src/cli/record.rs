@@ -40,7 +40,7 @@ pub fn record(
         job: Job {
             scene: arguments.scene()?.display().to_string(),
             size: [ready.prepared.width, ready.prepared.height],
-            crop: arguments.crop,
+            crop: arguments.view.crop,
             spp: outcome.spp,
             spp_asked: arguments.spp().into(),
             ended: match outcome.end {

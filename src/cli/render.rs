@@ -67,7 +67,7 @@ fn write(
     record: &mut Record,
 ) -> Vec<FileError> {
     let start = Instant::now();
-    let [x0, y0, ..] = arguments.crop.unwrap_or_default();
+    let [x0, y0, ..] = arguments.view.crop.unwrap_or_default();
     let (job, device) = (&record.job, &record.machine.device);
     let settings = arguments.settings.settings();
     let write = |files: &[Output], film: &Film, notes: &[_]| {

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use crate::cli::job::Request;
 use crate::cli::settings::SettingArguments;
 use crate::cli::values::{self, Output};
+use crate::cli::view::ViewArguments;
 use crate::gpu::Selector;
 
 const EXIT_CODES: &str = "\
@@ -96,13 +97,8 @@ pub struct PairedArguments {
     #[arg(requires = "scene", long, value_name = "N", help_heading = PAIRED, default_value = "0")]
     pub seed: u32,
 
-    /// Width and height in pixels [default: the scene's]
-    #[arg(requires = "scene", long, value_name = "WxH", help_heading = PAIRED, value_parser = values::size)]
-    pub size: Option<[u32; 2]>,
-
-    /// Only these pixels, counted from the top left; X1 and Y1 are excluded
-    #[arg(requires = "scene", long, value_name = "X0,Y0,X1,Y1", help_heading = PAIRED, value_parser = values::crop)]
-    pub crop: Option<[u32; 4]>,
+    #[command(flatten, next_help_heading = PAIRED)]
+    view: ViewArguments,
 
     /// The Vulkan device, by its index or part of its name [default: the best]
     #[arg(requires = "scene", long, value_name = "DEVICE", help_heading = PAIRED, value_parser = values::vulkan_device)]
@@ -111,10 +107,6 @@ pub struct PairedArguments {
     /// No progress and no table, only warnings and errors
     #[arg(requires = "scene", long, help_heading = PAIRED)]
     pub quiet: bool,
-
-    /// Take every warning about the scene as an error
-    #[arg(requires = "scene", long, help_heading = PAIRED)]
-    pub strict: bool,
 
     #[command(flatten)]
     pub settings: SettingArguments,
@@ -126,15 +118,8 @@ const PAIRED: &str = "Same paths";
 impl PairedArguments {
     /// The scene and what is to be rendered of it; `None` where no scene is to be rendered.
     pub fn request(&self) -> Option<Request<'_>> {
-        Some(Request {
-            scene: self.scene.as_deref()?,
-            settings: self.settings.settings(),
-            size: self.size,
-            crop: self.crop,
-            spp: self.spp,
-            seed: self.seed,
-            strict: self.strict,
-        })
+        let (scene, settings) = (self.scene.as_deref()?, self.settings.settings());
+        Some(self.view.request(scene, settings, self.spp, self.seed))
     }
 
     /// The Vulkan device.

@@ -8,6 +8,7 @@ use crate::cli::exit::Failure;
 use crate::cli::job::Request;
 use crate::cli::settings::SettingArguments;
 use crate::cli::values;
+use crate::cli::view::ViewArguments;
 use crate::converge::HALVES;
 use crate::gpu::Selector;
 use crate::render::Target;
@@ -66,13 +67,8 @@ pub struct ConvergeArguments {
     #[arg(long, value_name = "N", help_heading = EXPERIMENT, default_value = "0")]
     pub seed: u32,
 
-    /// Width and height in pixels [default: the scene's]
-    #[arg(long, value_name = "WxH", help_heading = EXPERIMENT, value_parser = values::size)]
-    pub size: Option<[u32; 2]>,
-
-    /// Only these pixels, counted from the top left; X1 and Y1 are excluded
-    #[arg(long, value_name = "X0,Y0,X1,Y1", help_heading = EXPERIMENT, value_parser = values::crop)]
-    pub crop: Option<[u32; 4]>,
+    #[command(flatten, next_help_heading = EXPERIMENT)]
+    pub view: ViewArguments,
 
     /// A Vulkan device by its index or part of its name, or the reference renderer: cpu-f64,
     /// cpu-f32 [default: the best Vulkan device]
@@ -95,10 +91,6 @@ pub struct ConvergeArguments {
     #[arg(long, help_heading = REPORTS)]
     pub quiet: bool,
 
-    /// Take every warning about the scene as an error
-    #[arg(long, help_heading = REPORTS)]
-    pub strict: bool,
-
     #[command(flatten)]
     pub settings: SettingArguments,
 }
@@ -109,15 +101,9 @@ const REPORTS: &str = "Reports";
 impl ConvergeArguments {
     /// The scene and what is to be rendered of it by the settings of the command line.
     pub fn request(&self) -> Request<'_> {
-        Request {
-            scene: &self.scene,
-            settings: self.settings.settings(),
-            size: self.size,
-            crop: self.crop,
-            spp: self.spp,
-            seed: self.seed,
-            strict: self.strict,
-        }
+        let settings = self.settings.settings();
+        self.view
+            .request(&self.scene, settings, self.spp, self.seed)
     }
 
     /// What shall render.

@@ -32,7 +32,7 @@ pub fn record(
         version: env!("CARGO_PKG_VERSION"),
         scene: arguments.scene.display().to_string(),
         size: variants.full_size(),
-        crop: arguments.crop,
+        crop: arguments.view.crop,
         seed: arguments.seed,
         replicates: arguments.replicates as usize,
         seconds: arguments.time,

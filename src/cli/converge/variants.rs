@@ -53,7 +53,10 @@ impl Variants {
 
     /// Width and height of what is rendered of it.
     pub fn size(&self, arguments: &ConvergeArguments) -> [u32; 2] {
-        let crop = arguments.crop.map(|[x0, y0, x1, y1]| [x1 - x0, y1 - y0]);
+        let crop = arguments
+            .view
+            .crop
+            .map(|[x0, y0, x1, y1]| [x1 - x0, y1 - y0]);
         crop.unwrap_or(self.full_size())
     }
 
@@ -70,7 +73,7 @@ impl Variants {
                 spp: arguments.spp.into(),
                 until: Until::default(),
                 seed: arguments.seed,
-                crop: arguments.crop,
+                crop: arguments.view.crop,
                 aovs: &[],
                 kernel: KernelChoice::Composed,
             })

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use crate::cli::job::Request;
 use crate::cli::settings::SettingArguments;
 use crate::cli::values::{self, choice};
+use crate::cli::view::ViewArguments;
 use crate::film::Aov;
 use crate::gpu::Selector;
 use crate::render::KernelChoice;
@@ -25,13 +26,8 @@ pub struct ExplainArguments {
     /// The scene file
     pub scene: PathBuf,
 
-    /// Width and height in pixels [default: the scene's]
-    #[arg(long, value_name = "WxH", value_parser = values::size)]
-    pub size: Option<[u32; 2]>,
-
-    /// Only these pixels, counted from the top left; X1 and Y1 are excluded
-    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = values::crop)]
-    pub crop: Option<[u32; 4]>,
+    #[command(flatten)]
+    pub view: ViewArguments,
 
     /// What else is to be written beside the picture: stderr
     #[arg(long, value_name = "WHAT", value_delimiter = ',')]
@@ -42,10 +38,6 @@ pub struct ExplainArguments {
     /// there is; where there is none, limits that most GPUs have]
     #[arg(long, value_name = "DEVICE", value_parser = values::vulkan_device)]
     pub device: Option<Selector>,
-
-    /// Take every warning about the scene as an error
-    #[arg(long)]
-    pub strict: bool,
 
     /// What the kernel is to hold: composed, what scene and settings need, or full, what any scene
     /// could need
@@ -68,15 +60,8 @@ pub struct ExplainArguments {
 impl ExplainArguments {
     /// The scene and what would be rendered of it.
     pub fn request(&self) -> Request<'_> {
-        Request {
-            scene: &self.scene,
-            settings: self.settings.settings(),
-            size: self.size,
-            crop: self.crop,
-            // No kernel and no buffer depends on either.
-            spp: 1,
-            seed: 0,
-            strict: self.strict,
-        }
+        // No kernel and no buffer depends on samples and seed.
+        self.view
+            .request(&self.scene, self.settings.settings(), 1, 0)
     }
 }

@@ -1,0 +1,44 @@
+//! The flags of what is looked at in a scene, which every command that reads one takes.
+
+use std::path::Path;
+
+use super::job::Request;
+use super::values;
+use crate::settings::Settings;
+
+/// Which pixels there are, and what is taken for wrong.
+#[derive(clap::Args, Debug)]
+pub struct ViewArguments {
+    /// Width and height in pixels [default: the scene's]
+    #[arg(long, value_name = "WxH", value_parser = values::size)]
+    pub size: Option<[u32; 2]>,
+
+    /// Only these pixels, counted from the top left; X1 and Y1 are excluded
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = values::crop)]
+    pub crop: Option<[u32; 4]>,
+
+    /// Take every warning about the scene as an error
+    #[arg(long)]
+    pub strict: bool,
+}
+
+impl ViewArguments {
+    /// What is to be rendered of `scene`.
+    pub fn request<'a>(
+        &self,
+        scene: &'a Path,
+        settings: Settings,
+        spp: u32,
+        seed: u32,
+    ) -> Request<'a> {
+        Request {
+            scene,
+            settings,
+            size: self.size,
+            crop: self.crop,
+            spp,
+            seed,
+            strict: self.strict,
+        }
+    }
+}
