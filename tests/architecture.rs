@@ -39,7 +39,7 @@ const ROOMS: [(&str, &[&str]); 19] = [
     ("sample", &[]),
     ("image", &["film"]),
     ("metrics", &["film", "image", "sample"]),
-    ("report", &["film", "metrics", "settings"]),
+    ("report", &["film", "image", "metrics", "settings"]),
     ("converge", &["film", "metrics", "render"]),
     (
         "explain",

@@ -1,4 +1,5 @@
-//! What a rendering did, as a record, and the record as JSON, as a picture's header and as lines to read.
+//! What a rendering did, as a record, and the record as JSON, as a picture's header, as lines to
+//! read and as pages.
 //! Pure functions of records: nothing here measures or prints.
 
 mod comparison;
@@ -8,6 +9,7 @@ pub mod explanation;
 mod header;
 pub mod human;
 pub mod names;
+mod page;
 mod record;
 mod settings;
 mod summary;

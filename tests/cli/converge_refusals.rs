@@ -149,4 +149,5 @@ fn files_that_cannot_be_written_are_found_out_first() {
     let folder = folder(LIT);
     refused(folder.path(), &["--csv", "none/c.csv"], 5, "none/c.csv");
     refused(folder.path(), &["--svg", "none/c.svg"], 5, "none/c.svg");
+    refused(folder.path(), &["--html", "none/c.html"], 5, "none/c.html");
 }

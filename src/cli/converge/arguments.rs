@@ -58,7 +58,8 @@ pub struct ConvergeArguments {
     #[arg(long, value_name = "FILE", help_heading = EXPERIMENT)]
     pub reference: Option<PathBuf>,
 
-    /// Stops by which FLIP brightens the pictures before it looks at them as PNGs
+    /// Stops by which the pictures are brightened before FLIP looks at them as PNGs, and those of
+    /// --html
     #[arg(long, value_name = "EV", help_heading = EXPERIMENT, default_value = "0")]
     #[arg(allow_negative_numbers = true, value_parser = values::exposure)]
     pub exposure: f64,
@@ -86,6 +87,10 @@ pub struct ConvergeArguments {
     /// Write a plot of error over seconds, log–log, with intervals
     #[arg(long, value_name = "FILE", help_heading = REPORTS)]
     pub svg: Option<PathBuf>,
+
+    /// Write a page with all of it, and the pictures: one file that needs no network
+    #[arg(long, value_name = "FILE", help_heading = REPORTS)]
+    pub html: Option<PathBuf>,
 
     /// No progress and no table, only warnings and errors
     #[arg(long, help_heading = REPORTS)]

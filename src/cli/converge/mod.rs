@@ -3,6 +3,7 @@
 mod arguments;
 mod kept;
 mod outputs;
+mod page;
 mod record;
 mod reference;
 mod variants;
@@ -52,7 +53,8 @@ pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
         let _ = write!(std::io::stdout(), "{}", table(&record));
     }
     concerns(&record).iter().for_each(|concern| warn(concern));
-    outputs.write(&record)?;
+    let parts = page::parts(arguments, &variants, &references, &measured);
+    outputs.write(&parts.sheet(&record))?;
     if measured.interrupted {
         warn("interrupted: the step under way is not told");
         return Ok(Ending::Interrupted);

@@ -14,6 +14,8 @@ pub struct Variants {
     pub combinations: Vec<Combination>,
     /// The scene by each model that occurs: a picture to converge to.
     pub models: Vec<(Model, Prepared)>,
+    /// The text of the scene file.
+    pub text: String,
 }
 
 impl Variants {
@@ -21,6 +23,7 @@ impl Variants {
     pub fn new(arguments: &ConvergeArguments) -> Result<Self, Failure> {
         let combinations = combinations(&arguments.settings, &arguments.vary)?;
         let mut models: Vec<(Model, Prepared)> = Vec::new();
+        let mut text = String::new();
         for Combination { settings, .. } in &combinations {
             if models.iter().any(|(model, _)| *model == settings.model) {
                 continue;
@@ -31,8 +34,9 @@ impl Variants {
             };
             let prepared = match models.is_empty() {
                 true => {
-                    let ready = Ready::new(&request)?;
+                    let (ready, read) = Ready::with_text(&request)?;
                     ready.job(&request)?;
+                    text = read;
                     ready.prepared
                 }
                 false => again(&request)?,
@@ -42,6 +46,7 @@ impl Variants {
         Ok(Self {
             combinations,
             models,
+            text,
         })
     }
 

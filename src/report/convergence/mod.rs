@@ -1,7 +1,8 @@
-//! What `vkpt converge` found: a record, and the record as a table, as CSV and as a plot.
+//! What `vkpt converge` found: a record, and the record as a table, as CSV, as a plot and as a page.
 
 mod concerns;
 mod csv;
+pub mod page;
 pub mod plot;
 mod record;
 mod table;
@@ -10,6 +11,7 @@ mod words;
 
 pub use concerns::concerns;
 pub use csv::csv;
+pub use page::{Sheet, Shown, page};
 pub use plot::svg;
 pub use record::{Convergence, ReferenceRecord};
 pub use table::table;

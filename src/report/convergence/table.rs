@@ -123,7 +123,7 @@ fn has_marks(step: &StepRecord) -> bool {
 }
 
 /// Whether the pictures go where the reference is.
-pub fn verdict(variant: &VariantRecord) -> String {
+fn verdict(variant: &VariantRecord) -> String {
     let Some(floor) = variant.floor else {
         return String::new();
     };
@@ -147,21 +147,17 @@ fn winner(e: &Convergence) -> String {
     let first = e.variants.first().map(name).unwrap_or_default();
     let mut text = format!("efficiency, 1/(relMSE·s), by that of {first} (95 % interval)\n");
     for variant in &e.variants[1..] {
-        text += &format!("  {:<width$}  {}\n", variant.name, against(variant));
+        let ratio = variant.against_first.map_or(NONE.to_owned(), |r| {
+            let verdict = match () {
+                () if r.low > 1.0 => "better",
+                () if r.high < 1.0 => "worse",
+                () => "no difference is shown",
+            };
+            format!("×{} ({})  {verdict}", number(r.value), between(&r))
+        });
+        text += &format!("  {:<width$}  {ratio}\n", variant.name);
     }
     text + different_limits(e)
-}
-
-/// `×2.10 (1.90–2.31)  better`: a variant's efficiency by the first's.
-pub fn against(variant: &VariantRecord) -> String {
-    variant.against_first.map_or(NONE.to_owned(), |r| {
-        let verdict = match () {
-            () if r.low > 1.0 => "better",
-            () if r.high < 1.0 => "worse",
-            () => "no difference is shown",
-        };
-        format!("×{} ({})  {verdict}", number(r.value), between(&r))
-    })
 }
 
 /// What to know where settings of the model vary.

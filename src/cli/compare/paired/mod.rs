@@ -1,6 +1,5 @@
 //! `vkpt compare --paired SCENE`: the same paths by three renderers.
 
-mod command;
 mod findings;
 mod table;
 
@@ -9,13 +8,14 @@ use std::io::Write;
 use self::findings::{Findings, PAIRS};
 use super::arguments::PairedArguments;
 use crate::cli::arguments::usage;
+use crate::cli::command;
 use crate::cli::exit::{Ending, Failure, warn};
 use crate::cli::interrupt::stop_flag;
 use crate::cli::job::Ready;
 use crate::cli::progress::Display;
 use crate::gpu::{Device, DeviceKind};
 use crate::metrics::paired::Comparison;
-use crate::render::{self, Job};
+use crate::render::{self, Job, Target};
 
 /// Compares the Vulkan device, cpu-f32 and cpu-f64 path by path, and prints a table.
 pub fn paired(arguments: &PairedArguments) -> Result<Ending, Failure> {
@@ -29,7 +29,8 @@ pub fn paired(arguments: &PairedArguments) -> Result<Ending, Failure> {
     let findings = Findings {
         pairs,
         correctly_rounded: device.info().kind == DeviceKind::Cpu,
-        show: command::trace(&request, &arguments.device()),
+        show: [Target::Vulkan(arguments.device().clone()), Target::CpuF64]
+            .map(|target| command::show(&request, &target)),
     };
     if !arguments.quiet {
         let head = head(&request.scene.display().to_string(), &job, &device);

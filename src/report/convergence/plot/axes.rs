@@ -83,9 +83,10 @@ pub struct Tick {
     pub labelled: bool,
 }
 
-/// 1, 2, … 9 times each power of ten within the span; where there are few powers, 2 and 5 have labels too.
-pub fn ticks(span: &Range<f64>) -> Vec<Tick> {
-    let few = (span.end / span.start).log10() < 1.6;
+/// 1, 2, … 9 times each power of ten within the span; where there are `few` powers or less, 2 and 5 have labels too.
+pub fn ticks(span: &Range<f64>, few: i32) -> Vec<Tick> {
+    let powers = span.end.log10().floor() as i32 - span.start.log10().ceil() as i32 + 1;
+    let few = powers <= few;
     let first = span.start.log10().floor() as i32;
     let last = span.end.log10().floor() as i32;
     let tick = |(power, digit): (i32, u8)| Tick {
@@ -130,11 +131,11 @@ mod tests {
 
     #[test]
     fn ticks_are_the_round_numbers_within() {
-        let few = ticks(&(0.004..0.06));
+        let few = ticks(&(0.004..0.06), 1);
         let labelled: Vec<f64> = few.iter().filter(|t| t.labelled).map(|t| t.value).collect();
         assert_eq!(labelled, [0.005, 0.01, 0.02, 0.05]);
         assert_eq!(few.len(), 6 + 5);
-        let many = ticks(&(0.5..2000.0));
+        let many = ticks(&(0.5..2000.0), 3);
         let labelled: Vec<f64> = many
             .iter()
             .filter(|t| t.labelled)

@@ -1,12 +1,21 @@
-//! The command line that shows one path.
+//! Command lines: the one that was typed, and those that show one path.
 
-use crate::cli::job::Request;
+use std::ffi::OsString;
+
+use super::job::Request;
 use crate::gpu::Selector;
+use crate::render::Target;
 use crate::report::SettingsRecord;
 use crate::settings::Settings;
 
-/// `vkpt SCENE …`, to be followed by `--trace X,Y,I`: on the device and cpu-f32, and on both references.
-pub fn trace(request: &Request, device: &Selector) -> [String; 2] {
+/// The words of a command line as a shell takes them.
+pub fn typed(words: impl Iterator<Item = OsString>) -> String {
+    let words = words.map(|word| quoted(&word.to_string_lossy()));
+    words.collect::<Vec<_>>().join(" ")
+}
+
+/// `vkpt SCENE …` with all that a path depends on, to be followed by `--trace X,Y,I`.
+pub fn show(request: &Request, target: &Target) -> String {
     let mut words = vec![
         "vkpt".to_owned(),
         quoted(&request.scene.display().to_string()),
@@ -14,16 +23,15 @@ pub fn trace(request: &Request, device: &Selector) -> [String; 2] {
     words.extend(request.size.map(|[w, h]| format!("--size {w}x{h}")));
     words.extend((request.seed != 0).then(|| format!("--seed {}", request.seed)));
     words.extend(settings(&request.settings));
-    let common = words.join(" ");
-    let device = match device {
-        Selector::Best => String::new(),
-        Selector::Index(i) => format!(" --device {i}"),
-        Selector::Name(name) => format!(" --device {}", quoted(name)),
+    let device = match target {
+        Target::Vulkan(Selector::Best) => None,
+        Target::Vulkan(Selector::Index(i)) => Some(i.to_string()),
+        Target::Vulkan(Selector::Name(name)) => Some(quoted(name)),
+        Target::CpuF32 => Some("cpu-f32".to_owned()),
+        Target::CpuF64 => Some("cpu-f64".to_owned()),
     };
-    [
-        format!("{common}{device}"),
-        format!("{common} --device cpu-f64"),
-    ]
+    words.extend(device.map(|device| format!("--device {device}")));
+    words.join(" ")
 }
 
 /// The flags of what is not the default.
@@ -81,7 +89,8 @@ mod tests {
             seed: 7,
             strict: true,
         };
-        let [device, references] = trace(&request, &Selector::Index(1));
+        let device = show(&request, &Target::Vulkan(Selector::Index(1)));
+        let references = show(&request, &Target::CpuF64);
         let common = "vkpt 'it'\\''s a.txt' --size 40x30 --seed 7 --absorption term --radiance-scaling off \
              --max-depth 3 --lobe norms --normals distribution --roulette 0.8";
         assert_eq!(device, format!("{common} --device 1"));
@@ -93,6 +102,17 @@ mod tests {
             seed: 0,
             ..request
         };
-        assert_eq!(trace(&request, &Selector::Best)[0], "vkpt a/b.txt");
+        let best = Target::Vulkan(Selector::Best);
+        assert_eq!(show(&request, &best), "vkpt a/b.txt");
+    }
+
+    #[test]
+    fn typed_words_are_quoted() {
+        let words = ["vkpt", "a b.txt", "--vary", "connect=mis,light", "it's", ""];
+        let line = typed(words.into_iter().map(OsString::from));
+        assert_eq!(
+            line,
+            "vkpt 'a b.txt' --vary connect=mis,light 'it'\\''s' ''"
+        );
     }
 }

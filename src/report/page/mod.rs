@@ -1,0 +1,47 @@
+//! What the HTML reports have in common: one self-contained file each, that reads well on a screen, a phone and paper,
+//! in light and dark, with scripts or without.
+
+mod picture;
+
+pub use picture::data_uri;
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+/// A report's own parts.
+#[derive(Debug)]
+pub struct Page<'a> {
+    pub title: &'a str,
+    /// CSS beside that of all reports.
+    pub styles: &'a [&'a str],
+    /// JavaScript. The page must be complete without.
+    pub script: &'a str,
+    pub body: Markup,
+}
+
+/// What the page may load: nothing from anywhere. The browser itself sees to it (Content Security Policy Level 3, W3C).
+const POLICY: &str = include_str!("policy.txt");
+
+/// The whole file.
+pub fn page(page: &Page) -> String {
+    let document = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta http-equiv="Content-Security-Policy" content=(POLICY.trim_end());
+                meta name="color-scheme" content="light dark";
+                title { (page.title) }
+                style { (PreEscaped(include_str!("style.css"))) }
+                @for style in page.styles {
+                    style { (PreEscaped(style)) }
+                }
+            }
+            body {
+                (page.body)
+                script { (PreEscaped(page.script)) }
+            }
+        }
+    };
+    document.into_string()
+}

@@ -1,0 +1,33 @@
+//! Pictures inside a page.
+
+use std::io::Cursor;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
+use crate::film::Film;
+use crate::image::{EncodeError, Format, Frame, Labels, encode};
+use crate::report::SOFTWARE;
+
+/// The film × 2^`exposure` as a PNG (8-bit sRGB), in a `data:` address: about 4 bytes of text for 3 of the PNG, which of a
+/// noisy picture are hardly fewer than its 3 bytes a pixel.
+///
+/// # Errors
+/// A film that holds more or fewer pixels than it says.
+pub fn data_uri(film: &Film, exposure: f64) -> Result<String, EncodeError> {
+    let full = [film.width, film.height];
+    let frame = Frame {
+        film,
+        origin: [0, 0],
+        full,
+    };
+    let labels = Labels {
+        exposure,
+        software: SOFTWARE,
+        notes: &[],
+    };
+    let mut png = Cursor::new(Vec::new());
+    encode(&frame, Format::Png, &labels, &mut png)?;
+    let text = STANDARD.encode(png.into_inner());
+    Ok(format!("data:image/png;base64,{text}"))
+}

@@ -1,0 +1,140 @@
+//! The page as a text: whole by itself, and nothing in it is taken for markup that is none. How it looks and works is
+//! told by `tests/report_page`.
+
+use vkpt::metrics::convergence::{Curve, Reference};
+use vkpt::report::convergence::plot::palette::Colour;
+use vkpt::report::convergence::{Convergence, Sheet, Shown, page};
+
+use crate::records::{curve, experiment, reference};
+
+const STEPS: [(f64, f64); 4] = [(0.1, 0.4), (0.2, 0.21), (0.4, 0.1), (0.8, 0.05)];
+
+fn written(record: &Convergence, curves: &[&Curve], reference: &Reference, scene: &str) -> String {
+    let sheet = Sheet {
+        record,
+        scene,
+        command: "vkpt converge 'a b.scn' --html r.html".to_owned(),
+        exposure: 0.0,
+        shown: curves
+            .iter()
+            .map(|&curve| Shown {
+                curve,
+                reference,
+                command: "vkpt 'a b.scn'".to_owned(),
+            })
+            .collect(),
+    };
+    page(&sheet).expect("a page")
+}
+
+fn one(scene_name: &str, text: &str) -> String {
+    let curve = curve(&STEPS);
+    let record = experiment(scene_name, &[("", &curve)]);
+    written(&record, &[&curve], &reference(), text)
+}
+
+/// Every address that a browser would ask for: what stands in src, href, url() and @import.
+fn outside(page: &str) -> Vec<&str> {
+    let mut found = Vec::new();
+    for (before, harmless) in [
+        ("src=\"", &["data:"][..]),
+        ("href=\"", &["data:", "#"]),
+        ("url(", &["data:", "#"]),
+        ("@import", &[]),
+        ("http:", &["//www.w3.org/2000/svg\""]),
+        ("https:", &[]),
+        ("src='", &[]),
+        ("href='", &[]),
+    ] {
+        for (at, _) in page.match_indices(before) {
+            let rest = &page[at + before.len()..];
+            if !harmless.iter().any(|h| rest.starts_with(h)) {
+                found.push(&page[at..page.len().min(at + 40)]);
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn it_is_whole_by_itself() {
+    let page = one("a.scn", "screen 4 3\n");
+    assert_eq!(outside(&page), Vec::<&str>::new());
+    // A picture and a map a step, the reference, and the scale of the maps.
+    assert_eq!(
+        page.matches("src=\"data:image/png;base64,").count(),
+        4 * 2 + 1 + 1
+    );
+    assert!(page.contains("default-src &#39;none&#39;") || page.contains("default-src 'none'"));
+    for planted in [
+        "<img src=\"x.png\">",
+        "<a href=\"https://a.b\">",
+        "<p style=\"background: url(//a.b/c)\">",
+    ] {
+        assert!(!outside(&(page.clone() + planted)).is_empty(), "{planted}");
+    }
+}
+
+#[test]
+fn equal_experiments_make_equal_pages() {
+    assert_eq!(one("a.scn", "text"), one("a.scn", "text"));
+}
+
+#[test]
+fn words_are_no_markup() {
+    let bad = "</pre><script>alert(1)</script>&\"'<img src=x onerror=y>";
+    let page = one(bad, bad);
+    let plain = one("a.scn", "text");
+    for tag in ["<script", "<img", "</pre", "<style"] {
+        assert_eq!(
+            page.matches(tag).count(),
+            plain.matches(tag).count(),
+            "{tag}"
+        );
+    }
+    assert!(page.contains("&lt;script&gt;alert(1)&lt;/script&gt;"));
+    assert_eq!(outside(&page), Vec::<&str>::new());
+}
+
+#[test]
+fn it_tells_all_that_the_record_has() {
+    let (a, b) = (curve(&STEPS), curve(&STEPS.map(|(s, e)| (s, 3.0 * e))));
+    let mut record = experiment("a b.scn", &[("connect=mis", &a), ("connect=bsdf", &b)]);
+    record.models_differ = true;
+    record.interrupted = true;
+    let page = written(&record, &[&a, &b], &reference(), "# a comment\n");
+    for words in [
+        "Convergence of a b.scn",
+        "connect=bsdf",
+        "a device",
+        "a driver",
+        "vkpt converge &#39;a b.scn&#39; --html r.html",
+        "# a comment",
+        "seeds 0 to 1",
+        "of two halves",
+        "Interrupted",
+        "converge to different things",
+        "sampler=random",
+        "×0.333",
+        "250 ms before the first sample",
+        "--trace ",
+    ] {
+        let words = words.replace("&#39;", "'");
+        assert!(page.replace("&#39;", "'").contains(&words), "{words}");
+    }
+    // Both variants have one reference: it is there once.
+    assert_eq!(page.matches("<figure class=\"reference\"").count(), 1);
+}
+
+/// Each colour of the plot has its counterpart, and none of the SVG's is without.
+#[test]
+fn the_dark_theme_knows_every_colour_of_the_plot() {
+    let page = one("a.scn", "");
+    let known: Vec<String> = Colour::all().map(Colour::hex).collect();
+    let svg = &page[page.find("<svg").expect("a plot")..page.rfind("</svg>").expect("its end")];
+    for (at, _) in svg.match_indices("=\"#") {
+        let colour = svg[at + 2..at + 9].to_owned();
+        assert!(known.contains(&colour), "{colour}");
+        assert!(page.contains(&format!(".plot [fill=\"{colour}\"] {{ fill: #")));
+    }
+}

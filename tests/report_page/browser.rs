@@ -1,0 +1,249 @@
+//! A browser without a window: Chromium, by the DevTools protocol over a WebSocket.
+//!
+//! <https://chromedevtools.github.io/devtools-protocol/>
+
+use std::fs;
+use std::io::{BufRead, BufReader};
+use std::net::TcpStream;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use serde_json::{Value, json};
+use tempfile::TempDir;
+use tungstenite::stream::MaybeTlsStream;
+use tungstenite::{Message, WebSocket};
+
+/// No answer takes longer.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A browser with one page. It ends when it is dropped.
+pub struct Browser {
+    child: Child,
+    socket: WebSocket<MaybeTlsStream<TcpStream>>,
+    session: Option<String>,
+    calls: u64,
+    /// Whatever the browser said unasked.
+    events: Vec<Value>,
+    _profile: TempDir,
+}
+
+/// The program, by the names that distributions give it.
+fn program() -> Option<PathBuf> {
+    let path = std::env::var_os("PATH")?;
+    let names = ["chromium", "chromium-browser", "google-chrome", "chrome"];
+    let all = std::env::split_paths(&path);
+    all.flat_map(|folder| names.map(|name| folder.join(name)))
+        .find(|file| file.is_file())
+}
+
+impl Browser {
+    /// `None`, and a word about it, where there is no Chromium.
+    pub fn start() -> Option<Self> {
+        let Some(program) = program() else {
+            println!("skipped: no chromium in PATH (Debian: apt-get install chromium)");
+            return None;
+        };
+        let profile = tempfile::tempdir().expect("a folder");
+        // The page is our own: nothing needs the sandbox, which root and containers do not have.
+        let mut child = Command::new(program)
+            .args([
+                "--headless",
+                "--no-sandbox",
+                "--disable-gpu",
+                "--disable-dev-shm-usage",
+            ])
+            .args([
+                "--no-first-run",
+                "--disable-background-networking",
+                "--disable-extensions",
+            ])
+            .args([
+                "--hide-scrollbars",
+                "--force-color-profile=srgb",
+                "--remote-debugging-port=0",
+            ])
+            .arg(format!("--user-data-dir={}", profile.path().display()))
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("chromium starts");
+        let address = address(&mut child);
+        let (socket, _) = tungstenite::connect(address).expect("a connection");
+        if let MaybeTlsStream::Plain(stream) = socket.get_ref() {
+            stream.set_read_timeout(Some(PATIENCE)).expect("a timeout");
+        }
+        let mut browser = Self {
+            child,
+            socket,
+            session: None,
+            calls: 0,
+            events: Vec::new(),
+            _profile: profile,
+        };
+        let page = browser.call("Target.createTarget", json!({"url": "about:blank"}));
+        let attach = json!({"targetId": page["targetId"], "flatten": true});
+        let session = browser.call("Target.attachToTarget", attach);
+        browser.session = session["sessionId"].as_str().map(str::to_owned);
+        for domain in ["Page", "Runtime", "Network", "Log"] {
+            browser.call(&format!("{domain}.enable"), json!({}));
+        }
+        Some(browser)
+    }
+
+    /// A method's answer; what the browser says in between is kept.
+    pub fn call(&mut self, method: &str, params: Value) -> Value {
+        self.calls += 1;
+        let id = self.calls;
+        let mut request = json!({"id": id, "method": method, "params": params});
+        if let Some(session) = &self.session {
+            request["sessionId"] = json!(session);
+        }
+        self.socket
+            .send(Message::text(request.to_string()))
+            .expect("sent");
+        loop {
+            let message = self.receive();
+            if message["id"] == json!(id) {
+                assert!(message["error"].is_null(), "{method}: {}", message["error"]);
+                return message["result"].clone();
+            }
+        }
+    }
+
+    fn receive(&mut self) -> Value {
+        loop {
+            let message = self.socket.read().expect("an answer in time");
+            if let Message::Text(text) = message {
+                let message: Value = serde_json::from_str(&text).expect("JSON");
+                if message["id"].is_null() {
+                    self.events.push(message.clone());
+                }
+                return message;
+            }
+        }
+    }
+
+    /// Opens a file and waits until all of it is there.
+    pub fn open(&mut self, file: &Path) {
+        let url = format!("file://{}", file.display());
+        self.call("Page.navigate", json!({"url": url}));
+        // The answer comes when the new document has taken the old one's place.
+        while self.value("document.readyState") != "complete" {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    /// The parameters of all events of a kind so far.
+    pub fn told(&self, method: &str) -> Vec<&Value> {
+        let of_kind = self.events.iter().filter(|e| e["method"] == method);
+        of_kind.map(|e| &e["params"]).collect()
+    }
+
+    /// What went wrong in the page, and what it asked the network for.
+    pub fn complaints(&self) -> Vec<String> {
+        let errors = self.told("Runtime.exceptionThrown").into_iter();
+        let logged = self.told("Log.entryAdded").into_iter();
+        let printed = self.told("Runtime.consoleAPICalled").into_iter();
+        let wrong = errors.chain(logged).chain(printed).map(Value::to_string);
+        let requests = self.told("Network.requestWillBeSent").into_iter();
+        let asked = requests.filter_map(|r| r["request"]["url"].as_str());
+        let outside = asked.filter(|url| !url.starts_with("file:") && !url.starts_with("data:"));
+        wrong.chain(outside.map(str::to_owned)).collect()
+    }
+
+    /// The value of an expression of JavaScript.
+    pub fn value(&mut self, expression: &str) -> Value {
+        let params = json!({"expression": expression, "returnByValue": true, "awaitPromise": true});
+        let answer = self.call("Runtime.evaluate", params);
+        assert!(
+            answer["exceptionDetails"].is_null(),
+            "{expression}: {}",
+            answer["exceptionDetails"]
+        );
+        answer["result"]["value"].clone()
+    }
+
+    pub fn text(&mut self, expression: &str) -> String {
+        self.value(expression).as_str().expect("a text").to_owned()
+    }
+
+    /// A window of so many CSS pixels.
+    pub fn window(&mut self, width: u32, height: u32) {
+        let size = json!({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500});
+        self.call("Emulation.setDeviceMetricsOverride", size);
+    }
+
+    /// `screen` or `print`; `light` or `dark`.
+    pub fn media(&mut self, media: &str, scheme: &str) {
+        let features = json!([{"name": "prefers-color-scheme", "value": scheme}]);
+        self.call(
+            "Emulation.setEmulatedMedia",
+            json!({"media": media, "features": features}),
+        );
+    }
+
+    /// Moves the pointer over the middle of what the expression names, scrolled into view; presses there too.
+    pub fn point(&mut self, element: &str, press: bool) {
+        let middle = self.value(&format!(
+            "(() => {{ const e = {element}; e.scrollIntoView({{block: 'center'}}); \
+             const r = e.getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; }})()"
+        ));
+        let mut mouse = |kind: &str| {
+            let event = json!({"type": kind, "x": middle[0], "y": middle[1], "button": if kind == "mouseMoved" { "none" } else { "left" }, "clickCount": 1});
+            self.call("Input.dispatchMouseEvent", event);
+        };
+        mouse("mouseMoved");
+        if press {
+            mouse("mousePressed");
+            mouse("mouseReleased");
+        }
+    }
+
+    /// Presses a key of this name and code, such as `ArrowLeft` and 37.
+    pub fn key(&mut self, name: &str, code: u32) {
+        for kind in ["rawKeyDown", "keyUp"] {
+            let event =
+                json!({"type": kind, "key": name, "code": name, "windowsVirtualKeyCode": code});
+            self.call("Input.dispatchKeyEvent", event);
+        }
+    }
+
+    /// The whole page as `target/screenshots/NAME.png`.
+    pub fn screenshot(&mut self, name: &str) {
+        let all = json!({"format": "png", "captureBeyondViewport": true, "clip": self.whole()});
+        let shot = self.call("Page.captureScreenshot", all);
+        let png = STANDARD.decode(shot["data"].as_str().expect("a picture"));
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("../screenshots");
+        fs::create_dir_all(&folder).expect("a folder");
+        let file = folder.join(name).with_extension("png");
+        fs::write(&file, png.expect("base64")).expect("a file");
+    }
+
+    fn whole(&mut self) -> Value {
+        let size = self.call("Page.getLayoutMetrics", json!({}))["cssContentSize"].clone();
+        json!({"x": 0, "y": 0, "width": size["width"], "height": size["height"], "scale": 1})
+    }
+}
+
+impl Drop for Browser {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// Where the browser listens; it says so itself.
+fn address(child: &mut Child) -> String {
+    let stderr = child.stderr.take().expect("a pipe");
+    let mut lines = BufReader::new(stderr).lines().map_while(Result::ok);
+    let line = lines
+        .find(|line| line.contains("ws://"))
+        .expect("an address");
+    // Read to the end, or it would wait for us.
+    std::thread::spawn(move || lines.for_each(drop));
+    line[line.find("ws://").unwrap_or(0)..].trim().to_owned()
+}
