@@ -5,7 +5,7 @@ use vkpt::metrics::convergence::{Curve, Reference};
 use vkpt::report::convergence::plot::palette::Colour;
 use vkpt::report::convergence::{Convergence, Sheet, Shown, page};
 
-use crate::records::{curve, experiment, reference};
+use crate::records::{curve, experiment, film, reference};
 
 const STEPS: [(f64, f64); 4] = [(0.1, 0.4), (0.2, 0.21), (0.4, 0.1), (0.8, 0.05)];
 
@@ -108,7 +108,7 @@ fn it_tells_all_that_the_record_has() {
         "connect=bsdf",
         "a device",
         "a driver",
-        "vkpt converge &#39;a b.scn&#39; --html r.html",
+        "<span class=\"word\">b.scn'</span> <span class=\"word\">--html</span>",
         "# a comment",
         "seeds 0 to 1",
         "of two halves",
@@ -117,13 +117,54 @@ fn it_tells_all_that_the_record_has() {
         "sampler=random",
         "×0.333",
         "250 ms before the first sample",
-        "--trace ",
+        "--trace",
     ] {
-        let words = words.replace("&#39;", "'");
-        assert!(page.replace("&#39;", "'").contains(&words), "{words}");
+        assert!(page.contains(words), "{words}");
     }
     // Both variants have one reference: it is there once.
     assert_eq!(page.matches("<figure class=\"reference\"").count(), 1);
+}
+
+/// As where a setting of the model varies.
+#[test]
+fn a_reference_of_its_own_stands_beside_each_variant() {
+    let curves = [curve(&STEPS), curve(&STEPS), curve(&STEPS)];
+    let [a, b, c] = &curves;
+    let record = experiment("a.scn", &[("x=1", a), ("x=2", b), ("x=3", c)]);
+    let first = reference();
+    let second = Reference::picture(film(1.5), None).expect("a picture");
+    let shown = [(a, &first), (b, &second), (c, &first)];
+    let sheet = Sheet {
+        record: &record,
+        scene: "",
+        command: String::new(),
+        exposure: 0.0,
+        shown: shown
+            .map(|(curve, reference)| Shown {
+                curve,
+                reference,
+                command: String::new(),
+            })
+            .into(),
+    };
+    let page = page(&sheet).expect("a page");
+    let named = |before: &str| -> Vec<String> {
+        let all = page.match_indices(before);
+        all.map(|(at, _)| page[at + before.len()..].chars().take(1).collect())
+            .collect()
+    };
+    assert_eq!(
+        named("<figure class=\"reference\" data-reference=\""),
+        ["0", "1"]
+    );
+    let radios = named("name=\"variant\" value=\"");
+    assert_eq!(radios, ["0", "1", "2"]);
+    let inputs = page.split("name=\"variant\"").skip(1);
+    let judged: Vec<_> = inputs
+        .filter_map(|input| input.split_once("data-reference=\""))
+        .map(|(_, rest)| &rest[..1])
+        .collect();
+    assert_eq!(judged, ["0", "1", "0"]);
 }
 
 /// Each colour of the plot has its counterpart, and none of the SVG's is without.

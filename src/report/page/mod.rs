@@ -45,3 +45,14 @@ pub fn page(page: &Page) -> String {
     };
     document.into_string()
 }
+
+/// A command line whose lines end between words, where they must.
+pub fn command_line(text: &str) -> Markup {
+    let words = text.split(' ').enumerate();
+    html! {
+        @for (i, word) in words {
+            @if i > 0 { " " }
+            span.word { (word) }
+        }
+    }
+}

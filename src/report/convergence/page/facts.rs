@@ -6,6 +6,7 @@ use super::{Sheet, name};
 use crate::report::SOFTWARE;
 use crate::report::convergence::Convergence;
 use crate::report::human::{duration, plural};
+use crate::report::page::command_line;
 
 /// `400×300, 8 replicates, 59.1 s of sampling on …`
 pub fn in_short(e: &Convergence) -> String {
@@ -26,7 +27,7 @@ pub fn facts(sheet: &Sheet) -> Markup {
         section #facts {
             h2 { "How it was made" }
             p.note { "Command line" }
-            pre.wrap { (sheet.command) }
+            pre.wrap { (command_line(&sheet.command)) }
             dl {
                 dt { "scene" } dd { (e.scene) }
                 dt { "size" } dd { (size(e)) }

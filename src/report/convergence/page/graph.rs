@@ -50,8 +50,10 @@ fn with_targets(e: &Convergence, plot: &Plot) -> Markup {
             }
         }
     };
-    let content = plot.svg.trim_end().strip_suffix("</svg>");
-    PreEscaped(content.unwrap_or_default().to_owned() + &targets.into_string() + "</svg>")
+    // No picture any more, whose parts no screen reader would look at.
+    let svg = plot.svg.replacen("role=\"img\"", "role=\"group\"", 1);
+    let content = svg.trim_end().strip_suffix("</svg>").unwrap_or_default();
+    PreEscaped(content.to_owned() + &targets.into_string() + "</svg>")
 }
 
 /// A line for each figure of a step.

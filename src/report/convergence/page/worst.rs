@@ -5,6 +5,7 @@ use maud::{Markup, html};
 use super::super::words::number;
 use super::{PageError, Sheet, Shown, name};
 use crate::metrics::{Pair, WorstPixel, worst_pixels};
+use crate::report::page::command_line;
 
 /// So many are told of each variant.
 const COUNT: usize = 10;
@@ -53,7 +54,7 @@ fn of_variant(sheet: &Sheet, i: usize, shown: &Shown) -> Result<Markup, PageErro
             @if let Some(pixel) = worst.first() {
                 @let [x, y] = in_full(pixel, origin);
                 p.note { "The path of its first sample, vertex by vertex:" }
-                pre.wrap { (shown.command) " --trace " span.pixel { (x) "," (y) } ",0" }
+                pre.wrap { (command_line(&shown.command)) " " span.word { "--trace" } " " span.word { span.pixel { (x) "," (y) } ",0" } }
             }
         }
     })
