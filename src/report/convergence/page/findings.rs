@@ -68,7 +68,7 @@ fn row(variant: &VariantRecord, several: bool) -> Markup {
             td.words.bad[variant.is_off()] {
                 (match floor {
                     None => "unknown: two replicates",
-                    Some(_) if variant.is_off() => "NOT to the reference",
+                    Some(_) if variant.is_off() => "it does NOT",
                     Some(_) => "nothing against it",
                 })
             }
