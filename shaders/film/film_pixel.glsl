@@ -18,6 +18,6 @@ void film_sample(inout FilmPixel pixel, vec3 radiance) {
     PixelSum sum = film_add(PixelSum(pixel.sum, pixel.comp), x);
     pixel.sum = sum.sum;
     pixel.comp = sum.comp;
-    pixel.contrast = pixel.contrast + x * ((pixel.samples & 1u) == 0u ? 1.0 : -1.0);
+    pixel.contrast = x - pixel.contrast;
     pixel.samples += 1u;
 }

@@ -69,7 +69,7 @@ crate::gpu_struct! {
         loops: uint,
         /// Paths that reached the bounce from which even lossless ones may end.
         long_paths: uint,
-        /// Σ ± sample: + of an even index, − of an odd one.
+        /// Σ ± sample: + of the last, − of the one before, and so on by turns.
         contrast: vec3,
         pad0: uint,
     }

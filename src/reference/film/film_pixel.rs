@@ -14,8 +14,8 @@ pub struct FilmPixel<F> {
     pub sum: PixelSum<F>,
     /// Samples complete.
     pub samples: u32,
-    /// Σ ± sample: + of an even index, − of an odd one. About as large as the noise of the sum, however many
-    /// samples there are: a plain sum does.
+    /// Σ ± sample: + of the last, − of the one before, and so on by turns. About as large as the noise of the sum,
+    /// however many samples there are: a plain sum does.
     pub contrast: Vec3<F>,
     /// Samples dropped for a NaN.
     pub nan: u64,
@@ -54,8 +54,7 @@ pub fn film_sample<F: Real>(pixel: &mut FilmPixel<F>, radiance: Vec3<F>) {
     pixel.infinite += u64::from(broken && !nan);
     let x = if broken { Vec3::zero() } else { radiance };
     pixel.sum = film_add(pixel.sum, x);
-    let sign = if pixel.samples & 1 == 0 { 1.0 } else { -1.0 };
-    pixel.contrast += x * F::new(sign);
+    pixel.contrast = x - pixel.contrast;
     pixel.samples += 1;
 }
 
