@@ -122,6 +122,7 @@ fn intervals_hold_the_error_of_all_scenes() {
             "veach-plates",
             "glass-table",
             "roughness-ggx",
+            "caustic",
         ],
         400,
     );

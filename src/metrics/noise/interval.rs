@@ -16,17 +16,20 @@ pub struct Terms {
     pub sum: f64,
     /// Σ q².
     pub squares: f64,
-    /// How far Σ q may be off for the weights' sake.
-    pub doubt: f64,
+    /// Σ q by the weights of other guides.
+    pub others: [f64; 2],
 }
 
 impl Terms {
     /// Adds a pixel.
-    pub fn add(&mut self, q: f64, doubt: f64) {
-        self.pixels += 1.0;
-        self.sum += q;
-        self.squares += q * q;
-        self.doubt += doubt;
+    pub fn add(&mut self, q: f64, others: [f64; 2]) {
+        let pixel = Self {
+            pixels: 1.0,
+            sum: q,
+            squares: q * q,
+            others,
+        };
+        *self = self.plus(pixel);
     }
 
     pub fn plus(self, other: Self) -> Self {
@@ -34,7 +37,7 @@ impl Terms {
             pixels: self.pixels + other.pixels,
             sum: self.sum + other.sum,
             squares: self.squares + other.squares,
-            doubt: self.doubt + other.doubt,
+            others: [0, 1].map(|i| self.others[i] + other.others[i]),
         }
     }
 
@@ -42,11 +45,12 @@ impl Terms {
     ///
     /// A normal h has E h⁴ = 3 (Var x)², so 4/3 Σ q² estimates the variance 4 Σ w² (Var x)² of Σ q's distance from the
     /// error: exactly where the channels' noise is one, too much where it is not, or where it has heavier tails than
-    /// the normal distribution. The doubt of the weights is no chance, which may cancel: it comes on top
-    /// in full.
+    /// the normal distribution. What the choice of the guide makes of it is no chance, which may cancel: it comes on
+    /// top in full.
     pub fn rel_mse(&self) -> RelMse {
         let chance = Z * (4.0 / 3.0 * self.squares).sqrt();
-        let reach = chance + self.doubt;
+        let off = self.others.map(|other| (other - self.sum).abs());
+        let reach = chance + off[0].max(off[1]);
         let interval = [self.sum - reach, self.sum + reach].map(|end| end / self.pixels);
         RelMse {
             estimate: self.sum / self.pixels,
