@@ -31,12 +31,14 @@ impl Floor {
 ///
 /// The error of one picture is noise and bias, E (x − r)² = σ²/n + b². Of two independent pictures the noise does not
 /// correlate: E (x − r)(y − r) = b², at any n. So the mean over all pairs is an unbiased estimate of b² that sees a
-/// bias long before the curve shows it. Without a bias the M = k(k − 1)/2 pairs are uncorrelated (a degenerate
-/// U-statistic: Hoeffding, A Class of Statistics with Asymptotically Normal Distribution, Ann. Math. Statist. 19,
-/// 1948, section 5), and sums over thousands of pixels: a one-sided t-test with M − 1 degrees of freedom. With one, the
-/// pairs of a picture share its noise, and the standard error is that of the jackknife over pictures.
+/// bias long before the curve shows it.
 ///
-/// What the reference says its own noise is (not of halves, whose noise has no part in it) is taken off.
+/// The pairs of a picture share its noise, and all pairs that of the reference. So the standard error is that of the
+/// jackknife over pictures, and on top of it what the reference's noise does to all of them; the test is a one-sided
+/// one by Student's t with as many degrees of freedom as the jackknife has. It errs on the careful side: without a bias
+/// the pairs hardly correlate, and the jackknife is up to √2 too large.
+///
+/// What the reference says its own noise is (not of halves, whose noise has no part in it on average) is taken off.
 /// `None` of fewer than three pictures.
 pub fn floor(pictures: &[Film], reference: &Reference) -> Option<Floor> {
     if pictures.len() < 3 {
@@ -44,23 +46,21 @@ pub fn floor(pictures: &[Film], reference: &Reference) -> Option<Floor> {
     }
     let pairs = Pairs::new(pictures, reference);
     let rel_mse = mean(&pairs.values);
+    let standard_error = pairs.jackknife().hypot(reference.own_spread());
     Some(Floor {
         rel_mse,
-        standard_error: pairs.jackknife(),
-        p: p_of_no_bias(&pairs.values)?,
+        standard_error,
+        p: p_of_no_bias(rel_mse, standard_error, pictures.len())?,
     })
 }
 
-/// How likely a mean as large as that of `pairs` is where they are uncorrelated and of mean 0.
-fn p_of_no_bias(pairs: &[f64]) -> Option<f64> {
-    let (n, mean) = (pairs.len() as f64, mean(pairs));
-    let squares: f64 = pairs.iter().map(|h| (h - mean) * (h - mean)).sum();
-    let error = (squares / (n - 1.0) / n).sqrt();
-    let t = StudentsT::new(0.0, 1.0, n - 1.0).ok()?;
-    Some(match error {
-        0.0 if mean > 0.0 => 0.0,
+/// How likely a floor as large is where there is none.
+fn p_of_no_bias(rel_mse: f64, standard_error: f64, pictures: usize) -> Option<f64> {
+    let t = StudentsT::new(0.0, 1.0, pictures as f64 - 1.0).ok()?;
+    Some(match standard_error {
+        0.0 if rel_mse > 0.0 => 0.0,
         0.0 => 1.0,
-        _ => t.sf(mean / error),
+        _ => t.sf(rel_mse / standard_error),
     })
 }
 

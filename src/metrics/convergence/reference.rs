@@ -16,6 +16,8 @@ pub struct Reference {
     mean: Film,
     /// How far `mean` itself is from the truth, where that is known.
     own: Figures<Option<f64>>,
+    /// Standard deviation of what its noise adds to the product of any two pictures' errors, weighted as in relMSE.
+    own_spread: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -38,6 +40,7 @@ impl Reference {
             smape: None,
             flip: None,
         };
+        let mut own_spread = 0.0;
         if let Some(stderr) = stderr {
             check_errors(stderr, "reference's standard errors")?;
             same_size(
@@ -45,15 +48,18 @@ impl Reference {
                 (stderr, "reference's standard errors"),
             )?;
             let mse = mean_of(&film, |c| square(stderr, c));
-            let rel_mse = mean_of(&film, |c| relative(square(stderr, c), value(&film, c)));
+            let rel = per_pixel(&film, |c| relative(square(stderr, c), value(&film, c)));
             own.mse = Some(mse);
             own.rmse = Some(mse.sqrt());
-            own.rel_mse = Some(rel_mse);
+            own.rel_mse = Some(mean(&rel));
+            // (r − µ)² of a normal r has the variance 2 (Var r)².
+            own_spread = spread(2.0, &rel);
         }
         Ok(Self {
             kind: Kind::Picture,
             mean: film,
             own,
+            own_spread,
         })
     }
 
@@ -69,28 +75,30 @@ impl Reference {
         check(&a, "reference")?;
         check(&b, "reference")?;
         same_size((&a, "reference"), (&b, "reference's other half"))?;
-        let mean = average(&a, &b);
+        let film = average(&a, &b);
         // Var (A + B)/2 = E (A − B)²/4; a mean of |·| is as far from the truth as half of what A is from B.
         let quarter = |c: Channel| {
             let d = value(&a, c) - value(&b, c);
             0.25 * d * d
         };
-        let mse = mean_of(&mean, quarter);
-        let rel_mse = mean_of(&mean, |c| relative(quarter(c), value(&mean, c)));
+        let mse = mean_of(&film, quarter);
+        let rel = per_pixel(&film, |c| relative(quarter(c), value(&film, c)));
         let pair = Pair::new(&a, &b)?;
         let smape = 0.5 * trimmed(&symmetric_errors(&pair)).all;
         let flip = 0.5 * flip(&pair, viewing)?.mean();
         let own = Figures {
             mse: Some(mse),
             rmse: Some(mse.sqrt()),
-            rel_mse: Some(rel_mse),
+            rel_mse: Some(mean(&rel)),
             smape: Some(smape),
             flip: Some(flip),
         };
         Ok(Self {
             kind: Kind::Halves(Box::new([a, b])),
-            mean,
+            mean: film,
             own,
+            // (µ − A)(µ − B) has the variance (Var A)², of which 4/3 (A − B)⁴/16 is an estimate: E (A − B)⁴ = 12 (Var A)².
+            own_spread: spread(4.0 / 3.0, &rel),
         })
     }
 
@@ -102,6 +110,11 @@ impl Reference {
     /// How far it is from the truth in each metric, where that is known: errors below that say nothing.
     pub fn own(&self) -> &Figures<Option<f64>> {
         &self.own
+    }
+
+    /// Standard deviation of the reference's own part in [`Reference::covariance`], whatever the pictures.
+    pub(super) fn own_spread(&self) -> f64 {
+        self.own_spread
     }
 
     /// What `test` is off by. By halves, squared errors may by chance be below 0.
@@ -162,6 +175,13 @@ fn square(film: &Film, c: Channel) -> f64 {
 fn per_pixel(film: &Film, error: impl Fn(Channel) -> f64) -> Vec<f64> {
     let of_pixel = |i| (error((i, 0)) + error((i, 1)) + error((i, 2))) / 3.0;
     (0..film.rgb.len()).map(of_pixel).collect()
+}
+
+/// Standard deviation of a mean over pixels of independent terms whose squares' sum, times `factor`, estimates their
+/// variances'. The channels of a pixel are taken for one noise.
+fn spread(factor: f64, terms: &[f64]) -> f64 {
+    let squares: f64 = terms.iter().map(|q| q * q).sum();
+    (factor * squares).sqrt() / terms.len() as f64
 }
 
 fn mean_of(film: &Film, error: impl Fn(Channel) -> f64) -> f64 {
