@@ -8,6 +8,14 @@ pub struct Film {
     pub rgb: Vec<[f32; 3]>,
 }
 
+impl Film {
+    /// The pixels of row `y` < height.
+    pub fn row(&self, y: usize) -> &[[f32; 3]] {
+        let width = self.width as usize;
+        &self.rgb[y * width..(y + 1) * width]
+    }
+}
+
 /// What a rendering makes beside its picture where that is asked for (AOV: arbitrary output variable).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Aov {

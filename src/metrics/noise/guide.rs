@@ -50,6 +50,19 @@ impl Sum {
     }
 }
 
+/// What the neighbours of a pixel are like.
+#[derive(Clone, Copy, Default)]
+struct Around {
+    all: Sum,
+    nearest: Sum,
+    /// Of all, Σ h².
+    squares: Rgb,
+    /// 1/(2 Var x): two pixels differ by twice the variance of one, of which h² is an estimate.
+    scale: Rgb,
+    /// Those within [`SIGMAS`].
+    alike: [Sum; SIGMAS.len()],
+}
+
 /// Looks the neighbours of a picture's pixels up.
 pub struct Guide<'a> {
     mean: &'a Film,
@@ -67,80 +80,85 @@ impl<'a> Guide<'a> {
 
     /// The terms of one row of pixels.
     pub fn row(&self, y: usize) -> Terms {
+        let (values, halves) = (self.mean.row(y), self.half_difference.row(y));
         let mut terms = Terms::default();
-        for x in 0..self.mean.width as usize {
-            let h = self.at(self.half_difference, x, y);
-            let q = |g: Rgb| {
-                [0, 1, 2]
-                    .map(|c| h[c] * h[c] * weight(g[c]))
-                    .iter()
-                    .sum::<f64>()
-                    / 3.0
-            };
-            let [q, others @ ..] = self.guides(x, y).map(q);
+        for ((x, h), around) in values.iter().zip(halves).zip(self.around(y)) {
+            let (x, h) = (x.map(f64::from), h.map(f64::from));
+            let q = |g: Rgb| (0..3).map(|c| h[c] * h[c] * weight(g[c])).sum::<f64>() / 3.0;
+            let [q, others @ ..] = guides(x, h, &around).map(q);
             terms.add(q, others);
         }
         terms
     }
 
-    /// What the pixel converges to, as each guide has it.
-    fn guides(&self, x: usize, y: usize) -> [Rgb; GUIDES] {
-        let (own, h) = (
-            self.at(self.mean, x, y),
-            self.at(self.half_difference, x, y),
-        );
-        let (mut all, mut nearest, mut squares) = (Sum::default(), Sum::default(), Sum::default());
-        for (i, j) in self.neighbours(x, y) {
-            let value = self.at(self.mean, i, j);
-            all.add(value);
-            if i.abs_diff(x) <= 1 && j.abs_diff(y) <= 1 {
-                nearest.add(value);
+    /// What the neighbours of a row's pixels are like. All pixels of the row turn to one neighbour after the other.
+    fn around(&self, y: usize) -> Vec<Around> {
+        let values = self.mean.row(y);
+        let mut around = vec![Around::default(); values.len()];
+        self.neighbours(y, |x, near, value, h| {
+            let (value, h) = (value.map(f64::from), h.map(f64::from));
+            let a = &mut around[x];
+            a.all.add(value);
+            if near {
+                a.nearest.add(value);
             }
-            squares.add(self.at(self.half_difference, i, j).map(|h| h * h));
+            a.squares = [0, 1, 2].map(|c| a.squares[c] + h[c] * h[c]);
+        });
+        for a in &mut around {
+            let double = |square: f64| 2.0 * square / a.all.n;
+            a.scale = a.squares.map(|s| 1.0 / (double(s) + f64::MIN_POSITIVE));
         }
-        if all.n == 0.0 {
-            return [own; GUIDES];
-        }
-        // h² is an estimate of a pixel's variance; two of them differ by twice as much.
-        let variance = squares.mean();
-        let mut alike = [Sum::default(); SIGMAS.len()];
-        for (i, j) in self.neighbours(x, y) {
-            let value = self.at(self.mean, i, j);
-            let distance = squared_distance(own, value, variance);
-            for (sum, sigmas) in alike.iter_mut().zip(SIGMAS) {
+        self.neighbours(y, |x, _, value, _| {
+            let (own, value) = (values[x].map(f64::from), value.map(f64::from));
+            let a = &mut around[x];
+            // Standard deviations squared, the mean over the channels.
+            let of = |c: usize| (own[c] - value[c]) * (own[c] - value[c]) * a.scale[c];
+            let distance = (of(0) + of(1) + of(2)) / 3.0;
+            for (sum, sigmas) in a.alike.iter_mut().zip(SIGMAS) {
                 if distance <= sigmas * sigmas {
                     sum.add(value);
                 }
             }
+        });
+        around
+    }
+
+    /// Calls `f` with the column of each pixel of a row, whether the neighbour is one of the eight nearest, its value and
+    /// its half difference; for all neighbours.
+    fn neighbours(&self, y: usize, mut f: impl FnMut(usize, bool, [f32; 3], [f32; 3])) {
+        let rows = y.saturating_sub(RADIUS)..(y + RADIUS + 1).min(self.mean.height as usize);
+        for j in rows {
+            let (values, halves) = (self.mean.row(j), self.half_difference.row(j));
+            // Neighbours to the right by `shift` − RADIUS columns.
+            for shift in 0..=2 * RADIUS {
+                let near = j.abs_diff(y) <= 1 && shift.abs_diff(RADIUS) <= 1;
+                if (j, shift) == (y, RADIUS) {
+                    continue;
+                }
+                let (left, right) = (RADIUS.saturating_sub(shift), shift.saturating_sub(RADIUS));
+                let neighbours = values.iter().zip(halves).skip(right);
+                for (x, (&value, &h)) in (left..values.len()).zip(neighbours) {
+                    f(x, near, value, h);
+                }
+            }
         }
-        let [estimate, strict] = alike.map(|sum| if sum.n < FEW { all } else { sum });
-        [estimate, strict, nearest].map(|sum| {
-            let g = sum.mean();
-            [0, 1, 2].map(|c| {
-                let reach = REACH * h[c].abs();
-                g[c].clamp(own[c] - reach, own[c] + reach)
-            })
-        })
-    }
-
-    /// Columns and rows of the pixels around one, without it.
-    fn neighbours(&self, x: usize, y: usize) -> impl Iterator<Item = (usize, usize)> {
-        let around =
-            |i: usize, size: u32| i.saturating_sub(RADIUS)..(i + RADIUS + 1).min(size as usize);
-        let (columns, rows) = (around(x, self.mean.width), around(y, self.mean.height));
-        rows.flat_map(move |j| columns.clone().map(move |i| (i, j)))
-            .filter(move |&at| at != (x, y))
-    }
-
-    fn at(&self, film: &Film, x: usize, y: usize) -> Rgb {
-        film.rgb[y * self.mean.width as usize + x].map(f64::from)
     }
 }
 
-/// Mean over the channels of (a − b)²/(2 variance).
-fn squared_distance(a: Rgb, b: Rgb, variance: Rgb) -> f64 {
-    let of = |c: usize| (a[c] - b[c]) * (a[c] - b[c]) / (2.0 * variance[c] + f64::MIN_POSITIVE);
-    (of(0) + of(1) + of(2)) / 3.0
+/// What a pixel of value `x` and half difference `h` converges to, as each guide has it.
+fn guides(x: Rgb, h: Rgb, around: &Around) -> [Rgb; GUIDES] {
+    let Around { all, nearest, .. } = *around;
+    if all.n == 0.0 {
+        return [x; GUIDES];
+    }
+    let [estimate, strict] = around.alike.map(|sum| if sum.n < FEW { all } else { sum });
+    [estimate, strict, nearest].map(|sum| {
+        let g = sum.mean();
+        [0, 1, 2].map(|c| {
+            let reach = REACH * h[c].abs();
+            g[c].clamp(x[c] - reach, x[c] + reach)
+        })
+    })
 }
 
 fn weight(r: f64) -> f64 {
