@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::error::ErrorKind;
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use super::compare::CompareArguments;
 use super::converge::ConvergeArguments;
@@ -158,7 +158,14 @@ pub enum Task {
 
 /// Reads the command line; help, version and errors end the program here.
 pub fn task() -> Result<Task, Failure> {
-    let Arguments { command, render } = Arguments::parse();
+    let matches = Arguments::command().get_matches();
+    if let Some(("compare", matches)) = matches.subcommand()
+        && let Some(message) = CompareArguments::misplaced(matches)
+    {
+        return Err(usage(message));
+    }
+    let parsed = Arguments::from_arg_matches(&matches).map_err(Failure::Usage);
+    let Arguments { command, render } = parsed?;
     match (command, render.trace) {
         (Some(Command::Devices), _) => Ok(Task::Devices),
         (Some(Command::Compare(arguments)), _) => Ok(Task::Compare(arguments)),

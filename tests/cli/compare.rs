@@ -207,3 +207,29 @@ fn what_cannot_be_compared() {
     }
     assert!(!names(path).iter().any(|name| name.contains("map")));
 }
+
+/// Each comparison has flags that say nothing of the other.
+#[test]
+fn a_flag_that_would_not_be_looked_at_is_refused() {
+    let folder = folder(&noisy(1, 1.0), &noisy(2, 1.0));
+    let pictures = ["a.exr", "b.exr"];
+    let paired = ["--paired", "scene.scn"];
+    let cases: [(&[&str], &[&str], &str); 8] = [
+        (&pictures, &["--spp", "3"], "--spp"),
+        // The default's own value is as misplaced as any other.
+        (&pictures, &["--seed", "0"], "--seed"),
+        (&pictures, &["--size", "4x3"], "--size"),
+        (&pictures, &["--quiet", "--strict"], "--strict, --quiet"),
+        (&pictures, &["--fresnel", "exact"], "--fresnel"),
+        (&paired, &["--heatmap", "map.png"], "--heatmap"),
+        (&paired, &["--exposure", "0"], "--exposure"),
+        (&paired, &["--z-test"], "--z-test"),
+    ];
+    for (compared, flags, told) in cases {
+        let run = compare(folder.path(), &[compared, flags].concat());
+        assert_eq!(run.code, Some(2), "{flags:?}: {}{}", run.out, run.err);
+        let told = format!("error: {told} can be used with ");
+        assert!(run.err.starts_with(&told), "{flags:?}: {}", run.err);
+        assert_eq!(run.out, "", "{flags:?}");
+    }
+}

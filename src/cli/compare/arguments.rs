@@ -2,6 +2,9 @@
 
 use std::path::PathBuf;
 
+use clap::parser::ValueSource;
+use clap::{ArgMatches, Args, Id};
+
 use crate::cli::job::Request;
 use crate::cli::settings::SettingArguments;
 use crate::cli::values::{self, Output};
@@ -33,6 +36,26 @@ pub struct CompareArguments {
     pub paired: PairedArguments,
 }
 
+impl CompareArguments {
+    /// What is wrong where a flag of one comparison is given with the other, which would not look at it.
+    ///
+    /// clap's `requires` does not tell: it is content where what is required conflicts with what is there.
+    pub fn misplaced(matches: &ArgMatches) -> Option<String> {
+        let given = |id: &Id| matches.value_source(id.as_str()) == Some(ValueSource::CommandLine);
+        let none = clap::Command::default();
+        let (others, needed) = match given(&Id::from("scene")) {
+            true => (PictureArguments::augment_args(none), "two pictures"),
+            false => (PairedArguments::augment_args(none), "--paired <SCENE>"),
+        };
+        let flags: Vec<String> = others
+            .get_arguments()
+            .filter(|flag| given(flag.get_id()))
+            .filter_map(|flag| Some(format!("--{}", flag.get_long()?)))
+            .collect();
+        (!flags.is_empty()).then(|| format!("{} can be used with {needed} only", flags.join(", ")))
+    }
+}
+
 /// A comparison of pictures.
 #[derive(clap::Args, Debug)]
 pub struct PictureArguments {
@@ -50,33 +73,33 @@ pub struct PictureArguments {
     pub b: Option<PathBuf>,
 
     /// Judge both pictures by this one
-    #[arg(long, value_name = "FILE", help_heading = PICTURES, requires = "a")]
+    #[arg(long, value_name = "FILE", help_heading = PICTURES)]
     pub reference: Option<PathBuf>,
 
     /// Standard errors of the pictures' values: once for each picture, in order [default:
     /// NAME-stderr.exr beside each, as `vkpt SCENE --aov stderr` writes it]
-    #[arg(long, value_name = "FILE", help_heading = PICTURES, requires = "a")]
+    #[arg(long, value_name = "FILE", help_heading = PICTURES)]
     pub stderr: Vec<PathBuf>,
 
     /// Stops by which FLIP brightens the pictures before it looks at them as PNGs
     #[arg(long, value_name = "EV", help_heading = PICTURES, default_value = "0")]
-    #[arg(requires = "a", allow_negative_numbers = true, value_parser = values::exposure)]
+    #[arg(allow_negative_numbers = true, value_parser = values::exposure)]
     pub exposure: f64,
 
     /// Write the relative squared error of each pixel as a colour; with --reference both maps, side
     /// by side
-    #[arg(long, value_name = "FILE.png", help_heading = PICTURES, requires = "a")]
+    #[arg(long, value_name = "FILE.png", help_heading = PICTURES)]
     #[arg(value_parser = values::png)]
     pub heatmap: Option<Output>,
 
     /// Fail (exit code 1) if a relMSE is above X
-    #[arg(long, value_name = "X", help_heading = PICTURES, requires = "a")]
+    #[arg(long, value_name = "X", help_heading = PICTURES)]
     #[arg(value_parser = values::bound)]
     pub max_relmse: Option<f64>,
 
     /// Fail (exit code 1) if the means of blocks of 25x25 pixels differ by more than the standard
     /// errors explain
-    #[arg(long, help_heading = PICTURES, requires = "a")]
+    #[arg(long, help_heading = PICTURES)]
     pub z_test: bool,
 }
 
@@ -90,22 +113,22 @@ pub struct PairedArguments {
 
     /// Samples per pixel
     #[arg(long, value_name = "N", help_heading = PAIRED, default_value = "16")]
-    #[arg(requires = "scene", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
     pub spp: u32,
 
     /// Seed of the random numbers
-    #[arg(requires = "scene", long, value_name = "N", help_heading = PAIRED, default_value = "0")]
+    #[arg(long, value_name = "N", help_heading = PAIRED, default_value = "0")]
     pub seed: u32,
 
     #[command(flatten, next_help_heading = PAIRED)]
     view: ViewArguments,
 
     /// The Vulkan device, by its index or part of its name [default: the best]
-    #[arg(requires = "scene", long, value_name = "DEVICE", help_heading = PAIRED, value_parser = values::vulkan_device)]
+    #[arg(long, value_name = "DEVICE", help_heading = PAIRED, value_parser = values::vulkan_device)]
     pub device: Option<Selector>,
 
     /// No progress and no table, only warnings and errors
-    #[arg(requires = "scene", long, help_heading = PAIRED)]
+    #[arg(long, help_heading = PAIRED)]
     pub quiet: bool,
 
     #[command(flatten)]
