@@ -111,3 +111,50 @@ fn lights_are_chosen_by_power() {
     assert!(p.light_cdf[1].abs_diff(1 << 22) <= 1, "{:?}", p.light_cdf);
     assert_eq!(p.light_cdf[2], 1 << 24);
 }
+
+/// Every number below is finite in single precision; what comes of them is not.
+#[test]
+fn what_overflows_single_precision_is_refused() {
+    let glass = |ior: &str| format!("brdf 0 0 0 .04 .04 .04 .1 .5 .5 .5 {ior}\nsphere 0 0 0 1");
+    let camera =
+        |eye: &str, ry: &str| format!("camera {eye} {ry}\nsphere 0 0 0 1\nsphere 3e38 0 0 1");
+    let rows = [
+        ("box 3e38 0 0 -3e38 1 1".to_owned(), None),
+        (
+            "box 3e38 0 0 3e38 1 1\nsphere -3e38 0 0 1".to_owned(),
+            Some("line 3: "),
+        ),
+        ("cylinder 0 0 0 3e38 3e38 0 1".to_owned(), Some("line 3: ")),
+        ("cylinder 0 0 0 2e38 1e38 0 1".to_owned(), None),
+        (
+            "mesh tests/scene/fixtures/tetrahedron.ply 0 0 0 1e38".to_owned(),
+            None,
+        ),
+        (
+            "mesh tests/scene/fixtures/tetrahedron.ply 3e38 0 0 3e38\nsphere -3e38 0 0 1"
+                .to_owned(),
+            Some("line 3: "),
+        ),
+        (glass("1e19"), None),
+        (glass("2e19"), Some("line 3: the index of refraction 2e19")),
+        (glass("1e-19"), None),
+        (
+            glass("5e-20"),
+            Some("line 3: the index of refraction 5e-20"),
+        ),
+        (camera("1e38 0 0", "1"), None),
+        (camera("-3e38 0 0", "1"), Some("line 2: the camera ")),
+        (camera("0 0 0", "3e38"), Some("line 2: the camera ")),
+    ];
+    for (lines, refused) in rows {
+        let view = ["", "camera 0 0 0 .2\n"][usize::from(!lines.starts_with("camera"))];
+        let text = format!("screen 40 30\n{view}{lines}");
+        let read = vkpt::scene::parse(&text, Path::new("test.txt"), true).expect("a legal scene");
+        let told = prepare(&read.scene, &Settings::default(), None).map_err(|e| e.to_string());
+        match (refused, &told.err()) {
+            (None, None) => {}
+            (Some(start), Some(told)) if told.starts_with(start) => {}
+            (_, told) => panic!("{text}: {told:?}"),
+        }
+    }
+}

@@ -10,6 +10,7 @@ mod lights;
 pub mod material;
 mod medium;
 mod prepare;
+mod range;
 
 use glam::DVec3;
 

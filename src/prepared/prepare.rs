@@ -5,21 +5,32 @@ use glam::{DQuat, DVec3};
 use super::cdf::CdfError;
 use super::geometry::Placed;
 use super::lights::Lights;
-use super::{Camera, Material, MaterialKind, NONE, Prepared, ShapeKind, material, medium};
+use super::{Camera, Material, MaterialKind, NONE, Prepared, ShapeKind, material, medium, range};
 use crate::scene::{self, MaterialKind as SceneMaterial, Scene};
 use crate::settings::Settings;
 
-/// A scene that the kernels' integer tables cannot hold.
+/// A scene that the kernels' tables and single precision cannot hold.
 #[derive(Debug, thiserror::Error)]
 pub enum PrepareError {
     #[error("the lights of this scene cannot be chosen among: {0}")]
     Lights(#[from] CdfError),
+    #[error(
+        "line {line}: seen from the middle of the scene, the shape reaches beyond single precision"
+    )]
+    Shape { line: usize },
+    #[error(
+        "line {line}: the index of refraction {ior:e} or its inverse has no square in single precision"
+    )]
+    Ior { line: usize, ior: f64 },
+    #[error("line {line}: the camera is beyond single precision: {what}")]
+    Camera { line: usize, what: &'static str },
 }
 
 /// All that both renderers share, for a picture of `size` (by default the scene's own).
 ///
 /// # Errors
-/// What the integer tables of the kernels cannot hold: more than 2²⁴ lights, or triangles in one light.
+/// What the integer tables of the kernels cannot hold: more than 2²⁴ lights, or triangles in one light; and what is
+/// infinite in single precision, although each number of the scene file is finite there.
 pub fn prepare(
     scene: &Scene,
     settings: &Settings,
@@ -43,6 +54,9 @@ pub fn prepare(
     placed.move_to_origin(origin);
     let lights = Lights::new(&placed, &materials, scene.background)?;
     let camera = camera(&scene.camera, origin, width, height);
+    range::check_camera(&camera, scene.camera_line)?;
+    range::check_materials(&materials)?;
+    range::check_shapes(&placed)?;
     medium::warn_of_overlaps(&placed, &materials, &mut warnings);
     let eye_medium = medium::medium_at(camera.eye, &placed, &materials);
     let mut shapes = placed.shapes;

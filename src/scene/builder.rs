@@ -39,7 +39,8 @@ pub(super) struct Builder {
     pub log: Log,
     path: PathBuf,
     pub screen: Once<Screen>,
-    pub camera: Once<Camera>,
+    /// With its line.
+    pub camera: Once<(Camera, usize)>,
     /// With its line.
     pub background: Once<(DVec3, usize)>,
     /// For the materials that follow.
@@ -112,10 +113,11 @@ impl Builder {
             Once::Unseen | Once::Wrong => (DVec3::ZERO, 0),
         };
         let scene = match (self.screen, self.camera) {
-            (Once::Set(screen), Once::Set(camera)) => Some(Scene {
+            (Once::Set(screen), Once::Set((camera, camera_line))) => Some(Scene {
                 path: self.path,
                 screen,
                 camera,
+                camera_line,
                 background,
                 background_line,
                 materials: self.materials,

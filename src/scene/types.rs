@@ -12,6 +12,8 @@ pub struct Scene {
     pub path: PathBuf,
     pub screen: Screen,
     pub camera: Camera,
+    /// The line that says so.
+    pub camera_line: usize,
     /// Radiance of everything outside.
     pub background: DVec3,
     /// The line that says so, 0 where none does.

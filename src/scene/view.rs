@@ -52,6 +52,8 @@ pub(super) fn camera(builder: &mut Builder, arguments: &mut Arguments) {
             ry: ry.value,
             orientation,
         });
+    let line = arguments.command().place.line;
+    let camera = camera.map(|camera| (camera, line));
     builder.camera.set(camera, arguments.command(), log);
 }
 
