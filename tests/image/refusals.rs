@@ -24,6 +24,14 @@ fn of_bytes(bytes: &[u8]) -> String {
     decode(bytes).expect_err("must be refused").to_string()
 }
 
+/// What a message quotes of a file reaches no terminal as it stands.
+#[test]
+fn a_message_holds_no_control_characters() {
+    let hdr = b"#?RADIANCE\nFORMAT=32-bit_\x1b[2J\n\n-Y 1 +X 1\n";
+    let told = of_bytes(hdr);
+    assert!(told.contains("32-bit_\u{fffd}[2J"), "{told:?}");
+}
+
 #[test]
 fn what_is_no_picture() {
     let folder = tempfile::tempdir().expect("a folder");

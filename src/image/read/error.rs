@@ -55,3 +55,22 @@ pub enum DecodeError {
         channel: char,
     },
 }
+
+impl DecodeError {
+    /// The same without characters that could do something to a terminal: names, and what a crate quotes, are the
+    /// file's own.
+    pub(super) fn printable(mut self) -> Self {
+        let texts = match &mut self {
+            Self::Broken(text) | Self::Unsupported(text) | Self::Colours(text) => {
+                std::slice::from_mut(text)
+            }
+            Self::WholeNumbers { channel } => std::slice::from_mut(channel),
+            Self::Missing { channels: names } | Self::Ambiguous { layers: names } => names,
+            _ => &mut [],
+        };
+        for text in texts {
+            *text = text.replace(char::is_control, "\u{fffd}");
+        }
+        self
+    }
+}

@@ -85,7 +85,8 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     };
     // The crates are hardened against broken files, but not proved to be.
     let picture = catch_unwind(AssertUnwindSafe(|| decode(bytes)))
-        .unwrap_or(Err(DecodeError::Broken("its decoder gave up".to_owned())))?;
+        .unwrap_or(Err(DecodeError::Broken("its decoder gave up".to_owned())))
+        .map_err(DecodeError::printable)?;
     check_finite(&picture)?;
     Ok(picture)
 }

@@ -135,6 +135,8 @@ fn at_line(bytes: &[u8], number: usize, what: &str) -> MeshError {
         .split(|b| *b == b'\n')
         .nth(number.saturating_sub(1))
         .unwrap_or_default();
-    let quoted = shorten(&clean(String::from_utf8_lossy(line).trim()));
+    // A tab, or a line's end of an old Mac, would tear the message apart.
+    let line = clean(&String::from_utf8_lossy(line)).replace(['\t', '\n'], " ");
+    let quoted = shorten(line.trim());
     MeshError::Malformed(format!("its line {number} {what}: `{quoted}`"))
 }
