@@ -3,6 +3,10 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+#[path = "../../fuzz/src/lib.rs"]
+#[allow(dead_code, unused_imports, reason = "the bodies of other readers")]
+mod bodies;
+
 mod bad;
 mod checks;
 mod course;
@@ -11,6 +15,7 @@ mod gltf;
 mod gltf_bad;
 mod gltf_writer;
 mod good;
+mod grammar;
 mod obj;
 mod own;
 mod ply;

@@ -1,0 +1,83 @@
+//! What a scene becomes before it is rendered.
+
+use glam::DVec3;
+use vkpt::prepared::cdf::CDF_TOTAL;
+use vkpt::prepared::{LightKind, Material, MaterialKind, NONE, Prepared, prepare};
+use vkpt::scene::Scene;
+use vkpt::settings::Settings;
+
+/// A legal scene is prepared for either preset, or refused with the line that is at fault.
+pub fn is_prepared(scene: &Scene) {
+    for settings in [Settings::default(), Settings::handout()] {
+        match prepare(scene, &settings, Some([16, 12])) {
+            Ok(prepared) => {
+                is_finite(&prepared);
+                is_lit(&prepared);
+                prepared.warnings.iter().for_each(|w| super::is_told(w));
+            }
+            Err(error) => {
+                super::is_told(&error);
+                assert!(error.to_string().contains("line "), "{error}");
+            }
+        }
+    }
+}
+
+/// Everything that the device gets is finite there, in single precision.
+fn is_finite(prepared: &Prepared) {
+    let finite = |v: DVec3| v.as_vec3().is_finite();
+    let camera = prepared.camera;
+    assert!([camera.eye, camera.right, camera.up, camera.forward].map(finite) == [true; 4]);
+    for s in &prepared.spheres {
+        assert!(finite(s.centre) && s.radius as f32 > 0.0, "{s:?}");
+    }
+    for b in &prepared.boxes {
+        assert!(finite(b.lo) && finite(b.hi), "{b:?}");
+    }
+    for c in &prepared.cylinders {
+        assert!([c.base, c.u, c.v, c.w].map(finite) == [true; 4], "{c:?}");
+        assert!((c.height as f32).is_finite() && c.height > 0.0, "{c:?}");
+    }
+    for t in &prepared.triangles {
+        assert!(t.v.map(finite) == [true; 3], "{t:?}");
+    }
+    assert!(prepared.normals.as_flattened().iter().all(|n| finite(*n)));
+    prepared.materials.iter().for_each(is_finite_material);
+}
+
+fn is_finite_material(m: &Material) {
+    for v in [m.kd, m.f0, m.sigma, m.radiance] {
+        assert!(v.as_vec3().is_finite(), "{m:?}");
+    }
+    // The exponent of a smooth surface may be infinite, and is not looked at.
+    let alpha = match m.kind {
+        MaterialKind::Opaque | MaterialKind::Dielectric | MaterialKind::Weak => m.alpha,
+        _ => 1.0,
+    };
+    let lobes = [alpha, m.width, m.p_d, m.p_r];
+    let ior = [m.eta, m.one_minus_eta2, m.d];
+    let mut numbers = lobes.iter().chain(ior.as_flattened());
+    assert!(numbers.all(|n| (*n as f32).is_finite()), "{m:?}");
+}
+
+/// The tables by which lights are chosen are whole, and name shapes that name them.
+fn is_lit(prepared: &Prepared) {
+    let is_whole = |cdf: &[u32]| {
+        let ends = (cdf.first(), cdf.last()) == (Some(&0), Some(&CDF_TOTAL));
+        assert!(ends && cdf.is_sorted(), "{cdf:?}");
+    };
+    if !prepared.lights.is_empty() {
+        assert_eq!(prepared.light_cdf.len(), prepared.lights.len() + 1);
+        is_whole(&prepared.light_cdf);
+    }
+    for (i, light) in prepared.lights.iter().enumerate() {
+        match light.kind {
+            LightKind::Background => assert_eq!(light.shape, NONE),
+            _ => assert_eq!(prepared.shapes[light.shape as usize].light, i as u32),
+        }
+        if light.kind == LightKind::Mesh {
+            let cdf = &prepared.triangle_cdf[light.cdf as usize..];
+            is_whole(&cdf[..=light.count as usize]);
+        }
+    }
+}
