@@ -58,6 +58,12 @@ fn tokens(line: &str, number: usize, start: usize) -> Line<'_> {
         .collect()
 }
 
+/// Text of another file as a message quotes it: [`clean`], and without the tabs and line ends that would tear the
+/// message apart.
+pub(super) fn quote(text: &str) -> String {
+    shorten(clean(text).replace(['\t', '\n'], " ").trim())
+}
+
 /// `text` as a message quotes it: all of it, or its beginning if it is long.
 pub(super) fn shorten(text: &str) -> String {
     const LONGEST: usize = 40;

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::text::{clean, shorten};
+use super::text::quote;
 
 /// The formats that [`read_mesh`] reads, as messages name them.
 pub const MESH_FORMATS: &str = "PLY (.ply), OBJ (.obj), glTF (.gltf, .glb)";
@@ -135,8 +135,6 @@ fn at_line(bytes: &[u8], number: usize, what: &str) -> MeshError {
         .split(|b| *b == b'\n')
         .nth(number.saturating_sub(1))
         .unwrap_or_default();
-    // A tab, or a line's end of an old Mac, would tear the message apart.
-    let line = clean(&String::from_utf8_lossy(line)).replace(['\t', '\n'], " ");
-    let quoted = shorten(line.trim());
+    let quoted = quote(&String::from_utf8_lossy(line));
     MeshError::Malformed(format!("its line {number} {what}: `{quoted}`"))
 }

@@ -11,7 +11,7 @@ use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use gltf::json::{Buffer, Root};
 use percent_encoding::percent_decode_str;
 
-use crate::scene::text::{clean, shorten};
+use crate::scene::text::quote;
 
 const BASE64: GeneralPurpose = GeneralPurpose::new(
     &STANDARD,
@@ -46,7 +46,7 @@ pub(super) fn load<'a>(
 
 /// What stands at a URI: `data:…;base64,…`, or the first `length` bytes of a file relative to `folder`.
 fn at(uri: &str, length: u64, folder: &Path) -> Result<Vec<u8>, String> {
-    let quoted = shorten(&clean(uri));
+    let quoted = quote(uri);
     if let Some(data) = uri.strip_prefix("data:") {
         let Some((_, text)) = data.split_once(";base64,") else {
             return Err(format!("`{quoted}` is not in base64"));

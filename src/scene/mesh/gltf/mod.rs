@@ -18,7 +18,7 @@ use std::path::Path;
 use gltf::json::{Root, deserialize};
 
 use super::{MeshError, MeshFile};
-use crate::scene::text::{clean, shorten};
+use crate::scene::text::quote;
 use accessors::Accessors;
 use assembly::Assembly;
 
@@ -46,7 +46,7 @@ pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<MeshFile, MeshError> {
         .map_err(|error| MeshError::Malformed(format!("its JSON is not understood: {error}")))?;
     for name in &root.extensions_required {
         if !HARMLESS.iter().any(|start| name.starts_with(start)) {
-            let name = shorten(&clean(name));
+            let name = quote(name);
             return Err(MeshError::Malformed(format!(
                 "it requires the extension `{name}`, which is not read"
             )));
