@@ -1,6 +1,7 @@
 //! vkpt: a headless path tracer on Vulkan compute, with a CPU reference that it equals bit for bit.
 
 pub mod cache;
+pub mod check;
 pub mod cli;
 pub mod converge;
 pub mod explain;

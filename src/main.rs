@@ -20,6 +20,7 @@ fn main() -> ExitCode {
         Ok(Task::Trace(arguments, vertex)) => cli::trace(&arguments, vertex),
         Ok(Task::Compare(arguments)) => cli::compare(&arguments),
         Ok(Task::Converge(arguments)) => cli::converge(&arguments),
+        Ok(Task::Check(arguments)) => cli::check(&arguments),
         Ok(Task::Explain(arguments)) => cli::explain(&arguments),
         Ok(Task::Devices) => cli::devices(),
         Err(failure) => Err(failure),

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// A room of `src/` and the rooms that it may name.
-const ROOMS: [(&str, &[&str]); 19] = [
+const ROOMS: [(&str, &[&str]); 20] = [
     ("settings", &[]),
     ("scene", &["settings"]),
     ("prepared", &["scene", "settings"]),
@@ -49,9 +49,15 @@ const ROOMS: [(&str, &[&str]); 19] = [
         ],
     ),
     (
+        "check",
+        &[
+            "gpu", "metrics", "prepared", "render", "report", "sample", "scene", "settings",
+        ],
+    ),
+    (
         "cli",
         &[
-            "cache", "converge", "explain", "film", "gpu", "image", "metrics", "prepared",
+            "cache", "check", "converge", "explain", "film", "gpu", "image", "metrics", "prepared",
             "render", "report", "sample", "scene", "settings",
         ],
     ),

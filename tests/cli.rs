@@ -3,6 +3,7 @@
 mod common;
 
 mod cli {
+    mod check;
     mod compare;
     mod converge;
     mod converge_refusals;

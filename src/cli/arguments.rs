@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
+use super::check::CheckArguments;
 use super::compare::CompareArguments;
 use super::converge::ConvergeArguments;
 use super::exit::Failure;
@@ -52,6 +53,8 @@ enum Command {
     Converge(Box<ConvergeArguments>),
     /// Compare pictures, or what several renderers make of a scene
     Compare(Box<CompareArguments>),
+    /// Render stiff and extreme cases here and hold each against its bounds
+    Check(Box<CheckArguments>),
     /// Tell what the kernel of a scene holds and why, without rendering
     Explain(Box<ExplainArguments>),
 }
@@ -152,6 +155,7 @@ pub enum Task {
     Trace(RenderArguments, SamplePath),
     Compare(Box<CompareArguments>),
     Converge(Box<ConvergeArguments>),
+    Check(Box<CheckArguments>),
     Explain(Box<ExplainArguments>),
     Devices,
 }
@@ -170,6 +174,7 @@ pub fn task() -> Result<Task, Failure> {
         (Some(Command::Devices), _) => Ok(Task::Devices),
         (Some(Command::Compare(arguments)), _) => Ok(Task::Compare(arguments)),
         (Some(Command::Converge(arguments)), _) => Ok(Task::Converge(arguments)),
+        (Some(Command::Check(arguments)), _) => Ok(Task::Check(arguments)),
         (Some(Command::Explain(arguments)), _) => Ok(Task::Explain(arguments)),
         (None, Some(path)) => Ok(Task::Trace(render, path)),
         (None, None) => Ok(Task::Render(render)),

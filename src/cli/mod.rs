@@ -1,6 +1,7 @@
 //! The command line: a file a command. Nothing below knows it, and nothing else prints.
 
 mod arguments;
+mod check;
 mod command;
 mod compare;
 mod converge;
@@ -19,6 +20,7 @@ mod values;
 mod view;
 
 pub use arguments::{Arguments, RenderArguments, Task, task};
+pub use check::{CheckArguments, check};
 pub use compare::{CompareArguments, compare};
 pub use converge::{ConvergeArguments, converge};
 pub use devices::devices;

@@ -51,6 +51,13 @@ impl Display {
         self.show(fraction, || of_experiment(&progress));
     }
 
+    /// Shows which case is about to run after `done` of `of`.
+    pub fn case(&mut self, done: usize, of: usize, name: &str) {
+        self.show(done as f64 / of as f64, || {
+            format!("case {} of {of}: {name}", done + 1)
+        });
+    }
+
     fn show(&mut self, fraction: f64, words: impl FnOnce() -> String) {
         match &mut self.form {
             Form::Silent => {}

@@ -2,6 +2,7 @@
 //! read and as pages.
 //! Pure functions of records: nothing here measures or prints.
 
+pub mod check;
 mod comparison;
 pub mod convergence;
 mod error;

@@ -1,0 +1,117 @@
+//! Triangles of no area, needles, a mesh of one triangle, a mesh of a million.
+
+use glam::{DQuat, DVec3};
+
+use crate::check::case::{Case, Stiffness};
+use crate::scene::Mesh;
+
+pub fn cases() -> Vec<Case> {
+    let corners = [[-4.0, -4.0, 0.0], [4.0, -4.0, 0.0], [0.0, 8.0, 0.0]];
+    let needle = [
+        [-500.0, -5e-4, 0.0],
+        [500.0, -5e-4, 0.0],
+        [500.0, 5e-4, 0.0],
+    ];
+    let flat = [
+        [-4.0, -4.0, 0.0],
+        [4.0, -4.0, 0.0],
+        [0.0, 8.0, 0.0],
+        [0.0, -4.0, 0.0],
+        [1.0, 2.0, 0.0],
+    ];
+    vec![
+        lit(
+            "one-triangle",
+            "a mesh of one triangle",
+            "0 0 1 .1",
+            1.0,
+            mesh(&corners, vec![[0, 1, 2]]),
+        ),
+        lit(
+            "no-area",
+            "a triangle among some of no area",
+            "0 0 1 .1",
+            1.0,
+            mesh(
+                &flat,
+                vec![[3, 3, 3], [0, 3, 1], [0, 1, 2], [4, 4, 0], [2, 2, 2]],
+            ),
+        ),
+        lit(
+            "needle",
+            "a triangle a million times as long as wide",
+            "100 0 1 1e-9",
+            1e6,
+            mesh(&needle, vec![[0, 1, 2]]),
+        ),
+        glowing(
+            "no-area-light",
+            "a light of triangles, most of no area",
+            mesh(
+                &flat,
+                vec![[3, 3, 3], [0, 3, 1], [0, 1, 2], [4, 4, 0], [2, 2, 2]],
+            ),
+        ),
+        lit(
+            "million",
+            "a plane of a million triangles",
+            "0 0 1 .5",
+            1.0,
+            grid(708),
+        )
+        .slow(),
+    ]
+}
+
+/// A flat, diffuse mesh under a sky of radiance 1 sends back Kd, wherever it is seen.
+fn lit(name: &str, about: &str, camera: &str, condition: f64, mesh: Mesh) -> Case {
+    let text = format!("screen 16 16\ncamera {camera}\nbackground 1 1 1\nbrdf .5 .5 .5 0 0 0 1\n");
+    let stiff = Stiffness::new(
+        2.0,
+        condition,
+        1.0,
+        "barycentric coordinates lose the ratio of the sides",
+    );
+    Case::new(format!("mesh/{name}"), about, text, stiff)
+        .mesh(mesh)
+        .mean(
+            0.5,
+            "Kd: a plane sees half of the sky and nothing of itself",
+        )
+}
+
+fn glowing(name: &str, about: &str, mesh: Mesh) -> Case {
+    let text = "screen 16 16\ncamera 0 0 1 .1\nlight 1 1 1\n";
+    let stiff = Stiffness::new(1.0, 1.0, 1.0, "one hit");
+    Case::new(format!("mesh/{name}"), about, text, stiff)
+        .mesh(mesh)
+        .mean(1.0, "its own radiance")
+}
+
+fn mesh(corners: &[[f64; 3]], triangles: Vec<[u32; 3]>) -> Mesh {
+    Mesh {
+        path: "mesh".into(),
+        positions: corners.iter().map(|c| DVec3::from_array(*c)).collect(),
+        normals: None,
+        triangles,
+        translate: DVec3::ZERO,
+        scale: 1.0,
+        rotate: DQuat::IDENTITY,
+    }
+}
+
+/// 2n² triangles of a plane from −4 to 4.
+fn grid(n: u32) -> Mesh {
+    let at = |k: u32| 8.0 * f64::from(k) / f64::from(n) - 4.0;
+    let corners: Vec<[f64; 3]> = (0..=n)
+        .flat_map(|j| (0..=n).map(move |i| [at(i), at(j), 0.0]))
+        .collect();
+    let cell = |i: u32, j: u32| {
+        let [a, b] = [j * (n + 1) + i, (j + 1) * (n + 1) + i];
+        [[a, a + 1, b + 1], [a, b + 1, b]]
+    };
+    let triangles = (0..n)
+        .flat_map(|j| (0..n).flat_map(move |i| cell(i, j)))
+        .collect();
+    mesh(&corners, triangles)
+}

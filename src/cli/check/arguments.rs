@@ -1,0 +1,40 @@
+//! Every flag of `vkpt check`, with its help.
+
+use std::path::PathBuf;
+
+use crate::cli::values;
+use crate::gpu::Selector;
+
+const EXIT_CODES: &str = "\
+Exit codes:
+    0  every case is within its bounds
+    1  a case fails, or could not be run
+    2  the command line is wrong
+    4  there is no such Vulkan device, or none at all
+    5  the report could not be written
+  130  interrupted by ctrl-c; the cases done by then are told";
+
+/// Which cases run where.
+#[derive(clap::Args, Debug)]
+#[command(after_help = EXIT_CODES, max_term_width = 100)]
+pub struct CheckArguments {
+    /// Leave out the cases that take seconds: a minute in all on two cores
+    #[arg(long)]
+    pub quick: bool,
+
+    /// Only this case, group of cases, or what a pattern with * means: alpha, alpha/ggx, 'furnace/*/1e5'
+    #[arg(long = "case", value_name = "NAME")]
+    pub case: Option<String>,
+
+    /// The Vulkan device, by its index or part of its name [default: the best]
+    #[arg(long, value_name = "DEVICE", value_parser = values::vulkan_device)]
+    pub device: Option<Selector>,
+
+    /// Write every figure and bound of each case
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
+
+    /// No progress and no table, only what fails
+    #[arg(long)]
+    pub quiet: bool,
+}

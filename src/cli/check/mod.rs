@@ -1,0 +1,143 @@
+//! `vkpt check`: the battery of stiff and extreme cases.
+
+mod arguments;
+
+use std::io::Write;
+
+use super::arguments::usage;
+use super::exit::{Ending, Failure, warn};
+use super::interrupt::stop_flag;
+use super::progress::Display;
+use crate::check::run::{Bench, run};
+use crate::check::select::select;
+use crate::check::{Case, battery};
+use crate::gpu::{Device, Selector};
+use crate::image::file::{check_writable, write_whole};
+use crate::render::KernelChoice;
+use crate::report::check::{Check, failures, table};
+pub use arguments::CheckArguments;
+
+/// Runs the cases, prints the table and tells what fails.
+pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
+    let all = battery();
+    let selected = select(&all, arguments.case.as_deref(), arguments.quick);
+    if selected.is_empty() {
+        return Err(unknown(arguments, &all));
+    }
+    if let Some(path) = &arguments.json {
+        check_writable(path).map_err(|e| Failure::Files(vec![e]))?;
+    }
+    let selector = arguments.device.clone().unwrap_or(Selector::Best);
+    let device = Device::open(&selector).map_err(|e| Failure::Render(e.into()))?;
+    let stop = stop_flag();
+    let bench = Bench {
+        device: &device,
+        kernel: KernelChoice::Composed,
+        quick: arguments.quick,
+        stop: &stop,
+    };
+    let mut display = Display::new(arguments.quiet);
+    let ran = run(&all, &selected, &bench, &mut |i, case| {
+        display.case(i, selected.len(), &case.name)
+    });
+    display.finish();
+    let record = ran.map_err(|e| Failure::Comparison(vec![e.to_string()]))?;
+    if !arguments.quiet {
+        // A reader that has gone away is no reason to fail.
+        let _ = write!(std::io::stdout(), "{}", text(&record));
+    }
+    write_json(arguments, &record)?;
+    ending(&record)
+}
+
+/// The command line names no case.
+fn unknown(arguments: &CheckArguments, all: &[Case]) -> Failure {
+    let mut groups: Vec<&str> = all.iter().map(Case::group).collect();
+    groups.dedup();
+    let name = arguments.case.as_deref().unwrap_or_default();
+    usage(format!(
+        "--case '{name}' is no case: there are {}",
+        groups.join(", ")
+    ))
+}
+
+fn text(record: &Check) -> String {
+    format!("{}, {}\n\n{}", record.device, record.driver, table(record))
+}
+
+fn write_json(arguments: &CheckArguments, record: &Check) -> Result<(), Failure> {
+    let Some(path) = &arguments.json else {
+        return Ok(());
+    };
+    let written = write_whole(path, |out| {
+        let text = serde_json::to_string_pretty(record)?;
+        out.write_all((text + "\n").as_bytes())
+    });
+    written.map_err(|e| Failure::Files(vec![e]))
+}
+
+fn ending(record: &Check) -> Result<Ending, Failure> {
+    match failures(record) {
+        failures if !failures.is_empty() => Err(Failure::Comparison(failures)),
+        _ if record.interrupted => {
+            warn("interrupted: the other cases did not run");
+            Ok(Ending::Interrupted)
+        }
+        _ => Ok(Ending::Complete),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::check::{CaseRecord, Held};
+
+    fn record(nan: u64, interrupted: bool) -> Check {
+        let held = vec![Held::new("NaN", nan as f64, 0.0, "none")];
+        let case = CaseRecord {
+            name: "a/b".to_owned(),
+            about: "stiff".to_owned(),
+            samples: 4,
+            parted: 0,
+            median: None,
+            p99: None,
+            worst: None,
+            worst_at: None,
+            parted_at: None,
+            nan,
+            infinite: 0,
+            largest: 0.0,
+            mean: 0.0,
+            standard_error: 0.0,
+            expected: None,
+            seconds: 0.0,
+            warnings: Vec::new(),
+            margin: held[0].margin,
+            passed: held[0].passed(),
+            held,
+        };
+        Check {
+            version: "",
+            device: String::new(),
+            driver: String::new(),
+            correctly_rounded: true,
+            quick: false,
+            level: 1e-6,
+            alpha: 1e-3,
+            seconds: 0.0,
+            interrupted,
+            passed: case.passed,
+            cases: vec![case],
+        }
+    }
+
+    #[test]
+    fn a_failure_ends_with_1_and_an_interruption_with_130() {
+        assert!(matches!(ending(&record(0, false)), Ok(Ending::Complete)));
+        assert!(matches!(ending(&record(0, true)), Ok(Ending::Interrupted)));
+        for interrupted in [false, true] {
+            let failed = ending(&record(1, interrupted));
+            assert!(matches!(failed, Err(Failure::Comparison(told)) if told.len() == 1));
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! `vkpt check`: that its battery is sound, and that what is planted in a kernel fails it.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod battery;
+mod closed;
+mod planted;
+mod told;
+
+use std::sync::atomic::AtomicBool;
+
+use vkpt::check::run::{Bench, run};
+use vkpt::check::{Case, battery};
+use vkpt::kernel::OwnFile;
+use vkpt::render::KernelChoice;
+use vkpt::report::check::Check;
+
+/// The named cases, by a kernel that has `files` of its own; `None` where the run goes without a device.
+fn ran(names: &[&str], files: &[OwnFile]) -> Option<Check> {
+    let device = common::device()?;
+    let all = battery();
+    let find = |name: &&str| {
+        all.iter()
+            .find(|c| c.name == **name)
+            .unwrap_or_else(|| panic!("no case {name}"))
+    };
+    let selected: Vec<&Case> = names.iter().map(find).collect();
+    let kernel = if files.is_empty() {
+        KernelChoice::Composed
+    } else {
+        KernelChoice::Own(files)
+    };
+    let stop = AtomicBool::new(false);
+    let bench = Bench {
+        device,
+        kernel,
+        quick: true,
+        stop: &stop,
+    };
+    Some(run(&all, &selected, &bench, &mut |_, _| {}).expect("a run"))
+}
+
+/// What the case of a run fails by.
+fn fails_by(check: &Check, name: &str) -> Vec<&'static str> {
+    let case = check.cases.iter().find(|c| c.name == name).expect("a case");
+    case.held
+        .iter()
+        .filter(|h| !h.passed())
+        .map(|h| h.what)
+        .collect()
+}
