@@ -158,3 +158,42 @@ fn what_overflows_single_precision_is_refused() {
         }
     }
 }
+
+/// On a ball, a face, an edge, a mantle and a cap of glass; not beside them, and not on what is opaque.
+#[test]
+fn an_eye_on_the_surface_of_glass_is_warned_of() {
+    let told = |material: &str, shape: &str, eye: &str| {
+        let text = format!("screen 40 30\ncamera {eye} .2\n{material}{shape}\n");
+        let warnings = prepared(&text).warnings;
+        assert!(warnings.len() <= 1, "{warnings:?}");
+        warnings
+            .iter()
+            .any(|w| w.contains("line 4") && w.contains("the eye stands on"))
+    };
+    let (ball, cuboid, can) = (
+        "sphere 0 0 0 1",
+        "box 0 0 0 1 2 3",
+        "cylinder 0 0 0 0 0 2 1",
+    );
+    for (shape, eye) in [
+        (ball, "0 .6 .8"),
+        (ball, "1.0000001 0 0"),
+        (cuboid, ".5 1 3"),
+        (cuboid, "1 2 1"),
+        (can, "0 -1 1"),
+        (can, ".5 0 2"),
+    ] {
+        assert!(told(GLASS, shape, eye), "{shape}, {eye}");
+        assert!(!told(MATTE, shape, eye), "{shape}, {eye}");
+    }
+    for (shape, eye) in [
+        (ball, "0 0 0"),
+        (ball, "1.00001 0 0"),
+        (cuboid, ".5 1 3.00001"),
+        (cuboid, ".5 1 1.5"),
+        (can, "0 0 1"),
+        (can, ".9999 0 1"),
+    ] {
+        assert!(!told(GLASS, shape, eye), "{shape}, {eye}");
+    }
+}

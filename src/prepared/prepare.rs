@@ -5,7 +5,9 @@ use glam::{DQuat, DVec3};
 use super::cdf::CdfError;
 use super::geometry::Placed;
 use super::lights::Lights;
-use super::{Camera, Material, MaterialKind, NONE, Prepared, ShapeKind, material, medium, range};
+use super::{
+    Camera, Material, MaterialKind, NONE, Prepared, ShapeKind, eye, material, medium, range,
+};
 use crate::scene::{self, MaterialKind as SceneMaterial, Scene};
 use crate::settings::Settings;
 
@@ -58,6 +60,7 @@ pub fn prepare(
     range::check_materials(&materials)?;
     range::check_shapes(&placed)?;
     medium::warn_of_overlaps(&placed, &materials, &mut warnings);
+    eye::warn_of_surface(camera.eye, &placed, &materials, &mut warnings);
     let eye_medium = medium::medium_at(camera.eye, &placed, &materials);
     let mut shapes = placed.shapes;
     for (i, light) in lights.lights.iter().enumerate() {
