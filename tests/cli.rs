@@ -7,6 +7,7 @@ mod cli {
     mod compare;
     mod converge;
     mod converge_refusals;
+    mod doctor;
     mod ends;
     mod explain;
     mod help;

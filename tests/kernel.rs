@@ -5,7 +5,7 @@ mod common;
 use std::collections::BTreeSet;
 
 use common::spirv_tools::{tool, try_tool};
-use vkpt::kernel::{Composed, Composer, KernelError, Slot, Spirv, compile, files};
+use vkpt::kernel::{Composed, Composer, KernelError, Slot, Spirv, compile, files, unaudited};
 
 const HEADER: &str = "layout(local_size_x = 64) in;
 layout(std430, set = 0, binding = 0) buffer Words { float w[]; } words;
@@ -313,7 +313,12 @@ fn spirv_val_accepts_the_words_and_refuses_broken_ones() {
 #[test]
 fn the_roots_of_shaders_are_valid() {
     for root in files().filter(|f| f.ends_with(".comp")) {
-        match Composer::new().compose(&[root]).and_then(|k| compile(&k)) {
+        // No kernel that renders has a barrier.
+        let compiled = |k| match root {
+            "doctor/barrier.comp" => unaudited::compile(&k, unaudited::Arithmetic::AsWritten),
+            _ => compile(&k),
+        };
+        match Composer::new().compose(&[root]).and_then(compiled) {
             Ok(spirv) => {
                 tool("spirv-val", &["--target-env", "vulkan1.1"], spirv.bytes());
             }

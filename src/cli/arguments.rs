@@ -8,6 +8,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use super::check::CheckArguments;
 use super::compare::CompareArguments;
 use super::converge::ConvergeArguments;
+use super::doctor::DoctorArguments;
 use super::exit::Failure;
 use super::explain::ExplainArguments;
 use super::job::Request;
@@ -55,6 +56,8 @@ enum Command {
     Compare(Box<CompareArguments>),
     /// Render stiff and extreme cases here and hold each against its bounds
     Check(Box<CheckArguments>),
+    /// Examine a Vulkan device: rounding, functions, loops, memory; can its pictures be trusted?
+    Doctor(DoctorArguments),
     /// Tell what the kernel of a scene holds and why, without rendering
     Explain(Box<ExplainArguments>),
 }
@@ -157,6 +160,7 @@ pub enum Task {
     Converge(Box<ConvergeArguments>),
     Check(Box<CheckArguments>),
     Explain(Box<ExplainArguments>),
+    Doctor(DoctorArguments),
     Devices,
 }
 
@@ -175,6 +179,7 @@ pub fn task() -> Result<Task, Failure> {
         (Some(Command::Compare(arguments)), _) => Ok(Task::Compare(arguments)),
         (Some(Command::Converge(arguments)), _) => Ok(Task::Converge(arguments)),
         (Some(Command::Check(arguments)), _) => Ok(Task::Check(arguments)),
+        (Some(Command::Doctor(arguments)), _) => Ok(Task::Doctor(arguments)),
         (Some(Command::Explain(arguments)), _) => Ok(Task::Explain(arguments)),
         (None, Some(path)) => Ok(Task::Trace(render, path)),
         (None, None) => Ok(Task::Render(render)),

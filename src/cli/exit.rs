@@ -31,6 +31,8 @@ pub enum Failure {
     Files(Vec<FileError>),
     /// Pictures that can't be read or compared.
     Pictures(Vec<String>),
+    /// A device that gets something wrong that pictures depend on.
+    Unhealthy(String),
 }
 
 /// Tells a failure and gives the program's exit code.
@@ -50,7 +52,7 @@ impl Failure {
     fn code(&self) -> u8 {
         match self {
             Self::Render(error) if error.is_no_device() => 4,
-            Self::Render(_) | Self::Comparison(_) => 1,
+            Self::Render(_) | Self::Comparison(_) | Self::Unhealthy(_) => 1,
             Self::Usage(_) => 2,
             Self::Scene(_) | Self::Prepare(_) | Self::Strict(_) | Self::Pictures(_) => 3,
             Self::NoDevice(_) => 4,
@@ -75,6 +77,7 @@ impl Failure {
             Self::Render(error) => tell(&error),
             Self::Comparison(differences) => differences.iter().for_each(|d| tell(d)),
             Self::NoDevice(message) => tell(&message),
+            Self::Unhealthy(device) => tell(&format!("{device} is not healthy")),
             Self::Pictures(messages) => messages.iter().for_each(|message| tell(message)),
             Self::Files(errors) => {
                 errors

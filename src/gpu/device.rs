@@ -7,6 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use ash::{khr, vk};
 
 use super::error::GpuError;
+use super::facts::Facts;
 use super::info::{DeviceInfo, compute_family, enumerate};
 use super::instance::Instance;
 use super::limits::Limits;
@@ -25,6 +26,7 @@ pub(super) struct Inner {
     pub raw: ash::Device,
     pub info: DeviceInfo,
     pub limits: Limits,
+    pub facts: Facts,
     pub memory: vk::PhysicalDeviceMemoryProperties,
     /// Bytes that this device has from each heap.
     pub allocated: Mutex<[u64; vk::MAX_MEMORY_HEAPS]>,
@@ -75,6 +77,7 @@ impl Device {
         };
         Ok(Self(Arc::new(Inner {
             limits: Limits::of(&instance, physical),
+            facts: Facts::of(&instance, physical),
             // SAFETY: the handle comes from this instance.
             memory: unsafe { instance.raw.get_physical_device_memory_properties(physical) },
             allocated: Mutex::new([0; vk::MAX_MEMORY_HEAPS]),
@@ -97,6 +100,11 @@ impl Device {
 
     pub fn limits(&self) -> &Limits {
         &self.0.limits
+    }
+
+    /// What it tells of itself beyond that.
+    pub fn facts(&self) -> &Facts {
+        &self.0.facts
     }
 
     /// Whether the validation layer watches.

@@ -21,21 +21,35 @@ pub fn compile(kernel: &Composed) -> Result<Spirv, KernelError> {
     caught(|| {
         let (module, info) = module(kernel)?;
         audit::refuse_driver_maths(&module, &info, kernel)?;
-        let words = back::spv::write_vec(&module, &info, &options(), None)
-            .map_err(|e| KernelError::Spirv(e.to_string()))?;
-        let words = single_store::forward(&uninitialised::strip_null_arrays(&words)?)?;
-        let words = no_contraction::decorate(&words)?;
-        Ok(Spirv::new(
-            words,
-            functions(&module),
-            module.entry_points[0].workgroup_size,
-        ))
+        let words = no_contraction::decorate(&words(&module, &info)?)?;
+        Ok(spirv(words, &module))
     })
+}
+
+/// The words of a module, without needless variables; no operation is marked.
+pub(super) fn words(module: &Module, info: &ModuleInfo) -> Result<Vec<u32>, KernelError> {
+    let words = back::spv::write_vec(module, info, &options(), None)
+        .map_err(|e| KernelError::Spirv(e.to_string()))?;
+    single_store::forward(&uninitialised::strip_null_arrays(&words)?)
+}
+
+pub(super) fn spirv(words: Vec<u32>, module: &Module) -> Spirv {
+    let size = module.entry_points[0].workgroup_size;
+    Spirv::new(words, functions(module), size)
 }
 
 /// Parsed, compacted and valid.
 pub(super) fn module(kernel: &Composed) -> Result<(Module, ModuleInfo), KernelError> {
+    module_edited(kernel, |_| {})
+}
+
+/// The same of what `edit` makes of the parsed module.
+pub(super) fn module_edited(
+    kernel: &Composed,
+    edit: impl FnOnce(&mut Module),
+) -> Result<(Module, ModuleInfo), KernelError> {
     let mut module = parse(kernel)?;
+    edit(&mut module);
     // An invalid module may not be compacted.
     validate(&module, kernel)?;
     compact(&mut module, KeepUnused::No);

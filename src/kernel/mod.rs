@@ -10,6 +10,7 @@
 //! - `&&` and `||` evaluate both sides; `x != x` is false for NaN, use `isnan`;
 //! - `uint(x)` of a float clamps first: the same for 0 ≤ x < 2³² − 2⁸, the driver's choice for NaN;
 //! - `float a, b; uint x[2], y;` declares `y` as an array too: one declaration a line;
+//! - `barrier()` waits for the subgroup alone (`workgroup_barrier`); no kernel that renders has one;
 //! - `#include`, `#line`, atomics, subgroup operations, 64-bit integers, `precise`, struct `==`, stacked `case` labels.
 
 mod audit;
@@ -23,7 +24,9 @@ pub mod scene;
 mod single_store;
 mod sources;
 mod spirv;
+pub mod unaudited;
 mod uninitialised;
+mod workgroup_barrier;
 
 pub use compile::compile;
 pub use compose::{Composer, OwnFile, Slot};

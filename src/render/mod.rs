@@ -24,6 +24,7 @@ pub use course::{End, ErrorAt, Until};
 pub use paired::paired;
 pub use plan::{ArrayPlan, HierarchyPlan, Plan, PlanLimits, StatePlan};
 pub use replicates::{Engine, Replicates, Took};
+pub use slices::WANTED as DISPATCH_TIME;
 use tiles::Tile;
 pub use trace::{Trace, trace};
 pub use vulkan::DispatchLimits;

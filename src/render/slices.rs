@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-/// Long enough to keep the device busy, short enough for ctrl-c, a progress bar and any watchdog.
-const WANTED: Duration = Duration::from_millis(75);
+/// What a dispatch should take. Long enough to keep the device busy, short enough for ctrl-c, a progress bar and any watchdog.
+pub const WANTED: Duration = Duration::from_millis(75);
 
 /// The size of the next slice of samples, learnt from the last. The picture does not depend on it.
 #[derive(Debug)]

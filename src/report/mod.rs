@@ -5,6 +5,7 @@
 pub mod check;
 mod comparison;
 pub mod convergence;
+pub mod doctor;
 mod error;
 pub mod explanation;
 mod header;
@@ -14,6 +15,7 @@ mod page;
 mod record;
 mod settings;
 mod summary;
+mod table;
 
 pub use comparison::{Comparison, Tested, comparison};
 pub use header::{aov_notes, noted_sampler, notes};

@@ -83,6 +83,7 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
         "path/direct",
         "the first half of connect, which the kernel has in one piece",
     ),
+    ("math/ulps", "measures errors; renders nothing"),
     ("path/flight", "the two halves of fly"),
     ("shape/linear", "the loops that a kernel has written out"),
     ("spawn_ray", "the kernel sets the fields of its state"),

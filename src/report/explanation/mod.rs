@@ -1,7 +1,6 @@
 //! What a rendering would bring to a device and why, as a record, and the record as a page to read.
 
 mod page;
-mod table;
 
 pub use page::page;
 

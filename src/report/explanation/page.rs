@@ -1,8 +1,8 @@
 //! The page that `vkpt explain` prints.
 
-use super::table::{columns, hanging, once};
 use super::{Buffer, Explanation, KernelSize, Memory, Part};
 use crate::report::human::{bytes, plural, thousands};
+use crate::report::table::{columns, hanging, once};
 
 /// All of it, at most 100 characters a line.
 pub fn page(e: &Explanation) -> String {

@@ -1,0 +1,29 @@
+// Loops in a loop, left by lanes at different steps: Collatz's sequence from i + 1 to i + 8, given up at a number
+// that ends in 37 of 64. What the lanes that have left must not do is count on.
+
+// uses:
+
+layout(local_size_x = 64) in;
+layout(std430, set = 0, binding = 2) buffer Results {
+    uint words[];
+} results;
+
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    uint sum = 0u;
+    uint start = 1u;
+    while (start <= 8u) {
+        uint n = i + start;
+        uint steps = 0u;
+        while (n > 1u) {
+            if ((n & 63u) == 37u) {
+                break;
+            }
+            n = (n & 1u) == 0u ? n >> 1u : 3u * n + 1u;
+            steps += 1u;
+        }
+        sum = sum * 31u + steps;
+        start += 1u;
+    }
+    results.words[i] = sum;
+}

@@ -1,0 +1,19 @@
+// Moves floats from buffer to buffer through a choice, as floats: Vulkan lets a driver make any NaN of a NaN and 0 of
+// a denormal even where nothing is computed. vkpt keeps words of bits in words.
+
+// uses:
+
+layout(local_size_x = 64) in;
+layout(std430, set = 0, binding = 0) readonly buffer Arguments {
+    float values[];
+} arguments;
+layout(std430, set = 0, binding = 1) buffer Results {
+    float values[];
+} results;
+
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    float a = arguments.values[3u * i];
+    float b = arguments.values[3u * i + 1u];
+    results.values[i] = (i & 1u) == 0u ? a : b;
+}
