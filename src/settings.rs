@@ -129,7 +129,7 @@ impl Default for Settings {
                 normals: Normals::Visible,
                 roulette: Roulette::Throughput,
                 connect: Connect::Mis,
-                sampler: Sampler::Random,
+                sampler: Sampler::Sobol,
             },
         }
     }

@@ -92,7 +92,8 @@ fn write(
         errors.extend(failed);
         if settings.estimator.sampler == Sampler::Sobol {
             warn(
-                "the standard errors tell more than the error is: samples by --sampler sobol are not independent",
+                "the standard errors tell more than the error is: samples by --sampler sobol are not independent; \
+                 by --sampler random they are",
             );
         }
     } else if !outputs.stderr.is_empty() {

@@ -68,7 +68,7 @@ pub struct SettingArguments {
     pub connect: Option<Connect>,
 
     /// Numbers that the samples of a pixel draw: independent ones, or scrambled Sobol points, spread
-    /// evenly: random or sobol [default: random]
+    /// evenly: random or sobol [default: sobol]
     #[arg(long, value_name = "KIND", help_heading = ESTIMATOR)]
     #[arg(value_parser = choice::<Sampler>(), hide_possible_values = true)]
     pub sampler: Option<Sampler>,

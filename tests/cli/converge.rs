@@ -31,7 +31,8 @@ fn json(folder: &Path, name: &str) -> Value {
 
 /// A picture of 512 samples per pixel and its standard errors, by other random numbers.
 pub fn reference(folder: &Path, name: &str) {
-    let arguments = "scene.scn --device cpu-f32 --spp 512 --seed 77 --aov stderr --quiet -o";
+    let arguments =
+        "scene.scn --device cpu-f32 --spp 512 --seed 77 --aov stderr --sampler random --quiet -o";
     let arguments: Vec<&str> = arguments.split(' ').chain([name]).collect();
     assert_eq!(run(folder, &arguments).code, Some(0));
 }

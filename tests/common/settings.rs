@@ -25,7 +25,7 @@ pub fn estimators() -> Vec<(&'static str, Settings)> {
         ("roulette off", with(|e| e.roulette = Roulette::Off)),
         ("connect light", with(|e| e.connect = Connect::Light)),
         ("connect bsdf", with(|e| e.connect = Connect::Bsdf)),
-        ("sampler sobol", with(|e| e.sampler = Sampler::Sobol)),
+        ("sampler random", with(|e| e.sampler = Sampler::Random)),
         (
             "the hand-out's",
             with(|e| *e = Settings::handout().estimator),

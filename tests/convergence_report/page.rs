@@ -114,7 +114,7 @@ fn it_tells_all_that_the_record_has() {
         "of two halves",
         "Interrupted",
         "converge to different things",
-        "sampler=random",
+        "sampler=sobol",
         "×0.333",
         "250 ms before the first sample",
         "--trace",
