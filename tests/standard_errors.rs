@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use common::render::{difference, job, on_device, on_device_within, outcome, prepared};
 use common::scenes::{SMOOTH, TABLE, WIDE};
+use common::settings::independent;
 use common::stats::sidak;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 use vkpt::film::{Aov, Film};
@@ -20,7 +21,7 @@ const STDERR: &[Aov] = &[Aov::Stderr];
 fn with_errors(scene: &Prepared, spp: u64, seed: u32) -> Job<'_> {
     Job {
         aovs: STDERR,
-        ..job(scene, Settings::default(), spp, seed)
+        ..job(scene, independent(), spp, seed)
     }
 }
 

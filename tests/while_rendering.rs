@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 
 use common::render::{difference, job, on_device, on_device_within, outcome, prepared};
 use common::scenes::{SMOOTH, TABLE, WIDE};
+use common::settings::independent;
 use statrs::distribution::{Binomial, DiscreteCDF};
 use vkpt::film::Film;
 use vkpt::gpu::DeviceKind;
@@ -191,7 +192,7 @@ fn a_time_is_spent() {
 #[test]
 fn an_error_ends_with_the_picture_of_the_samples_done() {
     let scene = prepared(SMOOTH, &Settings::default());
-    let endless = job(&scene, Settings::default(), 1 << 31, 1);
+    let endless = job(&scene, independent(), 1 << 31, 1);
     let mut reached = Vec::new();
     for target in [0.3, 0.03] {
         let job = Job {

@@ -33,6 +33,13 @@ pub fn estimators() -> Vec<(&'static str, Settings)> {
     ]
 }
 
+/// The defaults, with independent random numbers: for tests that take samples for independent.
+pub fn independent() -> Settings {
+    let mut settings = Settings::default();
+    settings.estimator.sampler = Sampler::Random;
+    settings
+}
+
 /// Each model setting alone.
 pub fn models() -> Vec<(&'static str, Settings)> {
     let with = |change: fn(&mut Model)| {

@@ -1,7 +1,6 @@
 //! The pixel's filter: a box one pixel wide. Every path starts within its pixel, uniformly.
 
-use vkpt::settings::Settings;
-
+use crate::common::settings::independent;
 use crate::common::stats::{chi_square, sidak};
 use crate::{ALPHA, story, world};
 
@@ -14,7 +13,7 @@ const CELLS: usize = 12;
 
 /// Where in its pixel the camera's ray went through, each coordinate in [0, 1), from its direction alone.
 fn places(pixel: [u32; 2]) -> impl Iterator<Item = [f64; 2]> {
-    let settings = Settings::default();
+    let settings = independent();
     let text = format!(
         "screen {} {}\ncamera 0 0 0 {RY}\nbackground 1 1 1\nlight 1 1 1\nsphere 0 0 100 1\n",
         SIZE[0], SIZE[1]

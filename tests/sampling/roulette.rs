@@ -2,8 +2,9 @@
 
 use vkpt::reference::math::Vec3;
 use vkpt::reference::path::roulette::roulette_survival;
-use vkpt::settings::{Roulette, Settings};
+use vkpt::settings::Roulette;
 
+use crate::common::settings::independent;
 use crate::common::stats::{chi_square, sidak};
 use crate::{ALPHA, story, world};
 
@@ -14,7 +15,7 @@ fn ball(brdf: &str) -> String {
 
 /// How many of `paths` paths end at vertex first, first + 1 …, the last count holding all beyond.
 fn lengths(scene: &str, roulette: Roulette, paths: u32, first: usize) -> Vec<usize> {
-    let mut settings = Settings::default();
+    let mut settings = independent();
     settings.estimator.roulette = roulette;
     let world = world(scene, &settings);
     let mut counts = vec![0; 40];
@@ -101,7 +102,7 @@ fn paths_survive_as_often_as_they_should() {
 fn glass_is_not_a_reason_to_end() {
     let scene = "screen 1 1\ncamera 0 0 3 .4\nfresnel exact\nbrdf 0 0 0 .04 .04 .04 0 1 1 1 1.5\n\
                  box -1 -1.1 -1.2 2 2.1 2.3\n";
-    let settings = Settings::default();
+    let settings = independent();
     let world = world(scene, &settings);
     let (mut most, mut seen) = (0, 0);
     for sample in 0..20_000 {
