@@ -50,7 +50,7 @@ fn record() -> Record {
                 peak: None,
             },
         },
-        work: Work::new(&seconds, 7_680_000, 40_000_000, Dropped::default(), 0),
+        work: Work::new(&seconds, 7_680_000, 40_000_000, Dropped::default(), 0, 0),
         seconds,
         error: vec![
             at(1, 0.1, None, None),
@@ -114,6 +114,7 @@ fn json_holds_every_field_by_name() {
         "rays_per_s": 5_000_000.0,
         "dropped": { "nan": 1, "infinite": 2, "loop": 3 },
         "long_paths": 0,
+        "underflows": 0,
         "error": [
             { "spp": 1, "seconds": 0.1, "rel_mse": null, "low": null, "high": null },
             { "spp": 64, "seconds": 7.5, "rel_mse": 3.1e-3, "low": 2.76e-3, "high": 3.54e-3 },
@@ -127,7 +128,7 @@ fn json_holds_every_field_by_name() {
 #[test]
 fn no_time_gives_no_rate() {
     let mut record = record();
-    record.work = Work::new(&Seconds::default(), 5, 5, Dropped::default(), 0);
+    record.work = Work::new(&Seconds::default(), 5, 5, Dropped::default(), 0, 0);
     let value = serde_json::to_value(&record).expect("JSON");
     assert_eq!(
         (&value["samples_per_s"], &value["rays_per_s"]),

@@ -153,11 +153,18 @@ fn device_equals_reference(job: &Job, name: &str) {
     let device = on_device(job).expect("a device");
     let reference = outcome(job, &Target::CpuF32);
     same(&device.film, &reference.film, name);
-    let counts = |o: &vkpt::render::Outcome| (o.stats.rays, o.stats.long_paths, o.stats.dropped);
+    let counts = |o: &vkpt::render::Outcome| {
+        (
+            o.stats.rays,
+            o.stats.long_paths,
+            o.stats.underflows,
+            o.stats.dropped,
+        )
+    };
     assert_eq!(
         counts(&device),
         counts(&reference),
-        "{name}: rays, long paths, dropped samples"
+        "{name}: rays, long paths, underflows, dropped samples"
     );
     assert!(
         device.film.rgb.iter().flatten().any(|&x| x > 0.0),

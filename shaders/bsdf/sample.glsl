@@ -1,7 +1,7 @@
 // What sampling and evaluation hand back.
 // Twin of src/reference/bsdf/sample.rs.
 
-// uses:
+// uses: math/finite
 
 // No direction was found: the path ends.
 const uint LOBE_NONE = 0u;
@@ -45,9 +45,9 @@ BsdfValue value_if(bool valid, BsdfValue value) {
     return BsdfValue(valid ? value.value : vec3(0.0), valid ? value.pdf : 0.0);
 }
 
-// The sample wi, unless it is invalid or its density is not positive (nor a NaN).
+// The sample wi, unless it is invalid or its density is 0. A broken density breaks the weight: the film counts it.
 BsdfSample sample_or_none(bool valid, vec3 wi, BsdfValue value, uint lobe) {
-    bool found = valid && value.pdf > 0.0;
+    bool found = valid && (value.pdf > 0.0 || !is_finite(value.pdf));
     BsdfSample s;
     s.wi = found ? wi : vec3(0.0, 0.0, 1.0);
     s.weight = found ? value.value / value.pdf : vec3(0.0);

@@ -8,6 +8,9 @@ bool is_finite3(vec3 v) {
     return is_finite(v.x) && is_finite(v.y) && is_finite(v.z);
 }
 
+// 2^-126: below it numbers lose digits, or are 0 on devices that keep no denormals.
+const float LEAST_NORMAL = 1.1754943508222875e-38;
+
 // No component is positive; false if one is NaN, so that NaN is never taken for black.
 bool is_black(vec3 v) {
     return v.x <= 0.0 && v.y <= 0.0 && v.z <= 0.0;

@@ -1,5 +1,5 @@
 // A vertex of the path: what it emits, its connection to a light, and where the path goes on.
-// uses: math/finite, path/vertex, path/flight, sampler/dimensions, sampler/unit_float, <sampler>, <self_distance>, <background>, <emission>, <direct>, <bsdf>, <crossing>, <roulette>, <depth>, <medium>, <record>
+// uses: math/finite, path/vertex, path/flight, path/throughput, sampler/dimensions, sampler/unit_float, sampler/chance, <sampler>, <self_distance>, <background>, <emission>, <direct>, <bsdf>, <crossing>, <roulette>, <depth>, <medium>, <record>
 
 void end_path(inout PathState s) {
     s.alive = 0u;
@@ -14,15 +14,18 @@ void extend(inout PathState s, Vertex v, inout FilmPixel pixel, uint pixel_index
     BsdfSample b = bsdf_sample(v.interaction, unit_float(u.x), unit_float(u.y),
                                vec2(unit_float(u.z), unit_float(u.w)), vec2(unit_float(w.y), unit_float(w.z)));
     vec3 wi = to_world(v.frame, b.wi);
-    bool valid = b.lobe != LOBE_NONE && same_sides(v, wi, b.wi);
+    bool found = b.lobe != LOBE_NONE && same_sides(v, wi, b.wi);
+    bool faint = underflows(s.throughput, b.weight);
     s.throughput *= b.weight;
     bool through = leads_through(b.wi);
     s.eta_scale *= crossing_scale(v, through);
     // A broken throughput breaks the sample, which the film then drops and counts.
-    s.radiance += is_finite3(s.throughput) ? vec3(0.0) : s.throughput;
-    float survival = roulette_survival(s.throughput, s.eta_scale, s.bounce);
-    valid = valid && unit_float(w.x) < survival;
-    if (valid && !is_black(s.throughput)) {
+    bool broken = !is_finite3(s.throughput);
+    s.radiance += broken ? s.throughput : vec3(0.0);
+    pixel.underflows += found && faint ? 1u : 0u;
+    float survival = chance(roulette_survival(s.throughput, s.eta_scale, s.bounce));
+    bool survives = unit_float(w.x) < survival;
+    if (found && survives && !(broken || faint || is_black(s.throughput))) {
         s.throughput *= 1.0 / survival;
         s.medium = medium_after(v, through, s.medium);
         bool goes_outside = v.outside != through;
@@ -51,7 +54,10 @@ void shade(inout PathState s, Flight flight, inout FilmPixel pixel, uint pixel_i
         Vertex v = path_vertex(flight.ray, flight.hit, flight.distance);
         record_hit(s, v);
         s.radiance += s.throughput * emission_seen(s, v, flight.origin, flight.distance);
-        if (materials[v.material].kind == KIND_BLACK || depth_reached(s.bounce)) {
+        // A path sets out with some light: what has none has lost it to absorption.
+        bool absorbed = is_black(s.throughput);
+        pixel.underflows += absorbed ? 1u : 0u;
+        if (materials[v.material].kind == KIND_BLACK || depth_reached(s.bounce) || absorbed) {
             record_vertex(s, v, LOBE_NONE);
             end_path(s);
         } else {

@@ -69,6 +69,7 @@ pub fn record(
             stats.rays,
             dropped,
             stats.long_paths,
+            stats.underflows,
         ),
         seconds,
         error: outcome.errors.iter().map(error).collect(),

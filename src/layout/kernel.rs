@@ -71,7 +71,8 @@ crate::gpu_struct! {
         long_paths: uint,
         /// Σ ± sample: + of the last, − of the one before, and so on by turns.
         contrast: vec3,
-        pad0: uint,
+        /// Paths that ended because f32 holds no less throughput.
+        underflows: uint,
     }
 
     /// What a pixel's samples x tell of the error of their mean, each sum in two parts as the film's is.

@@ -59,6 +59,7 @@ pub fn render<F: Real>(
             loops: 0,
         },
         long_paths: film.count(|p| p.long_paths),
+        underflows: film.count(|p| p.underflows),
         features: Vec::new(),
         spirv_bytes: 0,
         buffers: Vec::new(),
@@ -177,4 +178,5 @@ fn sample_pixel<F: Real>(
     }
     pixel.rays += path.rays;
     pixel.long_paths += u64::from(path.long);
+    pixel.underflows += u64::from(path.underflow);
 }

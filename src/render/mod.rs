@@ -175,6 +175,7 @@ pub struct Stats {
     pub rays: u64,
     pub dropped: Dropped,
     pub long_paths: u64,
+    pub underflows: u64,
     /// What the kernel holds.
     pub features: Vec<String>,
     /// Size of the kernel's module; 0 for the reference, which has none.

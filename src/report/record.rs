@@ -120,6 +120,8 @@ pub struct Work {
     pub dropped: Dropped,
     /// Paths of a thousand bounces or more, where roulette sets in for good.
     pub long_paths: u64,
+    /// Paths that ended because scattering or absorption left less of their throughput than f32 holds, 2⁻¹²⁶.
+    pub underflows: u64,
 }
 
 /// Samples that count as 0 because their value is none, by cause.
@@ -147,6 +149,7 @@ impl Work {
         rays: u64,
         dropped: Dropped,
         long_paths: u64,
+        underflows: u64,
     ) -> Self {
         let time = seconds.compile + seconds.render;
         let rate = |count: u64| (time > 0.0).then(|| count as f64 / time);
@@ -157,6 +160,7 @@ impl Work {
             rays_per_s: rate(rays),
             dropped,
             long_paths,
+            underflows,
         }
     }
 }

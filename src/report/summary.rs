@@ -66,8 +66,12 @@ fn work(record: &Record) -> String {
     let work = &record.work;
     let rate =
         |what: Option<f64>| what.map_or(String::new(), |per_s| format!(" ({}/s)", count(per_s)));
+    let underflows = match work.underflows {
+        0 => String::new(),
+        n => format!(", {} to nothing", plural(n, "path")),
+    };
     format!(
-        "{} samples{}, {} rays{}",
+        "{} samples{}, {} rays{}{underflows}",
         count(work.samples as f64),
         rate(work.samples_per_s),
         count(work.rays as f64),

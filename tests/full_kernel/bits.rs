@@ -44,7 +44,14 @@ fn full_equals_composed(scene: &Prepared, settings: Settings, name: &str) {
         .map(|kernel| on_device(&Job { kernel, ..job }).expect("a device"));
     assert_eq!(difference(&composed.film, &full.film), None, "{name}");
     let stderr = |o: Outcome| o.stderr.expect("four samples");
-    let counts = |o: &Outcome| (o.stats.rays, o.stats.long_paths, o.stats.dropped);
+    let counts = |o: &Outcome| {
+        (
+            o.stats.rays,
+            o.stats.long_paths,
+            o.stats.underflows,
+            o.stats.dropped,
+        )
+    };
     assert_eq!(counts(&composed), counts(&full), "{name}");
     assert_ne!(composed.stats.features, full.stats.features, "{name}");
     let errors = difference(&stderr(composed), &stderr(full));

@@ -4,6 +4,7 @@ use vkpt::reference::path::connect::{connection_weight, hit_weight, power_heuris
 use vkpt::reference::path::medium::{beer, beer3};
 use vkpt::reference::path::roulette::roulette_survival;
 use vkpt::reference::path::signature::{decide, is_light, path_signature};
+use vkpt::reference::path::throughput::underflows;
 use vkpt::settings::{Connect, Roulette};
 
 use super::harness::{Rng, Row, Twin};
@@ -13,6 +14,7 @@ pub fn twins() -> Vec<Twin> {
         heuristic(),
         absorption(),
         absorption_of_colours(),
+        underflow(),
         decision(),
         light(),
         signature(),
@@ -167,6 +169,29 @@ fn survival((roulette, file): (Roulette, &'static str)) -> Twin {
         .edge(row(0.0, 1.0, 5))
         .edge(row(f32::NAN, 1.0, 5))
         .seeded(2000, move |r| row(r.log_range(1e-6, 4.0), r.log_range(0.1, 10.0), r.below(1100)))
+}
+
+fn underflow() -> Twin {
+    let row = |t: [f32; 3], w: [f32; 3]| [t, w].concat().into_iter().fold(Row::new(), Row::f);
+    Twin::new("underflows", "path/throughput")
+        .glsl("vec3 t = in_vec3(); out_b(underflows(t, in_vec3()));")
+        .rust(|i, o| {
+            let t = i.vec3();
+            o.b(underflows(t, i.vec3()));
+        })
+        .edges([
+            row([f32::MIN_POSITIVE; 3], [1.0; 3]),
+            row([f32::MIN_POSITIVE; 3], [0.9; 3]),
+            row([1.0, 0.0, 0.0], [0.0, 1.0, 1.0]),
+            row([1e-20, 0.0, 1.0], [1e-20, 1.0, 0.0]),
+            row([0.0; 3], [1.0; 3]),
+            row([f32::NAN, 1e-30, 1e-30], [1e-30; 3]),
+            row([f32::MAX; 3], [2.0; 3]),
+        ])
+        .seeded(2000, |r| {
+            let mut six = || r.log_range(1e-30, 1.0);
+            row([six(), six(), six()], [six(), six(), six()])
+        })
 }
 
 fn decision() -> Twin {

@@ -4,7 +4,7 @@ use vkpt::reference::sampler::owen::owen_scramble;
 use vkpt::reference::sampler::pcg4d::{mix_words, pcg4d};
 use vkpt::reference::sampler::sobol_digits::{sobol_digits_1, sobol_digits_2, sobol_digits_3};
 use vkpt::reference::sampler::{
-    bsdf_block, camera_block, light_block, random, roulette_block, sobol, unit_float,
+    bsdf_block, camera_block, chance, light_block, random, roulette_block, sobol, unit_float,
 };
 use vkpt::sample::GROUPS;
 
@@ -81,6 +81,22 @@ fn numbers() -> Vec<Twin> {
                 .map(|x| Row::from([x])),
             )
             .seeded(2000, |r| Row::new().u(r.u32())),
+        Twin::new("chance", "sampler/chance")
+            .glsl("out_f(chance(in_f()));")
+            .rust(|i, o| o.f(chance(i.f())))
+            .edges(
+                [
+                    0.0,
+                    1e-40,
+                    2.4414e-4,
+                    2.441406e-4,
+                    2.4414063e-4,
+                    1.0,
+                    f32::NAN,
+                ]
+                .map(|p| Row::new().f(p)),
+            )
+            .seeded(2000, |r| Row::new().f(r.log_range(1e-12, 1.0))),
     ]
 }
 

@@ -1,7 +1,7 @@
 // Choice of lobe by Fresnel's share.
 // Twin of src/reference/bsdf/choice/fresnel.rs. Fills the slot <choice>.
 
-// uses: math/vec, bsdf/interaction, <fresnel>
+// uses: math/vec, sampler/chance, bsdf/interaction, <fresnel>
 
 // prepared::MaterialKind; the kinds from here on transmit.
 const uint KIND_DIELECTRIC = 4u;
@@ -15,10 +15,10 @@ float diffuse_probability(Interaction at) {
     float share = kd / (kd + specular);
     float kept = min2(max2(share, 0.1), 0.9);
     // 0/0 where S has vanished too
-    return kd > 0.0 ? (opaque ? kept : share) : 0.0;
+    return kd > 0.0 ? (opaque ? kept : chance(share)) : 0.0;
 }
 
-// R = the mean of F(c); 1 for opaque materials.
+// R = the mean of F(c), as it can be drawn; 1 for opaque materials.
 float reflect_probability(Interaction at, float c, float f_mean) {
-    return at.material.kind < KIND_DIELECTRIC ? 1.0 : f_mean;
+    return at.material.kind < KIND_DIELECTRIC ? 1.0 : chance(f_mean);
 }

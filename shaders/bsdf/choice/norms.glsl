@@ -1,11 +1,11 @@
 // Choice of lobe by |Kd| : |Ks| : |Kt|, as the hand-out has it.
 // Twin of src/reference/bsdf/choice/norms.rs. Fills the slot <choice>.
 
-// uses: bsdf/interaction, bsdf/snell
+// uses: sampler/chance, bsdf/interaction, bsdf/snell
 
-// p_d = |Kd|/(|Kd| + |Ks| + |Kt|)
+// p_d = |Kd|/(|Kd| + |Ks| + |Kt|), as it can be drawn
 float diffuse_probability(Interaction at) {
-    return at.material.p_d;
+    return chance(at.material.p_d);
 }
 
 // R = |Ks|/(|Ks| + |Kt|), which is 1 for opaque materials; 1 where refraction is not possible.

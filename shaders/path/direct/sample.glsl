@@ -10,7 +10,9 @@ void connect(inout PathState s, Vertex v, uint pixel_index) {
     float p = light_pmf(light) * l.pdf;
     vec3 wi = to_local(v.frame, l.wi);
     s.connecting = 0u;
-    if (p > 0.0 && same_sides(v, l.wi, wi)) {
+    // A broken density breaks the contribution, which the film then drops and counts.
+    bool sampled = p > 0.0 || !is_finite(p);
+    if (sampled && same_sides(v, l.wi, wi)) {
         BsdfValue f = bsdf_eval(v.interaction, wi);
         float weight = connection_weight(p, f.pdf);
         s.contribution = s.throughput * f.value * lights[light].radiance * (weight / p);

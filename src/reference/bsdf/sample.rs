@@ -1,5 +1,6 @@
 //! What sampling and evaluation hand back; twin of `shaders/bsdf/sample.glsl`.
 
+use crate::reference::math::finite::is_finite;
 use crate::reference::math::{Real, Vec3, vec3};
 
 /// No direction was found: the path ends.
@@ -55,7 +56,7 @@ pub fn value_if<F: Real>(valid: bool, value: BsdfValue<F>) -> BsdfValue<F> {
     if valid { value } else { no_value() }
 }
 
-/// The sample `wi`, unless it is invalid or its density is not positive.
+/// The sample `wi`, unless it is invalid or its density is 0. A broken density breaks the weight: the film counts it.
 pub fn sample_or_none<F: Real>(
     valid: bool,
     wi: Vec3<F>,
@@ -68,8 +69,7 @@ pub fn sample_or_none<F: Real>(
         pdf: value.pdf,
         lobe,
     };
-    // !(pdf > 0) holds for NaN too
-    if valid && value.pdf > F::zero() {
+    if valid && (value.pdf > F::zero() || !is_finite(value.pdf)) {
         found
     } else {
         no_sample()

@@ -24,6 +24,8 @@ pub struct FilmPixel<F> {
     pub rays: u64,
     /// Paths that reached the bounce from which even lossless ones may end.
     pub long_paths: u64,
+    /// Paths that ended because the scalar holds no less throughput.
+    pub underflows: u64,
 }
 
 impl<F: Real> Default for FilmPixel<F> {
@@ -36,6 +38,7 @@ impl<F: Real> Default for FilmPixel<F> {
             infinite: 0,
             rays: 0,
             long_paths: 0,
+            underflows: 0,
         }
     }
 }

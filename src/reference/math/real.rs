@@ -31,6 +31,8 @@ pub trait Real:
 {
     /// Half the distance from 1 to the next larger number: 2⁻²⁴ or 2⁻⁵³.
     const ULP: Self;
+    /// The least number of full precision, 2⁻¹²⁶ or 2⁻¹⁰²².
+    const LEAST_NORMAL: Self;
     /// 2^⌈p/2⌉ + 1, which splits a number of p bits into halves: see `products`.
     const SPLIT: Self;
     /// The nearest scalar to `x`.
@@ -104,6 +106,7 @@ macro_rules! common {
 
 impl Real for f32 {
     const ULP: Self = f32::EPSILON / 2.0;
+    const LEAST_NORMAL: Self = f32::MIN_POSITIVE;
     const SPLIT: Self = 4097.0;
     common!(f32);
     fn sincos_2pi(u: Self) -> (Self, Self) {
@@ -122,6 +125,7 @@ impl Real for f32 {
 
 impl Real for f64 {
     const ULP: Self = f64::EPSILON / 2.0;
+    const LEAST_NORMAL: Self = f64::MIN_POSITIVE;
     const SPLIT: Self = 134_217_729.0;
     common!(f64);
     fn sincos_2pi(u: Self) -> (Self, Self) {

@@ -7,7 +7,7 @@ use super::vertex::{Vertex, medium_beyond, same_sides, spawn_ray};
 use super::{PathState, SampleId};
 use crate::reference::bsdf::bsdf_eval;
 use crate::reference::math::Real;
-use crate::reference::math::finite::is_black;
+use crate::reference::math::finite::{is_black, is_finite};
 use crate::reference::math::frame::to_local;
 use crate::reference::sampler::{light_block, unit_float};
 use crate::reference::shape::{FAR, Target};
@@ -50,7 +50,9 @@ fn shadow_to_light<F: Real>(
     let l = world.light_sample(light, v.p, u[1] >> 8, [unit_float(u[2]), unit_float(u[3])]);
     let p = world.light_pmf(light) * l.pdf;
     let wi = to_local(v.frame, l.wi);
-    if !(p > F::zero() && same_sides(v, l.wi, wi)) {
+    // A broken density breaks the contribution, which the film then drops and counts.
+    let sampled = p > F::zero() || !is_finite(p);
+    if !(sampled && same_sides(v, l.wi, wi)) {
         return None;
     }
     let f = bsdf_eval(settings, &v.interaction, wi);

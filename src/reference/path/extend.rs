@@ -2,13 +2,14 @@
 
 use super::record::Recorder;
 use super::roulette::roulette_survival;
+use super::throughput::underflows;
 use super::vertex::{Vertex, medium_beyond, same_sides, spawn_ray};
 use super::{PathState, SampleId};
 use crate::reference::bsdf::{LOBE_DELTA, LOBE_NONE, bsdf_sample, transmission_scale};
 use crate::reference::math::Real;
 use crate::reference::math::finite::{is_black, is_finite3};
 use crate::reference::math::frame::to_world;
-use crate::reference::sampler::{bsdf_block, roulette_block, unit_float};
+use crate::reference::sampler::{bsdf_block, chance, roulette_block, unit_float};
 use crate::settings::Settings;
 
 /// Draws the next direction and moves the path onto it; false where the path ends.
@@ -31,23 +32,27 @@ pub fn extend<F: Real>(
         [w[1], w[2]],
     );
     let wi = to_world(v.frame, b.wi);
+    let found = b.lobe != LOBE_NONE && same_sides(v, wi, b.wi);
+    let faint = underflows(s.throughput, b.weight);
     s.throughput *= b.weight;
     let through = b.wi.z < F::zero();
     if through {
         s.eta_scale *= transmission_scale(settings, v.interaction.eta);
     }
     // A broken throughput breaks the sample, which the film then drops and counts.
-    if !is_finite3(s.throughput) {
+    let broken = !is_finite3(s.throughput);
+    if broken {
         s.radiance += s.throughput;
     }
-    let survival = roulette_survival(
+    s.underflow = found && faint;
+    let survival = chance(roulette_survival(
         settings.estimator.roulette,
         s.throughput,
         s.eta_scale,
         s.bounce,
-    );
-    let valid = b.lobe != LOBE_NONE && same_sides(v, wi, b.wi) && w[0] < survival;
-    let alive = valid && !is_black(s.throughput);
+    ));
+    let survives = w[0] < survival;
+    let alive = found && survives && !(broken || faint || is_black(s.throughput));
     if alive {
         s.throughput = s.throughput * (F::one() / survival);
         s.medium = if through { medium_beyond(v) } else { s.medium };

@@ -11,9 +11,11 @@ pub mod medium;
 pub mod record;
 pub mod roulette;
 pub mod signature;
+pub mod throughput;
 pub mod vertex;
 
 use super::camera::camera_direction;
+use super::math::finite::is_black;
 use super::math::{Real, Vec3, dot3};
 use super::sampler::{camera_block, sampler_block, unit_float};
 use super::shape::Ray;
@@ -61,6 +63,8 @@ pub struct PathState<F> {
     pub bounce: u32,
     /// Rays flown so far.
     pub rays: u64,
+    /// Less is left of `throughput` than the scalar can hold: the path ends.
+    pub underflow: bool,
 }
 
 /// Radiance that one path brought back, and what it took.
@@ -70,6 +74,8 @@ pub struct PathResult<F> {
     pub rays: u64,
     /// It reached [`roulette::LONG_PATH`] bounces.
     pub long: bool,
+    /// It ended for an underflow.
+    pub underflow: bool,
 }
 
 /// Follows one path from the camera to its end.
@@ -93,7 +99,9 @@ pub fn trace_path<F: Real>(
         recorder.hit(&s, &v);
         s.radiance += s.throughput * emission_seen(world, settings, &s, &v, origin, distance);
         let black = world.materials[v.material as usize].kind == MaterialKind::Black;
-        if black || depth_reached(settings, s.bounce) {
+        // A path sets out with some light: what has none has lost it to absorption.
+        s.underflow = is_black(s.throughput);
+        if black || depth_reached(settings, s.bounce) || s.underflow {
             recorder.vertex(&s, &v, 0);
             break;
         }
@@ -104,6 +112,7 @@ pub fn trace_path<F: Real>(
         radiance: s.radiance,
         rays: s.rays,
         long: s.bounce >= roulette::LONG_PATH,
+        underflow: s.underflow,
     }
 }
 
@@ -126,6 +135,7 @@ fn begin_path<F: Real>(world: &World<F>, settings: &Settings, id: SampleId) -> P
         medium: world.eye_medium,
         bounce: 0,
         rays: 0,
+        underflow: false,
     }
 }
 

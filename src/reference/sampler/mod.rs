@@ -3,6 +3,7 @@
 //! A sampler is a pure function `sampler_block(pixel, sample_index, block, seed)` to four words, one block
 //! of the layout in [`dimensions`]. It keeps no state: a path may be cut anywhere and carried on elsewhere.
 
+mod chance;
 pub mod dimensions;
 pub mod owen;
 pub mod pcg4d;
@@ -14,6 +15,7 @@ mod tests;
 mod unit_float;
 
 use crate::settings::Sampler;
+pub use chance::chance;
 pub use dimensions::{bsdf_block, camera_block, light_block, roulette_block};
 pub use unit_float::unit_float;
 

@@ -14,6 +14,7 @@ use crate::render::tiles::Tile;
 pub struct Counts {
     pub rays: u64,
     pub long_paths: u64,
+    pub underflows: u64,
     pub dropped: Dropped,
 }
 
@@ -28,6 +29,7 @@ impl Counts {
     fn add(&mut self, p: &FilmPixel) {
         self.rays += u64::from(p.rays);
         self.long_paths += u64::from(p.long_paths);
+        self.underflows += u64::from(p.underflows);
         self.dropped.nan += u64::from(p.nan);
         self.dropped.infinite += u64::from(p.infinite);
         self.dropped.loops += u64::from(p.loops);

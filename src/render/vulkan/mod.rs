@@ -52,6 +52,7 @@ pub fn render(
         rays: counts.rays,
         dropped: counts.dropped,
         long_paths: counts.long_paths,
+        underflows: counts.underflows,
         features: features.names(),
         spirv_bytes: run.spirv_bytes,
         buffers: run.buffers(),

@@ -4,6 +4,7 @@ use crate::prepared::MaterialKind;
 use crate::reference::bsdf::fresnel::fresnel;
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::math::{Real, max2, mean3, min2};
+use crate::reference::sampler::chance;
 
 /// Model page, section 5.1: p_d = K̄d/(K̄d + 1) of a transmissive material, where reflection and refraction share the 1. Opaque:
 /// K̄d/(K̄d + S), S = F̄(wo·N), kept within [0.1, 0.9] where both lobes exist.
@@ -17,16 +18,16 @@ pub fn diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
     };
     let share = kd / (kd + specular);
     let kept = min2(max2(share, F::new(0.1)), F::new(0.9));
-    let chosen = if opaque { kept } else { share };
+    let chosen = if opaque { kept } else { chance(share) };
     // 0/0 where S has vanished too
     if kd > F::zero() { chosen } else { F::zero() }
 }
 
-/// R = F̄(c); 1 for opaque materials.
+/// R = F̄(c), as it can be drawn; 1 for opaque materials.
 pub fn reflect_probability<F: Real>(at: &Interaction<F>, _c: F, f_mean: F) -> F {
     if at.material.kind < MaterialKind::Dielectric {
         F::one()
     } else {
-        f_mean
+        chance(f_mean)
     }
 }

@@ -3,10 +3,11 @@
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::bsdf::snell::total_reflection;
 use crate::reference::math::Real;
+use crate::reference::sampler::chance;
 
-/// p_d = ‖Kd‖/(‖Kd‖ + ‖Ks‖ + ‖Kt‖)
+/// p_d = ‖Kd‖/(‖Kd‖ + ‖Ks‖ + ‖Kt‖), as it can be drawn
 pub fn diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
-    at.material.p_d
+    chance(at.material.p_d)
 }
 
 /// R = ‖Ks‖/(‖Ks‖ + ‖Kt‖), which is 1 for opaque materials; 1 where refraction is not possible.
