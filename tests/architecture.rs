@@ -55,7 +55,7 @@ const ROOMS: [(&str, &[&str]); 21] = [
     (
         "check",
         &[
-            "gpu", "metrics", "prepared", "render", "report", "sample", "scene", "settings",
+            "film", "gpu", "metrics", "prepared", "render", "report", "sample", "scene", "settings",
         ],
     ),
     (

@@ -4,6 +4,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use super::case::Case;
+use super::picture::Picture;
 use crate::gpu::Device;
 use crate::metrics::paired::Comparison;
 use crate::prepared::{self, PrepareError};
@@ -12,7 +13,7 @@ use crate::sample::PairedSample;
 use crate::scene::Errors;
 
 /// Seed of every case: on a CPU driver what is measured is the same in every run.
-const SEED: u32 = 1;
+pub const SEED: u32 = 1;
 
 /// Why a case could not be run.
 #[derive(Debug, thiserror::Error)]
@@ -43,6 +44,7 @@ pub struct Measured {
     pub energy: Moments,
     /// Of the bits of all radiances of the device, in order.
     pub hash: u64,
+    pub picture: Picture,
     pub warnings: Vec<String>,
     pub seconds: f64,
     pub interrupted: bool,
@@ -91,6 +93,7 @@ impl Measured {
         self.nan += u64::from(nan);
         self.infinite += u64::from(!nan && any(f64::is_infinite));
         self.negative += u64::from(any(|x| x < 0.0));
+        self.picture.add(s);
         let radiance = s.device.radiance;
         self.hash = radiance.into_iter().fold(self.hash, hash);
         if radiance.iter().all(|x| x.is_finite()) {
@@ -135,6 +138,7 @@ pub fn measure(
         kernel,
     };
     let mut measured = Measured {
+        picture: Picture::new(case.crop.unwrap_or([0, 0, prepared.width, prepared.height])),
         warnings,
         ..Measured::default()
     };

@@ -10,6 +10,7 @@ mod cases;
 pub mod closed;
 pub mod judge;
 pub mod measure;
+pub mod picture;
 pub mod run;
 pub mod select;
 

@@ -6,10 +6,11 @@ use std::time::Instant;
 
 use super::case::{Case, Expectation};
 use super::judge::{ALPHA, Judge};
-use super::measure::{CheckError, Measured, measure};
+use super::measure::{CheckError, Measured, SEED, measure};
 use crate::gpu::{Device, DeviceKind};
 use crate::render::KernelChoice;
-use crate::report::check::{CaseRecord, Check};
+use crate::report::SettingsRecord;
+use crate::report::check::{CaseRecord, Check, Shown};
 use crate::sample::Address;
 
 /// Where and how the battery runs.
@@ -19,6 +20,13 @@ pub struct Bench<'a> {
     pub kernel: KernelChoice<'a>,
     pub quick: bool,
     pub stop: &'a AtomicBool,
+}
+
+/// What a run left.
+pub struct Ran {
+    pub record: Check,
+    /// What a page has of each of its cases beside the figures.
+    pub shown: Vec<Shown>,
 }
 
 /// Runs `selected` of `all`, calling `progress` before each with the number of those done; cases that one is held against
@@ -31,13 +39,13 @@ pub fn run(
     selected: &[&Case],
     bench: &Bench,
     progress: &mut dyn FnMut(usize, &Case),
-) -> Result<Check, CheckError> {
+) -> Result<Ran, CheckError> {
     let start = Instant::now();
     let info = bench.device.info();
     let correctly_rounded = info.kind == DeviceKind::Cpu;
     let judge = Judge::new(all.iter(), correctly_rounded);
     let mut done: HashMap<&str, Measured> = HashMap::new();
-    let mut cases = Vec::new();
+    let (mut cases, mut shown) = (Vec::new(), Vec::new());
     for (i, case) in selected.iter().enumerate() {
         progress(i, case);
         for needed in needed(all, case) {
@@ -52,8 +60,9 @@ pub fn run(
             break;
         }
         cases.push(record(case, &judge, &done));
+        shown.push(show(case, &done[case.name.as_str()]));
     }
-    Ok(Check {
+    let record = Check {
         version: env!("CARGO_PKG_VERSION"),
         device: info.name.clone(),
         driver: info.driver.clone(),
@@ -65,7 +74,8 @@ pub fn run(
         interrupted: cases.len() < selected.len(),
         passed: cases.iter().all(|c| c.passed),
         cases,
-    })
+    };
+    Ok(Ran { record, shown })
 }
 
 /// A case, after those that it is held against.
@@ -116,5 +126,19 @@ fn record(case: &Case, judge: &Judge, done: &HashMap<&str, Measured>) -> CaseRec
         margin: held.iter().map(|h| h.margin).fold(0.0, f64::max),
         passed: held.iter().all(|h| h.passed()),
         held,
+    }
+}
+
+fn show(case: &Case, m: &Measured) -> Shown {
+    Shown {
+        scene: case.text.clone(),
+        triangles: case.mesh.as_ref().map(|mesh| mesh.triangles.len()),
+        settings: SettingsRecord::from(&case.settings),
+        spp: case.spp,
+        seed: SEED,
+        crop: case.crop,
+        device: m.picture.device(),
+        reference: m.picture.reference(),
+        difference: m.picture.difference(),
     }
 }

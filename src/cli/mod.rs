@@ -15,6 +15,7 @@ mod outputs;
 mod progress;
 mod record;
 mod render;
+mod reports;
 mod settings;
 mod trace;
 mod values;

@@ -1,11 +1,12 @@
 //! How far a picture is from another: pure functions over films, every sum in f64.
 //!
 //! [`Pair`] checks two pictures once, so that no metric has to. [`Errors`] are single numbers;
-//! [`flip`], [`heatmap()`] and [`worst_pixels`] show where they come from; [`blocks`] tests whether chance explains them;
+//! [`flip`], [`heatmap()`], [`difference_map`] and [`worst_pixels`] show where they come from; [`blocks`] tests whether chance explains them;
 //! [`convergence`] how fast they fall.
 
 pub mod blocks;
 pub mod convergence;
+mod difference;
 mod error;
 pub mod flip;
 mod heatmap;
@@ -18,6 +19,9 @@ mod smape;
 mod trimmed;
 mod worst;
 
+pub use difference::{
+    DIFFERENCE_RANGE, difference_colour, difference_map, difference_scale, signed_difference,
+};
 pub use error::MetricsError;
 pub use heatmap::{HEATMAP_RANGE, heatmap, heatmap_scale};
 pub use pair::Pair;

@@ -2,15 +2,20 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/pages.rs"]
+mod pages;
+#[path = "../common/checks.rs"]
+mod records;
 
 mod battery;
 mod closed;
+mod page;
 mod planted;
 mod told;
 
 use std::sync::atomic::AtomicBool;
 
-use vkpt::check::run::{Bench, run};
+use vkpt::check::run::{Bench, Ran, run};
 use vkpt::check::{Case, battery};
 use vkpt::kernel::OwnFile;
 use vkpt::render::KernelChoice;
@@ -18,6 +23,11 @@ use vkpt::report::check::Check;
 
 /// The named cases, by a kernel that has `files` of its own; `None` where the run goes without a device.
 fn ran(names: &[&str], files: &[OwnFile]) -> Option<Check> {
+    Some(ran_with_pictures(names, files)?.record)
+}
+
+/// The same, with the pictures.
+fn ran_with_pictures(names: &[&str], files: &[OwnFile]) -> Option<Ran> {
     let device = common::device()?;
     let all = battery();
     let find = |name: &&str| {

@@ -1,6 +1,6 @@
 //! `vkpt check`: selection, table, report, exit codes.
 
-use super::program::{folder, run, without_vulkan};
+use super::program::{folder, names, run, without_vulkan};
 
 #[test]
 fn an_unknown_case_is_a_mistake_of_the_command_line() {
@@ -27,6 +27,8 @@ fn a_case_is_told_and_reported() {
         "camera/one-pixel",
         "--json",
         "check.json",
+        "--html",
+        "check.html",
     ];
     let ran = run(folder.path(), &arguments);
     assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""), "{}", ran.out);
@@ -42,6 +44,16 @@ fn a_case_is_told_and_reported() {
         (&json["passed"], &json["quick"]),
         (&true.into(), &true.into())
     );
+    let page = std::fs::read_to_string(folder.path().join("check.html")).expect("a page");
+    for words in [
+        "The only case is within its bounds.",
+        "camera/one-pixel",
+        "--html",
+    ] {
+        assert!(page.contains(words), "{words}");
+    }
+    // Device, cpu-f64 and difference.
+    assert_eq!(page.matches("src=\"data:image/png;base64,").count(), 3);
     let quiet = run(
         folder.path(),
         &["check", "--case", "light/sky-alone", "--quiet"],
@@ -50,4 +62,31 @@ fn a_case_is_told_and_reported() {
         (quiet.code, quiet.out.as_str(), quiet.err.as_str()),
         (Some(0), "", "")
     );
+}
+
+/// Before any case runs: nothing is told of one.
+#[test]
+fn reports_that_cannot_be_written_are_told_before_the_work() {
+    let folder = folder("");
+    let refused: [(&[&str], i32, &str); 4] = [
+        (&["--html", "none/r.html"], 5, "none/r.html"),
+        (&["--html", "."], 5, "is a folder"),
+        (
+            &["--json", "r", "--html", "./r"],
+            2,
+            "two reports would be written to one file",
+        ),
+        (&["--html"], 2, "--html <FILE>"),
+    ];
+    for (reports, code, said) in refused {
+        let arguments = [&["check", "--case", "camera/one-pixel"], reports].concat();
+        let ran = run(folder.path(), &arguments);
+        assert_eq!(
+            (ran.code, ran.out.as_str()),
+            (Some(code), ""),
+            "{reports:?}"
+        );
+        assert!(ran.err.contains(said), "{reports:?}: {}", ran.err);
+        assert_eq!(names(folder.path()), ["scene.scn"], "{reports:?}");
+    }
 }

@@ -76,6 +76,10 @@ fn what_cannot_be_measured_is_a_wrong_command_line() {
             &["--vary", "connect=mis", "--vary", "connect=light"],
             "there twice",
         ),
+        (
+            &["--html", "./c.json"],
+            "two reports would be written to one file",
+        ),
         (&["--crop", "0,0,13,8"], "outside the picture of 12x8"),
     ];
     for (more, said) in rows {

@@ -5,6 +5,7 @@ use vkpt::metrics::convergence::{Curve, Reference};
 use vkpt::report::convergence::plot::palette::Colour;
 use vkpt::report::convergence::{Convergence, Sheet, Shown, page};
 
+use crate::pages::outside;
 use crate::records::{curve, experiment, film, reference};
 
 const STEPS: [(f64, f64); 4] = [(0.1, 0.4), (0.2, 0.21), (0.4, 0.1), (0.8, 0.05)];
@@ -31,29 +32,6 @@ fn one(scene_name: &str, text: &str) -> String {
     let curve = curve(&STEPS);
     let record = experiment(scene_name, &[("", &curve)]);
     written(&record, &[&curve], &reference(), text)
-}
-
-/// Every address that a browser would ask for: what stands in src, href, url() and @import.
-fn outside(page: &str) -> Vec<&str> {
-    let mut found = Vec::new();
-    for (before, harmless) in [
-        ("src=\"", &["data:"][..]),
-        ("href=\"", &["data:", "#"]),
-        ("url(", &["data:", "#"]),
-        ("@import", &[]),
-        ("http:", &["//www.w3.org/2000/svg\""]),
-        ("https:", &[]),
-        ("src='", &[]),
-        ("href='", &[]),
-    ] {
-        for (at, _) in page.match_indices(before) {
-            let rest = &page[at + before.len()..];
-            if !harmless.iter().any(|h| rest.starts_with(h)) {
-                found.push(&page[at..page.len().min(at + 40)]);
-            }
-        }
-    }
-    found
 }
 
 #[test]

@@ -1,8 +1,12 @@
-//! The page of `vkpt converge --html` in a real browser: what it shows is what the record has, however it is looked at.
+//! The pages of `vkpt converge --html` and, in `check`, of `vkpt check --html` in a real browser: what they show is what
+//! the records have, however they are looked at.
 //!
 //! Needs `chromium` in PATH and is skipped without. Pictures of the page stand in `target/screenshots/` afterwards.
 
 mod browser;
+mod check;
+#[path = "../common/checks.rs"]
+mod records;
 
 use std::path::PathBuf;
 use std::process::Command;

@@ -11,7 +11,7 @@ Exit codes:
     1  a case fails, or could not be run
     2  the command line is wrong
     4  there is no such Vulkan device, or none at all
-    5  the report could not be written
+    5  a report could not be written
   130  interrupted by ctrl-c; the cases done by then are told";
 
 /// Which cases run where.
@@ -33,6 +33,11 @@ pub struct CheckArguments {
     /// Write every figure and bound of each case
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
+
+    /// Write a page with the table, coloured by margin, and the pictures of each case: one file that
+    /// needs no network
+    #[arg(long, value_name = "FILE")]
+    pub html: Option<PathBuf>,
 
     /// No progress and no table, only what fails
     #[arg(long)]

@@ -1,10 +1,13 @@
 //! `vkpt check`: the battery of stiff and extreme cases.
 
 mod arguments;
+mod outputs;
 
 use std::io::Write;
 
+use self::outputs::Outputs;
 use super::arguments::usage;
+use super::command::typed;
 use super::exit::{Ending, Failure, warn};
 use super::interrupt::stop_flag;
 use super::progress::Display;
@@ -12,9 +15,8 @@ use crate::check::run::{Bench, run};
 use crate::check::select::select;
 use crate::check::{Case, battery};
 use crate::gpu::{Device, Selector};
-use crate::image::file::{check_writable, write_whole};
 use crate::render::KernelChoice;
-use crate::report::check::{Check, failures, table};
+use crate::report::check::{Check, Sheet, failures, table};
 pub use arguments::CheckArguments;
 
 /// Runs the cases, prints the table and tells what fails.
@@ -24,9 +26,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
     if selected.is_empty() {
         return Err(unknown(arguments, &all));
     }
-    if let Some(path) = &arguments.json {
-        check_writable(path).map_err(|e| Failure::Files(vec![e]))?;
-    }
+    let outputs = Outputs::check(arguments)?;
     let selector = arguments.device.clone().unwrap_or(Selector::Best);
     let device = Device::open(&selector).map_err(|e| Failure::Render(e.into()))?;
     let stop = stop_flag();
@@ -41,13 +41,18 @@ pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
         display.case(i, selected.len(), &case.name)
     });
     display.finish();
-    let record = ran.map_err(|e| Failure::Comparison(vec![e.to_string()]))?;
+    let ran = ran.map_err(|e| Failure::Comparison(vec![e.to_string()]))?;
+    let record = &ran.record;
     if !arguments.quiet {
         // A reader that has gone away is no reason to fail.
-        let _ = write!(std::io::stdout(), "{}", text(&record));
+        let _ = write!(std::io::stdout(), "{}", text(record));
     }
-    write_json(arguments, &record)?;
-    ending(&record)
+    outputs.write(&Sheet {
+        record,
+        command: typed(std::env::args_os()),
+        shown: &ran.shown,
+    })?;
+    ending(record)
 }
 
 /// The command line names no case.
@@ -63,17 +68,6 @@ fn unknown(arguments: &CheckArguments, all: &[Case]) -> Failure {
 
 fn text(record: &Check) -> String {
     format!("{}, {}\n\n{}", record.device, record.driver, table(record))
-}
-
-fn write_json(arguments: &CheckArguments, record: &Check) -> Result<(), Failure> {
-    let Some(path) = &arguments.json else {
-        return Ok(());
-    };
-    let written = write_whole(path, |out| {
-        let text = serde_json::to_string_pretty(record)?;
-        out.write_all((text + "\n").as_bytes())
-    });
-    written.map_err(|e| Failure::Files(vec![e]))
 }
 
 fn ending(record: &Check) -> Result<Ending, Failure> {

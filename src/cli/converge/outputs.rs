@@ -1,11 +1,11 @@
 //! The files that an experiment leaves.
 
-use std::io::{self, Write};
+use std::io;
 use std::path::Path;
 
 use super::arguments::ConvergeArguments;
 use crate::cli::exit::{Failure, warn};
-use crate::image::file::{FileError, check_writable, write_whole};
+use crate::cli::reports::{all, check_all, json, whole};
 use crate::report::convergence::{Sheet, csv, page, svg};
 use crate::report::human::bytes;
 
@@ -30,10 +30,9 @@ impl<'a> Outputs<'a> {
             html,
             ..
         } = arguments;
-        let all = [json, csv, svg, html].map(Option::as_deref);
-        let checked = all.into_iter().flatten().map(check_writable);
-        failed(checked.filter_map(Result::err).collect())?;
-        let [json, csv, svg, html] = all;
+        let paths = [json, csv, svg, html].map(Option::as_deref);
+        check_all(paths.into_iter().flatten())?;
+        let [json, csv, svg, html] = paths;
         Ok(Self {
             json,
             csv,
@@ -45,17 +44,12 @@ impl<'a> Outputs<'a> {
     /// Writes what was asked for.
     pub fn write(&self, sheet: &Sheet) -> Result<(), Failure> {
         let record = sheet.record;
-        let json = || {
-            let text = serde_json::to_string_pretty(record)?;
-            Ok(text + "\n")
-        };
-        let written = [
-            whole(self.json, json),
+        all([
+            whole(self.json, || json(record)),
             whole(self.csv, || Ok(csv(record))),
             whole(self.svg, || svg(record).map_err(io::Error::other)),
             whole(self.html, || html(sheet)),
-        ];
-        failed(written.into_iter().filter_map(Result::err).collect())
+        ])
     }
 }
 
@@ -69,17 +63,4 @@ fn html(sheet: &Sheet) -> io::Result<String> {
         ));
     }
     Ok(text)
-}
-
-/// Writes a text, if it was asked for.
-fn whole(path: Option<&Path>, text: impl FnOnce() -> io::Result<String>) -> Result<(), FileError> {
-    let Some(path) = path else { return Ok(()) };
-    write_whole(path, |out| out.write_all(text()?.as_bytes()))
-}
-
-fn failed(errors: Vec<FileError>) -> Result<(), Failure> {
-    match errors.is_empty() {
-        true => Ok(()),
-        false => Err(Failure::Files(errors)),
-    }
 }

@@ -1,7 +1,10 @@
-//! What `vkpt check` found: a record, and the record as a table.
+//! What `vkpt check` found: a record, and the record as a table and as a page.
 
+pub mod page;
 mod record;
 mod table;
+mod words;
 
+pub use page::{Sheet, Shown, page};
 pub use record::{CaseRecord, Check, Held};
 pub use table::{failures, table};

@@ -55,6 +55,13 @@ pub struct CaseRecord {
     pub passed: bool,
 }
 
+impl CaseRecord {
+    /// The part of the name before the first slash.
+    pub fn group(&self) -> &str {
+        self.name.split('/').next().unwrap_or_default()
+    }
+}
+
 /// Something measured, held against its bound.
 #[derive(Clone, Debug, Serialize)]
 pub struct Held {

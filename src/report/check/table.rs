@@ -1,6 +1,7 @@
 //! The table of `vkpt check`, and what its failures mean.
 
 use super::record::{CaseRecord, Check, Held};
+use super::words::{margin, plain, relative, short, worst};
 use crate::report::human::{duration, plural, thousands};
 
 /// Heads of the columns after the name, and their widths: 100 columns in all.
@@ -51,46 +52,16 @@ fn line(name: &str, cells: &[String; COLUMNS.len()], mark: &str) -> String {
 }
 
 fn cells(case: &CaseRecord) -> [String; COLUMNS.len()] {
-    let light = |x: Option<f64>| x.map_or("–".to_owned(), small);
     [
         thousands(case.samples),
         thousands(case.parted),
-        light(case.p99),
-        light(case.worst.or(case.p99.map(|_| 0.0))),
-        plain(case.largest),
-        plain(case.mean),
+        relative(case.p99),
+        relative(worst(case)),
+        short(case.largest),
+        short(case.mean),
         margin(case.margin),
         duration(case.seconds),
     ]
-}
-
-/// `0.25`, `6.2e3`, `∞`.
-fn margin(x: f64) -> String {
-    match x {
-        x if x < 1000.0 => format!("{x:.2}"),
-        x if x.is_finite() => small(x),
-        _ => "∞".to_owned(),
-    }
-}
-
-/// `0`, `3.1e-7`.
-fn small(x: f64) -> String {
-    if x == 0.0 {
-        "0".to_owned()
-    } else {
-        format!("{x:.1e}")
-    }
-}
-
-/// `0.8340`, `2.25`, `3.1e9`: five digits at most.
-fn plain(x: f64) -> String {
-    match x.abs() {
-        0.0 => "0".to_owned(),
-        a if (1e-2..1e4).contains(&a) => {
-            format!("{x:.*}", (4.0 - a.log10().floor().max(0.0)) as usize)
-        }
-        _ => format!("{x:.3e}"),
-    }
 }
 
 fn sum(check: &Check) -> String {

@@ -3,9 +3,11 @@
 
 mod picture;
 
-pub use picture::data_uri;
+pub use picture::{data_uri, image};
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use crate::report::SOFTWARE;
 
 /// A report's own parts.
 #[derive(Debug)]
@@ -13,7 +15,7 @@ pub struct Page<'a> {
     pub title: &'a str,
     /// CSS beside that of all reports.
     pub styles: &'a [&'a str],
-    /// JavaScript. The page must be complete without.
+    /// JavaScript, if any. The page must be complete without.
     pub script: &'a str,
     pub body: Markup,
 }
@@ -39,7 +41,8 @@ pub fn page(page: &Page) -> String {
             }
             body {
                 (page.body)
-                script { (PreEscaped(page.script)) }
+                footer { "Written by " (SOFTWARE) ". One file, which asks no network for anything." }
+                @if !page.script.is_empty() { script { (PreEscaped(page.script)) } }
             }
         }
     };

@@ -4,6 +4,7 @@ use std::io::Cursor;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use maud::{Markup, html};
 
 use crate::film::Film;
 use crate::image::{EncodeError, Format, Frame, Labels, encode};
@@ -30,4 +31,15 @@ pub fn data_uri(film: &Film, exposure: f64) -> Result<String, EncodeError> {
     encode(&frame, Format::Png, &labels, &mut png)?;
     let text = STANDARD.encode(png.into_inner());
     Ok(format!("data:image/png;base64,{text}"))
+}
+
+/// The film as [`data_uri`] has it, with words for those who don't see it.
+///
+/// # Errors
+/// As [`data_uri`].
+pub fn image(film: &Film, exposure: f64, alt: &str) -> Result<Markup, EncodeError> {
+    let source = data_uri(film, exposure)?;
+    Ok(html! {
+        img src=(source) alt=(alt) width=(film.width) height=(film.height) decoding="async";
+    })
 }

@@ -15,7 +15,6 @@ use super::{Convergence, VariantRecord};
 use crate::image::EncodeError;
 use crate::metrics::MetricsError;
 use crate::metrics::convergence::{Curve, Reference};
-use crate::report::SOFTWARE;
 use crate::report::page::Page;
 
 /// All that the page shows.
@@ -73,7 +72,6 @@ pub fn page(sheet: &Sheet) -> Result<String, PageError> {
             (figures::figures(sheet.record))
             (facts::facts(sheet))
         }
-        footer { "Written by " (SOFTWARE) ". One file, which asks no network for anything." }
     };
     Ok(crate::report::page::page(&Page {
         title: &title,

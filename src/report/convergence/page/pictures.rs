@@ -10,7 +10,7 @@ use super::{PageError, Sheet, Shown, name};
 use crate::film::Film;
 use crate::metrics::{HEATMAP_RANGE, Pair, heatmap, heatmap_scale};
 use crate::report::human::duration;
-use crate::report::page::data_uri;
+use crate::report::page::{data_uri, image};
 
 /// Pictures up to this width are shown larger than they are on most screens: then a pixel is to be a square.
 const SMALL: u32 = 400;
@@ -134,10 +134,9 @@ fn of_step(
 
 /// A picture, and what marks a pixel of it.
 fn picture(film: &Film, exposure: f64, alt: &str) -> Result<Markup, PageError> {
-    let source = data_uri(film, exposure)?;
     Ok(html! {
         div.picture {
-            img src=(source) alt=(alt) width=(film.width) height=(film.height) decoding="async";
+            (image(film, exposure, alt)?)
             span.mark hidden {}
         }
     })
