@@ -15,16 +15,15 @@ float transmission_jacobian(Interaction at, float c) {
     return refracted_cosine(at, c) / (k * k);
 }
 
-// What the facet lets through, without the Jacobian: D G (1 - F) c/wo.z, times eta^2 for radiance, times A(t).
+// What the facet lets through, without the Jacobian and without eta^2: D G (1 - F) c/wo.z, times A(t).
 vec3 transmitted(Interaction at, Facet x) {
-    float scale = transmission_scale(at.eta);
-    return (vec3(1.0) - x.f) * at.attenuation * (x.dg * x.c * scale);
+    return (vec3(1.0) - x.f) * at.attenuation * (x.dg * x.c);
 }
 
-// value |N.wi| = D G (1 - F) c J/wo.z (eq. 21), density pm (1 - R) J; nothing unless c, wo.z > 0 and ci, wi.z < 0.
+// value |N.wi| = D G (1 - F) c J/wo.z (eq. 21), times eta^2 for radiance after J, which is as small as eta^-2; density pm (1 - R) J; nothing unless c, wo.z > 0 and ci, wi.z < 0.
 BsdfValue transmission_lobe(Interaction at, vec3 wi, Facet x) {
     float jacobian = transmission_jacobian(at, x.c);
-    vec3 value = transmitted(at, x) * jacobian;
+    vec3 value = transmitted(at, x) * jacobian * transmission_scale(at.eta);
     float pdf = x.pm * (1.0 - x.p_reflect) * jacobian;
     return value_if(x.c > 0.0 && x.ci < 0.0 && at.wo.z > 0.0 && wi.z < 0.0, BsdfValue(value, pdf));
 }

@@ -5,15 +5,16 @@
 // to lights. Reflection is the rough one, with a density.
 
 // uses: bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection, bsdf/refraction, bsdf/transmission, bsdf/rough
-// uses: <diffuse>
+// uses: <diffuse>, <scaling>
 
-// Transmission through the micro-normal m: D G (1 - F) c/wo.z over pm (1 - R), each per solid angle of m.
+// Transmission through the micro-normal m: D G (1 - F) c/wo.z, times eta^2 for radiance, over pm (1 - R), each per solid angle of m.
 BsdfSample weak_transmission(Interaction at, vec3 wi, vec3 m) {
     Facet x = facet(at, wi, m);
     float p_m = facet_probability(at);
     float pdf = p_m * x.pm * (1.0 - x.p_reflect);
+    vec3 value = transmitted(at, x) * transmission_scale(at.eta);
     bool valid = x.c > 0.0 && at.wo.z > 0.0 && wi.z < 0.0;
-    return sample_or_none(valid, wi, BsdfValue(transmitted(at, x), pdf), LOBE_TRANSMISSION | LOBE_DELTA);
+    return sample_or_none(valid, wi, BsdfValue(value, pdf), LOBE_TRANSMISSION | LOBE_DELTA);
 }
 
 BsdfSample weak_sample(Interaction at, float u_lobe, float u_reflect, vec2 u_m, vec2 u_d) {

@@ -20,13 +20,13 @@ pub fn transmission_jacobian<F: Real>(at: &Interaction<F>, c: F) -> F {
     refracted_cosine(at, c) / (k * k)
 }
 
-/// What the facet lets through, without the Jacobian: D G (1 − F) c/wo.z, × eta² for radiance, × A(t).
-pub fn transmitted<F: Real>(settings: &Settings, at: &Interaction<F>, x: Facet<F>) -> Vec3<F> {
-    let scale = transmission_scale(settings, at.eta);
-    (Vec3::one() - x.f) * at.attenuation * (x.dg * x.c * scale)
+/// What the facet lets through, without the Jacobian and without eta²: D G (1 − F) c/wo.z, × A(t).
+pub fn transmitted<F: Real>(at: &Interaction<F>, x: Facet<F>) -> Vec3<F> {
+    (Vec3::one() - x.f) * at.attenuation * (x.dg * x.c)
 }
 
-/// value·|N·wi| = D G (1 − F) c J/wo.z (eq. 21), density pm (1 − R) J; nothing unless c, wo.z > 0 and ci, wi.z < 0.
+/// value·|N·wi| = D G (1 − F) c J/wo.z (eq. 21), × eta² for radiance after J, which is as small as eta⁻²; density
+/// pm (1 − R) J; nothing unless c, wo.z > 0 and ci, wi.z < 0.
 pub fn transmission_lobe<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
@@ -34,7 +34,7 @@ pub fn transmission_lobe<F: Real>(
     x: Facet<F>,
 ) -> BsdfValue<F> {
     let jacobian = transmission_jacobian(at, x.c);
-    let value = transmitted(settings, at, x) * jacobian;
+    let value = transmitted(at, x) * jacobian * transmission_scale(settings, at.eta);
     let pdf = x.pm * (F::one() - x.p_reflect) * jacobian;
     let zero = F::zero();
     value_if(

@@ -162,7 +162,7 @@ fn lobes(settings: Settings) -> Twin {
             o.vec3(vec3(x.p_reflect, x.pm, x.dg));
             out_value(o, reflection_lobe(&at, wi, x));
             out_value(o, transmission_lobe(&settings, &at, wi, x));
-            o.vec3(transmitted(&settings, &at, x));
+            o.vec3(transmitted(&at, x));
             o.f(transmission_jacobian(&at, x.c));
         })
         .seeded(3000, |r| {

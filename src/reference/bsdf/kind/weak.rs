@@ -15,11 +15,12 @@ use crate::reference::bsdf::rough::{
 use crate::reference::bsdf::sample::{
     BsdfSample, BsdfValue, LOBE_DELTA, LOBE_TRANSMISSION, sample_or_none,
 };
+use crate::reference::bsdf::scaling::transmission_scale;
 use crate::reference::bsdf::transmission::transmitted;
 use crate::reference::math::{Real, Vec3};
 use crate::settings::Settings;
 
-/// Transmission through the micro-normal `m`: D G (1 − F) c/wo.z over pm (1 − R), each per solid angle of m.
+/// Transmission through the micro-normal `m`: D G (1 − F) c/wo.z, × eta² for radiance, over pm (1 − R), each per solid angle of m.
 pub fn weak_transmission<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
@@ -29,7 +30,7 @@ pub fn weak_transmission<F: Real>(
     let x = facet(settings, at, wi, m);
     let p_m = facet_probability(settings, at);
     let value = BsdfValue {
-        value: transmitted(settings, at, x),
+        value: transmitted(at, x) * transmission_scale(settings, at.eta),
         pdf: p_m * x.pm * (F::one() - x.p_reflect),
     };
     let valid = x.c > F::zero() && at.wo.z > F::zero() && wi.z < F::zero();
