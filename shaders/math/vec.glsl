@@ -37,7 +37,7 @@ float max_component(vec3 v) {
     return max2(max2(v.x, v.y), v.z);
 }
 
-// (x + y + z) / 3, the mean over RGB.
+// (x + y + z)/3, the mean over RGB, of grey exactly: x + ((y - x) + (z - x))/3.
 float mean3(vec3 v) {
-    return (v.x + v.y + v.z) * 0.33333334;
+    return v.x + ((v.y - v.x) + (v.z - v.x)) * 0.33333334;
 }

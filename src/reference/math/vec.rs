@@ -88,9 +88,9 @@ pub fn max_component<F: Real>(v: Vec3<F>) -> F {
     max2(max2(v.x, v.y), v.z)
 }
 
-/// (x + y + z) / 3, the mean over RGB.
+/// (x + y + z)/3, the mean over RGB, of grey exactly: x + ((y − x) + (z − x))/3.
 pub fn mean3<F: Real>(v: Vec3<F>) -> F {
-    (v.x + v.y + v.z) * F::new(1.0 / 3.0)
+    v.x + ((v.y - v.x) + (v.z - v.x)) * F::new(1.0 / 3.0)
 }
 
 macro_rules! elementwise {
