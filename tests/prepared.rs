@@ -1,5 +1,7 @@
 //! Scene → prepared: camera, order of shapes, the eye's medium, warnings.
 
+mod common;
+
 use std::path::Path;
 
 use glam::DVec3;
@@ -99,6 +101,42 @@ fn overlapping_glass_is_said_once() {
     );
     // Their bounds overlap, they do not.
     assert!(warnings("sphere 0 0 0 1\nsphere 1.5 1.5 -.5 1\nbox .8 .8 .8 1 1 1\n").is_empty());
+}
+
+/// Glass on glass, without a gap or with one that single precision does not hold; each pair once.
+#[test]
+fn glass_that_touches_glass_along_a_face_is_warned_of() {
+    let cube = common::meshes::cube();
+    let mesh = format!("mesh {} 0 0 -1 1", cube.path().display());
+    let warned = |shapes: &str| {
+        let warnings = prepared(&format!("{VIEW}{GLASS}{shapes}")).warnings;
+        warnings
+            .iter()
+            .filter(|w| w.contains("touch along a face"))
+            .count()
+    };
+    let on_top = "box -1 -1 0  2 2 1\n";
+    for below in [
+        "box -1 -1 -1  2 2 1",
+        "box -3 -3 -1  2.5 2.5 1",
+        "box -1 -1 -1  2 2 .99999999",
+        "cylinder 0 0 -1  0 0 1  .5",
+        "cylinder 0 0 -1  1e-9 0 1  .5",
+        &mesh,
+    ] {
+        assert_eq!(warned(&format!("{on_top}{below}\n")), 1, "{below}");
+        assert_eq!(warned(&format!("{below}\n{on_top}")), 1, "{below}");
+    }
+    for apart in [
+        "box -1 -1 -1  2 2 .999",
+        "box 1 1 -1  2 2 1",
+        "sphere 0 0 -1  1",
+        "cylinder -1 0 -.5  2 0 0  .5",
+        // opaque
+        &format!("{MATTE}box -1 -1 -1  2 2 1"),
+    ] {
+        assert_eq!(warned(&format!("{on_top}{apart}\n")), 0, "{apart}");
+    }
 }
 
 #[test]

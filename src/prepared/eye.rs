@@ -7,7 +7,7 @@ use super::{Material, Prepared, Shape, ShapeKind};
 
 /// What f32 surely tells apart, relative to the largest coordinate: the eye and the surface are rounded by half an ulp
 /// each, their difference and the root of a hit by as much again; 2⁻²⁴ each.
-const ACCURACY: f64 = 4.0 / 16_777_216.0;
+pub const ACCURACY: f64 = 4.0 / 16_777_216.0;
 
 /// Warns of a transmissive solid whose surface the eye stands on. Of meshes nothing is said.
 pub fn warn_of_surface(

@@ -5,6 +5,7 @@
 //! keeps f32 coordinates small whatever the scene's place in its world.
 
 pub mod cdf;
+mod contact;
 mod eye;
 mod geometry;
 mod lights;

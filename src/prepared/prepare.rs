@@ -6,7 +6,8 @@ use super::cdf::CdfError;
 use super::geometry::Placed;
 use super::lights::Lights;
 use super::{
-    Camera, Material, MaterialKind, NONE, Prepared, ShapeKind, eye, material, medium, range,
+    Camera, Material, MaterialKind, NONE, Prepared, ShapeKind, contact, eye, material, medium,
+    range,
 };
 use crate::scene::{self, MaterialKind as SceneMaterial, Scene};
 use crate::settings::Settings;
@@ -60,6 +61,7 @@ pub fn prepare(
     range::check_materials(&materials)?;
     range::check_shapes(&placed)?;
     medium::warn_of_overlaps(&placed, &materials, &mut warnings);
+    contact::warn_of_contacts(&placed, &materials, &mut warnings);
     eye::warn_of_surface(camera.eye, &placed, &materials, &mut warnings);
     let eye_medium = medium::medium_at(camera.eye, &placed, &materials);
     let mut shapes = placed.shapes;
