@@ -1,0 +1,228 @@
+//! The most light that a surface may return, by the model alone (model page, sections 3 to 6).
+//!
+//! Of the light that a micro-normal m meets, F is reflected and 1 − F refracted. So the albedo of the lobes with a
+//! micro-normal is
+//!
+//! R + T = G1(wo)/wo.z ∫ D(m) max(0, wo·m) (F G1(wr) + (1 − F) G1(wt)) dm
+//!       ≤ max G1 · G1(wo)/wo.z ∫ D(m) max(0, wo·m) dm;
+//!
+//! the Jacobians take wi's solid angle to m's (Walter et al. 2007, eqs. 14, 17, 20, 21). Smith's G1 is what
+//! makes the right side 1 (Heitz, Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs, JCGT 2014, eq.
+//! 16). GGX has Smith's own; Beckmann's rational one is within 3.1e-3 of it, and Phong's is far from it. To it comes Kd.
+
+use std::f64::consts::{E, TAU};
+
+use vkpt::prepared::{Material, MaterialKind};
+use vkpt::settings::Distribution;
+
+/// Smith's masking as the model has it, z = cos θ > 0: Walter et al. 2007, eqs. 34 and 27 (rational).
+fn g1(distribution: Distribution, width: f64, z: f64) -> f64 {
+    let x = z / (width * ((1.0 - z) * (1.0 + z)).sqrt());
+    match distribution {
+        Distribution::Ggx => 2.0 / (1.0 + x.recip().hypot(1.0)),
+        _ if x < 1.6 => x * (3.535 + 2.181 * x) / (1.0 + x * (2.276 + 2.577 * x)),
+        _ => 1.0,
+    }
+}
+
+/// The most that G1 comes to: the rational one is above 1 between x = 1.548 and 1.6, most at 1.589, by 6.14e-5.
+fn most_g1(distribution: Distribution) -> f64 {
+    match distribution {
+        Distribution::Ggx => 1.0,
+        Distribution::Beckmann | Distribution::Phong => 1.0 + 6.2e-5,
+    }
+}
+
+/// (sin θ, cos θ) of the micro-normal beyond which a share `rest` of D(m)·(m·N) lies: Walter et al. 2007, eqs. 28, 35; Phong's
+/// cos θ = rest^(1/(α_p + 2)), 1/(α_p + 2) = width²/2.
+fn micro_normal(distribution: Distribution, width: f64, rest: f64) -> (f64, f64) {
+    let tan = match distribution {
+        Distribution::Ggx => width * ((1.0 - rest) / rest).sqrt(),
+        Distribution::Beckmann => width * (-rest.ln()).sqrt(),
+        Distribution::Phong => {
+            let ln_cos = rest.ln() * width * width / 2.0;
+            return ((-(2.0 * ln_cos).exp_m1()).sqrt(), ln_cos.exp());
+        }
+    };
+    (tan / tan.hypot(1.0), 1.0 / tan.hypot(1.0))
+}
+
+/// ∫ max(0, wo·m) dφ about N, for wo = (s, 0, z) and m at (sin, cos).
+fn seen((s, z): (f64, f64), (sin, cos): (f64, f64)) -> f64 {
+    let (flat, steep) = (z * cos, s * sin);
+    if flat >= steep {
+        return TAU * flat;
+    }
+    let half = (-flat / steep).acos();
+    2.0 * (flat * half + steep * half.sin())
+}
+
+/// G1(wo)/wo.z ∫ D(m) max(0, wo·m) dm, z = wo.z.
+pub fn facets(distribution: Distribution, width: f64, z: f64) -> f64 {
+    const NODES: u32 = 1 << 12;
+    let s = ((1.0 - z) * (1.0 + z)).max(0.0).sqrt();
+    // Over the share v² of D(m)·(m·N) that lies beyond m, v uniform: D(m) dm = 2v dv dφ/(2π cos θ). So the integrand is
+    // bounded, where 1/cos θ alone has a root at the horizon.
+    let node = |i: u32| {
+        let v = (f64::from(i) + 0.5) / f64::from(NODES);
+        let m = micro_normal(distribution, width, v * v);
+        seen((s, z), m) * 2.0 * v / (TAU * m.1)
+    };
+    let sum: f64 = (0..NODES).map(node).sum();
+    g1(distribution, width, z) / z * sum / f64::from(NODES)
+}
+
+/// Whether a surface of this kind has micro-normals.
+fn rough(kind: MaterialKind) -> bool {
+    matches!(
+        kind,
+        MaterialKind::Opaque | MaterialKind::Dielectric | MaterialKind::Weak
+    )
+}
+
+/// Schlick's reflectance of an opaque material: F0 + (1 − F0)(1 − z)⁵.
+fn schlick(f0: f64, z: f64) -> f64 {
+    f0 + (1.0 - f0) * (1.0 - z).powi(5)
+}
+
+/// What channel `c` of the albedo does not exceed where light leaves along wo, z = wo.z.
+pub fn albedo(m: &Material, c: usize, z: f64) -> f64 {
+    let micro = match m.kind {
+        MaterialKind::Black | MaterialKind::Diffuse => 0.0,
+        MaterialKind::Mirror => schlick(m.f0[c], z),
+        kind if rough(kind) => most_g1(m.distribution) * facets(m.distribution, m.width, z),
+        _ => 1.0,
+    };
+    m.kd[c] + micro
+}
+
+/// What no albedo of the material exceeds, in any channel, whatever wo: Phong's G1 is at most 1.7675 times Smith's, Beckmann's
+/// 3.2e-3 more (model page, sections 3 and 11, check 12).
+pub fn albedo_anywhere(m: &Material) -> f64 {
+    let micro = match (m.kind, m.distribution) {
+        (MaterialKind::Black | MaterialKind::Diffuse, _) => 0.0,
+        (kind, Distribution::Phong) if rough(kind) => 1.7675,
+        (kind, Distribution::Beckmann) if rough(kind) => 1.0 + 3.2e-3,
+        _ => 1.0,
+    };
+    m.kd.max_element() + micro
+}
+
+/// What the mean over RGB of no sample's weight exceeds, by visible normals and choice by Fresnel.
+///
+/// A micro-normal is drawn from the GGX of the same width: G1(wi) D G1(wo)/(D_ggx G1_ggx(wo)) is at most [`normals`], F/F̄ and
+/// (1 − F)/(1 − F̄) have the mean 1, and of a mixture of lobes, (a + b)/(p q_a + (1 − p) q_b), no weight is above the larger
+/// one of a/(p q_a) and b/((1 − p) q_b).
+pub fn weight(m: &Material, z: f64) -> f64 {
+    let kd = m.kd_mean;
+    let normals = if rough(m.kind) {
+        normals(m.distribution, m.width, z)
+    } else {
+        1.0
+    };
+    match m.kind {
+        MaterialKind::Black => 0.0,
+        MaterialKind::Diffuse => kd,
+        // p = K̄d/(K̄d + F̄(wo.z)) within [.1, .9]; the renderer's wo.z is off by 1e-6 at most, relative to itself.
+        MaterialKind::Opaque | MaterialKind::Mirror => {
+            let seen = |z: f64| schlick((m.f0.x + m.f0.y + m.f0.z) / 3.0, z);
+            let (least, most) = (seen(z * (1.0 + 1e-6)), seen(z * (1.0 - 1e-6)));
+            let p = |seen: f64| (kd / (kd + seen)).clamp(0.1, 0.9);
+            let micro = if m.kind == MaterialKind::Mirror {
+                most
+            } else {
+                normals
+            };
+            if kd > 0.0 {
+                (kd / p(most)).max(micro / (1.0 - p(least)))
+            } else {
+                micro
+            }
+        }
+        // p = K̄d/(K̄d + 1)
+        _ => (1.0 + kd) * normals.max(1.0),
+    }
+}
+
+/// sup over m of D/D_ggx, times G1(wo)/G1_ggx(wo) and the most of G1(wi). With t = tan²θ/α² the ratio of the D is for Beckmann (1 + t)² e⁻ᵗ ≤ 4/e, at t
+/// = 1; for Phong, k = 1/α², it is (1 + t)²/(1 + t/k)^(k + 1) ≤ 4/(1 + 1/k)^(k + 1), at t = 1 too, which is less.
+fn normals(distribution: Distribution, width: f64, z: f64) -> f64 {
+    let k = 1.0 / (width * width);
+    let density = match distribution {
+        Distribution::Ggx => 1.0,
+        Distribution::Beckmann => 4.0 / E,
+        Distribution::Phong => 4.0 * (-(k + 1.0) * k.recip().ln_1p()).exp(),
+    };
+    most_g1(distribution) * density * g1(distribution, width, z) / g1(Distribution::Ggx, width, z)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use statrs::function::erf::erf;
+
+    const WIDTHS: [f64; 4] = [1e-4, 0.1, 0.5, 1.0];
+    const COSINES: [f64; 5] = [1e-3, 0.05, 0.3, 0.8, 1.0];
+
+    /// The quadrature by closed forms: 1 for GGX, and for Beckmann (1 + erf a)/2 + exp(−a²)/(2a√π), a = 1/(α tan θ), against the
+    /// rational G1 (Walter et al. 2007, eq. 26: its reciprocal).
+    #[test]
+    fn what_facets_return_is_known_of_ggx_and_beckmann() {
+        for (width, z) in WIDTHS.into_iter().flat_map(|w| COSINES.map(|z| (w, z))) {
+            let ggx = facets(Distribution::Ggx, width, z);
+            assert!(
+                (ggx - 1.0).abs() < 1e-5,
+                "GGX, width {width}, cos {z}: {ggx}"
+            );
+            let a = z / (width * ((1.0 - z) * (1.0 + z)).sqrt());
+            let smith =
+                0.5 * (1.0 + erf(a)) + (-a * a).exp() / (2.0 * a * std::f64::consts::PI.sqrt());
+            let expected = g1(Distribution::Beckmann, width, z) * smith;
+            let beckmann = facets(Distribution::Beckmann, width, z);
+            assert!(
+                (beckmann - expected).abs() < 1e-5,
+                "Beckmann, width {width}, cos {z}: {beckmann}, {expected}"
+            );
+            assert!(beckmann < 1.0 + 3.2e-3);
+        }
+    }
+
+    /// α_p = 0, D = 1/π: the integral is (1 + cos θ)/2, and 3.535/2 what it comes to at the horizon.
+    #[test]
+    fn what_facets_return_is_known_of_phong() {
+        for z in COSINES {
+            let expected = g1(Distribution::Phong, 1.0, z) * 0.5 * (1.0 + z) / z;
+            let phong = facets(Distribution::Phong, 1.0, z);
+            assert!(
+                (phong - expected).abs() < 1e-5,
+                "cos {z}: {phong}, {expected}"
+            );
+        }
+        let horizon = facets(Distribution::Phong, 1.0, 1e-6);
+        assert!((horizon - 1.7675).abs() < 1e-5, "{horizon}");
+        for width in WIDTHS {
+            for z in COSINES {
+                assert!(facets(Distribution::Phong, width, z) < 1.7675);
+            }
+        }
+    }
+
+    #[test]
+    fn the_rational_fit_is_above_1_by_so_much() {
+        let worst = (0..=160_000).map(|i| {
+            let x = f64::from(i) * 1e-5;
+            x * (3.535 + 2.181 * x) / (1.0 + x * (2.276 + 2.577 * x))
+        });
+        let worst = worst.fold(0.0, f64::max);
+        assert!((6.1e-5..6.2e-5).contains(&(worst - 1.0)), "{worst}");
+    }
+
+    #[test]
+    fn weights_are_those_of_the_model_page() {
+        // 4/e = 1.47 and 1.77, below 2.61 together
+        let widest = normals(Distribution::Beckmann, 1.0, 1e-9);
+        assert!(widest < 2.61 && widest > 2.6, "{widest}");
+        assert!(normals(Distribution::Phong, 1e-4, 1e-9) < widest * (1.0 + 1e-6));
+        assert!((normals(Distribution::Ggx, 0.3, 0.2) - 1.0).abs() < 1e-15);
+    }
+}

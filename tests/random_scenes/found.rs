@@ -1,0 +1,39 @@
+//! What random scenes have found, shrunk: each a test of its own.
+
+use vkpt::settings::{Connect, Settings};
+
+use crate::case::Case;
+use crate::interface::{Interface, excess};
+use crate::samples::{By, COMPOSED, made};
+use crate::sound::broken;
+
+/// A ball of rough glass whose index is 1e17, seen from within: n² came to infinity before the Jacobian, which is about
+/// n⁻², made it small again.
+#[test]
+fn radiance_out_of_the_densest_glass_is_finite() {
+    let case = Case {
+        text: "screen 2 2\ncamera 0 0 0.1  0.2\nbackground 0 0 0\n\
+               brdf 0 0 0  0 0 0  1e-4  1 1 1  143223279273723710\nbox 0 0 1e-7  0.5 0.5 0.01\n"
+            .to_owned(),
+        settings: Settings::default(),
+        seed: 65_974_912,
+    };
+    for by in [By::References, COMPOSED] {
+        let all = made(by, &case, &case.prepared(), 8);
+        assert_eq!(all.and_then(|all| broken(&all)), None);
+    }
+}
+
+/// All but a thousandth is reflected, as far as f32 tells: (1 − F)/(1 − F̄) was 1.00007, F̄ being F but for a rounding.
+#[test]
+fn what_grey_glass_lets_through_next_to_total_reflection_weighs_1() {
+    let mut settings = Settings::default();
+    settings.model.radiance_scaling = false;
+    settings.estimator.connect = Connect::Bsdf;
+    let brdf = "fresnel exact\nbrdf 0 0 0  0 0 0  0  1 1 1  879914278514717.3";
+    let interface = Interface::of(false, 1.0, brdf, settings, 0);
+    let prepared = interface.case.prepared();
+    let limits = interface.limits(&prepared).expect("glass");
+    let all = made(By::References, &interface.case, &prepared, 128).expect("the references");
+    assert_eq!(excess(&limits, &all, &interface.case.settings, 1e-6), None);
+}
