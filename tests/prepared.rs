@@ -57,12 +57,15 @@ fn opaque_shapes_come_first_then_file_order() {
 }
 
 #[test]
-fn the_middle_of_the_scene_becomes_the_origin() {
+fn the_middle_of_the_scene_becomes_the_origin_and_its_size_about_1() {
     let p = prepared(&format!(
         "{VIEW}{MATTE}sphere 1e4 0 0 1\nsphere 1.0004e4 0 0 1\n"
     ));
-    assert_eq!(p.spheres[0].centre, DVec3::new(-2.0, 0.0, 0.0));
-    assert_eq!(p.camera.eye, DVec3::new(-10002.0, 0.0, 0.0));
+    // The eye is 10,002 away, the power of two below it is 2¹³.
+    assert_eq!(p.space.unit, 8192.0);
+    assert_eq!(p.spheres[0].centre, DVec3::new(-2.0, 0.0, 0.0) / 8192.0);
+    assert_eq!(p.spheres[0].radius, 1.0 / 8192.0);
+    assert_eq!(p.camera.eye, DVec3::new(-10002.0, 0.0, 0.0) / 8192.0);
 }
 
 #[test]
@@ -150,29 +153,21 @@ fn lights_are_chosen_by_power() {
     assert_eq!(p.light_cdf[2], 1 << 24);
 }
 
-/// Every number below is finite in single precision; what comes of them is not.
+/// Every number below is finite in single precision; the squares of some indices of refraction and the width of one picture
+/// are not. Lengths and places are, in rendering space.
 #[test]
 fn what_overflows_single_precision_is_refused() {
     let glass = |ior: &str| format!("brdf 0 0 0 .04 .04 .04 .1 .5 .5 .5 {ior}\nsphere 0 0 0 1");
     let camera =
         |eye: &str, ry: &str| format!("camera {eye} {ry}\nsphere 0 0 0 1\nsphere 3e38 0 0 1");
-    let rows = [
-        ("box 3e38 0 0 -3e38 1 1".to_owned(), None),
-        (
-            "box 3e38 0 0 3e38 1 1\nsphere -3e38 0 0 1".to_owned(),
-            Some("line 3: "),
-        ),
-        ("cylinder 0 0 0 3e38 3e38 0 1".to_owned(), Some("line 3: ")),
-        ("cylinder 0 0 0 2e38 1e38 0 1".to_owned(), None),
-        (
-            "mesh tests/scene/fixtures/tetrahedron.ply 0 0 0 1e38".to_owned(),
-            None,
-        ),
-        (
-            "mesh tests/scene/fixtures/tetrahedron.ply 3e38 0 0 3e38\nsphere -3e38 0 0 1"
-                .to_owned(),
-            Some("line 3: "),
-        ),
+    let large = [
+        "box 3e38 0 0 -3e38 1 1",
+        "box 3e38 0 0 3e38 1 1\nsphere -3e38 0 0 1",
+        "cylinder 0 0 0 3e38 3e38 0 1",
+        "mesh tests/scene/fixtures/tetrahedron.ply 3e38 0 0 3e38\nsphere -3e38 0 0 1",
+    ];
+    let mut rows = large.map(|lines| (lines.to_owned(), None)).to_vec();
+    rows.extend([
         (glass("1e19"), None),
         (glass("2e19"), Some("line 3: the index of refraction 2e19")),
         (glass("1e-19"), None),
@@ -180,20 +175,63 @@ fn what_overflows_single_precision_is_refused() {
             glass("5e-20"),
             Some("line 3: the index of refraction 5e-20"),
         ),
-        (camera("1e38 0 0", "1"), None),
-        (camera("-3e38 0 0", "1"), Some("line 2: the camera ")),
+        (camera("-3e38 0 0", "1"), None),
         (camera("0 0 0", "3e38"), Some("line 2: the camera ")),
-    ];
+    ]);
     for (lines, refused) in rows {
         let view = ["", "camera 0 0 0 .2\n"][usize::from(!lines.starts_with("camera"))];
         let text = format!("screen 40 30\n{view}{lines}");
         let read = vkpt::scene::parse(&text, Path::new("test.txt"), true).expect("a legal scene");
-        let told = prepare(&read.scene, &Settings::default(), None).map_err(|e| e.to_string());
-        match (refused, &told.err()) {
-            (None, None) => {}
-            (Some(start), Some(told)) if told.starts_with(start) => {}
-            (_, told) => panic!("{text}: {told:?}"),
+        let told = prepare(&read.scene, &Settings::default(), None);
+        match (refused, told.map_err(|e| e.to_string())) {
+            (None, Ok(p)) => assert!(within_2(&p), "{text}"),
+            (Some(start), Err(told)) if told.starts_with(start) => {}
+            (_, told) => panic!("{text}: {:?}", told.err()),
         }
+    }
+}
+
+/// All lengths, and the corners of boxes and triangles, are at most 2 in rendering space (4 along a diagonal).
+fn within_2(p: &Prepared) -> bool {
+    let points = p.boxes.iter().flat_map(|b| [b.lo, b.hi]);
+    let points = points.chain(p.triangles.iter().flat_map(|t| t.v));
+    let points = points.chain(p.spheres.iter().map(|s| s.centre + s.radius));
+    let mut points = points.chain(p.cylinders.iter().map(|c| c.base + c.w * c.height));
+    points.all(|v| v.abs().max_element() <= 2.0)
+}
+
+/// 2·.2/30 of the distance is a pixel; at 1e-9 of it, 2⁻²³ holds a hundred.
+#[test]
+fn pixels_that_are_narrower_than_directions_are_warned_of() {
+    for (ry, narrow) in [("1e-5", false), ("1e-9", true)] {
+        let text = format!("screen 40 30\ncamera 0 0 9 {ry}\n{MATTE}sphere 0 0 0 1\n");
+        let warnings = prepared(&text).warnings;
+        let told = warnings.iter().any(|w| w.starts_with("line 2: the camera"));
+        assert_eq!(told, narrow, "{warnings:?}");
+    }
+}
+
+/// 2⁻²⁴ of where it is must be less than a hundredth of what it is; of a mesh, of its largest extent.
+#[test]
+fn what_is_too_small_for_where_it_is_is_warned_of() {
+    let tetrahedron = "mesh tests/scene/fixtures/tetrahedron.ply";
+    let rows = [
+        ("sphere 1e4 0 0 1".to_owned(), false),
+        ("sphere 1e6 0 0 1".to_owned(), true),
+        ("box 1e6 0 0 9 9 1".to_owned(), true),
+        ("box 1e4 0 0 1 1 1".to_owned(), false),
+        ("box 1e4 0 0 1 1 1e-3".to_owned(), true),
+        ("cylinder 1e4 0 0 0 0 1 1e-3".to_owned(), true),
+        (format!("{tetrahedron} 1e4 0 0 1"), false),
+        (format!("{tetrahedron} 1e4 0 0 1e-3"), true),
+        ("sphere 0 0 0 1e-16".to_owned(), true),
+    ];
+    for (shape, small) in rows {
+        // The two others keep the middle of the scene at the origin.
+        let text = format!("{VIEW}{MATTE}{shape}\nsphere -2e6 0 0 9e3\nsphere 2e6 0 0 9e3\n");
+        let warnings = prepared(&text).warnings;
+        let told = warnings.iter().any(|w| w.contains("line 4 is"));
+        assert_eq!(told, small, "{shape}: {warnings:?}");
     }
 }
 

@@ -4,7 +4,9 @@ use std::borrow::Cow;
 
 use glam::DVec3;
 
-use super::{Cuboid, Cylinder, Material, NONE, Prepared, Shape, ShapeKind, Sphere, Triangle};
+use super::{
+    Cuboid, Cylinder, Material, NONE, Prepared, Shape, ShapeKind, Space, Sphere, Triangle,
+};
 
 use crate::scene::{Edges, Geometry, Mesh, Scene, edges, flip, signed_volume};
 
@@ -178,15 +180,23 @@ impl Placed {
         all.unwrap_or(Bounds { lo: p, hi: p })
     }
 
-    /// Moves every shape so that `origin` comes to lie at 0.
-    pub fn move_to_origin(&mut self, origin: DVec3) {
-        self.spheres.iter_mut().for_each(|s| s.centre -= origin);
-        self.cylinders.iter_mut().for_each(|c| c.base -= origin);
+    /// Moves every shape from the scene to rendering space.
+    pub fn move_to(&mut self, space: &Space) {
+        for s in &mut self.spheres {
+            (s.centre, s.radius) = (space.point(s.centre), space.length(s.radius));
+        }
+        for c in &mut self.cylinders {
+            (c.base, c.height, c.radius) = (
+                space.point(c.base),
+                space.length(c.height),
+                space.length(c.radius),
+            );
+        }
         for b in &mut self.boxes {
-            (b.lo, b.hi) = (b.lo - origin, b.hi - origin);
+            (b.lo, b.hi) = (space.point(b.lo), space.point(b.hi));
         }
         for t in &mut self.triangles {
-            t.v = t.v.map(|v| v - origin);
+            t.v = t.v.map(|v| space.point(v));
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 
-use super::{Material, MaterialKind, OPAQUE_SIGMA};
+use super::{Material, MaterialKind, OPAQUE_SIGMA, Space};
 use crate::scene::{Brdf, WordLines};
 use crate::settings::{Distribution, DistributionRule, Fresnel, Model};
 
@@ -159,6 +159,13 @@ fn extinction(kt: DVec3) -> DVec3 {
     // 0 − ln 1 is +0, −ln 1 would be −0
     let channel = |k: f64| if k > 0.0 { 0.0 - k.ln() } else { OPAQUE_SIGMA };
     DVec3::new(channel(kt.x), channel(kt.y), channel(kt.z))
+}
+
+/// σ per unit length of the scene, in rendering space: what lets nothing through does so there.
+pub fn extinction_in(sigma: DVec3, space: &Space) -> DVec3 {
+    let opaque = DVec3::splat(OPAQUE_SIGMA);
+    let scaled = (sigma * space.unit).min(opaque);
+    DVec3::select(sigma.cmpeq(opaque), opaque, scaled)
 }
 
 /// (‖Kd‖/(‖Kd‖ + ‖Ks‖ + ‖Kt‖), ‖Ks‖/(‖Ks‖ + ‖Kt‖)) with the hand-out's Euclidean norms; 0 where nothing is

@@ -1,8 +1,8 @@
 //! What both renderers must share, computed once and in f64: σ, eta, world-space vertices, shape frames,
 //! light tables, the eye's medium.
 //!
-//! Positions are in rendering space: the scene moved so that the middle of its bounds is the origin, which
-//! keeps f32 coordinates small whatever the scene's place in its world.
+//! Positions and lengths are in rendering space ([`Space`]): the scene moved so that the middle of its bounds is the
+//! origin, and scaled to about 1, which keeps f32 accurate whatever the scene's place and scale.
 
 pub mod cdf;
 mod contact;
@@ -13,12 +13,14 @@ pub mod material;
 mod medium;
 mod prepare;
 mod range;
+mod space;
 
 use glam::DVec3;
 
 pub use crate::scene::WordLines;
 use crate::settings::{Distribution, Fresnel};
 pub use prepare::{PrepareError, prepare};
+pub use space::Space;
 
 /// "none" for indices of materials, lights and media.
 pub const NONE: u32 = u32::MAX;
@@ -28,6 +30,7 @@ pub const NONE: u32 = u32::MAX;
 pub struct Prepared {
     pub width: u32,
     pub height: u32,
+    pub space: Space,
     pub camera: Camera,
     /// Opaque shapes first, then file order: at equal distance the lower index is hit.
     pub shapes: Vec<Shape>,
@@ -176,7 +179,7 @@ pub struct Material {
     pub alpha: f64,
     /// Width: for Phong √(2/(α_p + 2)).
     pub width: f64,
-    /// −ln Kt per unit length; [`OPAQUE_SIGMA`] where Kt = 0 in a channel.
+    /// −ln Kt per unit length of rendering space; [`OPAQUE_SIGMA`] where Kt = 0 in a channel.
     pub sigma: DVec3,
     /// Emitted radiance.
     pub radiance: DVec3,
@@ -196,7 +199,7 @@ pub struct Material {
     pub words: WordLines,
 }
 
-/// σ of a channel with Kt = 0: finite, so that no product is NaN, and black after 1e-28 units.
+/// σ of a channel with Kt = 0: finite, so that no product is NaN, and black after 1e-28 units. No σ is larger.
 pub const OPAQUE_SIGMA: f64 = 1e30;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

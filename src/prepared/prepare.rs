@@ -6,7 +6,7 @@ use super::cdf::CdfError;
 use super::geometry::Placed;
 use super::lights::Lights;
 use super::{
-    Camera, Material, MaterialKind, NONE, Prepared, ShapeKind, contact, eye, material, medium,
+    Camera, Material, MaterialKind, NONE, Prepared, ShapeKind, Space, contact, eye, material, medium,
     range,
 };
 use crate::scene::{self, MaterialKind as SceneMaterial, Scene};
@@ -18,15 +18,11 @@ pub enum PrepareError {
     #[error("the lights of this scene cannot be chosen among: {0}")]
     Lights(#[from] CdfError),
     #[error(
-        "line {line}: seen from the middle of the scene, the shape reaches beyond single precision"
-    )]
-    Shape { line: usize },
-    #[error(
         "line {line}: the index of refraction {ior:e} or its inverse has no square in single precision"
     )]
     Ior { line: usize, ior: f64 },
-    #[error("line {line}: the camera is beyond single precision: {what}")]
-    Camera { line: usize, what: &'static str },
+    #[error("line {line}: the camera is beyond single precision: its picture is too wide")]
+    Camera { line: usize },
 }
 
 /// All that both renderers share, for a picture of `size` (by default the scene's own).
@@ -40,7 +36,7 @@ pub fn prepare(
     size: Option<[u32; 2]>,
 ) -> Result<Prepared, PrepareError> {
     let [width, height] = size.unwrap_or([scene.screen.width, scene.screen.height]);
-    let materials: Vec<Material> = scene
+    let mut materials: Vec<Material> = scene
         .materials
         .iter()
         .map(|m| match &m.kind {
@@ -53,13 +49,17 @@ pub fn prepare(
         .collect();
     let mut warnings = Vec::new();
     let mut placed = Placed::new(scene, &materials, &mut warnings);
-    let origin = placed.all_bounds(scene.camera.eye).centre();
-    placed.move_to_origin(origin);
+    let space = Space::of(placed.all_bounds(scene.camera.eye), scene.camera.eye);
+    placed.move_to(&space);
+    materials
+        .iter_mut()
+        .for_each(|m| m.sigma = material::extinction_in(m.sigma, &space));
     let lights = Lights::new(&placed, &materials, scene.background)?;
-    let camera = camera(&scene.camera, origin, width, height);
+    let camera = camera(&scene.camera, &space, width, height);
     range::check_camera(&camera, scene.camera_line)?;
     range::check_materials(&materials)?;
-    range::check_shapes(&placed)?;
+    range::warn_of_narrow(&camera, scene.camera_line, height, &mut warnings);
+    range::warn_of_small(&placed, &space, &mut warnings);
     medium::warn_of_overlaps(&placed, &materials, &mut warnings);
     contact::warn_of_contacts(&placed, &materials, &mut warnings);
     eye::warn_of_surface(camera.eye, &placed, &materials, &mut warnings);
@@ -73,6 +73,7 @@ pub fn prepare(
     Ok(Prepared {
         width,
         height,
+        space,
         camera,
         shapes,
         spheres: placed.spheres,
@@ -92,11 +93,11 @@ pub fn prepare(
 }
 
 /// The scene's camera looks down −Z of its frame; rx = ry·W/H (scene page, "Reading").
-fn camera(camera: &scene::Camera, origin: DVec3, width: u32, height: u32) -> Camera {
+fn camera(camera: &scene::Camera, space: &Space, width: u32, height: u32) -> Camera {
     let rotate = |q: DQuat, v: DVec3| (q * v).normalize();
     let rx = camera.ry * f64::from(width) / f64::from(height);
     Camera {
-        eye: camera.eye - origin,
+        eye: space.point(camera.eye),
         right: rotate(camera.orientation, DVec3::X) * rx,
         up: rotate(camera.orientation, DVec3::Y) * camera.ry,
         forward: rotate(camera.orientation, DVec3::NEG_Z),

@@ -1,19 +1,16 @@
-//! What is finite in single precision in the scene file, and no longer where the renderers compute with it.
+//! What single precision cannot hold of a scene, or not resolve: refused, or warned of.
 
-use glam::DVec3;
+use super::geometry::Placed;
+use super::{Camera, Material, PrepareError, Shape, ShapeKind, Space};
 
-use super::geometry::{Bounds, Placed};
-use super::{Camera, Material, PrepareError, Shape, ShapeKind};
+/// An ulp of 1 in f32, 2⁻²³.
+const ULP: f64 = 1.0 / 8_388_608.0;
 
-/// Refuses a camera that is infinite on the device, seen from the middle of the scene; `line` is its own.
-pub fn check_camera(camera: &Camera, line: usize) -> Result<(), PrepareError> {
-    let refuse = |what| Err(PrepareError::Camera { line, what });
-    match (finite(camera.eye), finite(camera.right)) {
-        (false, _) => refuse("it stands too far from the scene"),
-        (_, false) => refuse("its picture is too wide"),
-        _ => Ok(()),
-    }
-}
+/// A shape is resolved where rounding moves its parts by less than this share of its size.
+const RESOLVED: f64 = 1.0 / 128.0;
+
+/// Below this, in rendering space, the squares of lengths lose their digits: √2⁻¹²⁶, and 2³ to calculate with.
+const LEAST_LENGTH: f64 = 8.0 / 9_223_372_036_854_775_808.0;
 
 /// Refuses an index of refraction whose square is infinite on the device, or that of its inverse.
 pub fn check_materials(materials: &[Material]) -> Result<(), PrepareError> {
@@ -29,24 +26,63 @@ pub fn check_materials(materials: &[Material]) -> Result<(), PrepareError> {
     }
 }
 
-/// Refuses a shape that is infinite on the device, seen from the middle of the scene.
-pub fn check_shapes(placed: &Placed) -> Result<(), PrepareError> {
-    match placed.shapes.iter().find(|shape| !fits(placed, shape)) {
-        Some(shape) => Err(PrepareError::Shape { line: shape.line }),
-        None => Ok(()),
+/// Refuses a picture plane whose width is infinite on the device; `line` is the camera's.
+pub fn check_camera(camera: &Camera, line: usize) -> Result<(), PrepareError> {
+    if camera.right.as_vec3().is_finite() {
+        Ok(())
+    } else {
+        Err(PrepareError::Camera { line })
     }
 }
 
-fn fits(placed: &Placed, shape: &Shape) -> bool {
-    let Bounds { lo, hi } = placed.bounds(shape);
-    // The diagonal of two finite corners need not be finite.
-    let height = match shape.kind {
-        ShapeKind::Cylinder => placed.cylinders[shape.first as usize].height,
-        _ => 0.0,
-    };
-    finite(lo) && finite(hi) && (height as f32).is_finite()
+/// Warns of pixels that single precision sees in one direction: those of a camera with a picture `height` pixels high.
+pub fn warn_of_narrow(camera: &Camera, line: usize, height: u32, warnings: &mut Vec<String>) {
+    let pixel = 2.0 * camera.up.length() / f64::from(height);
+    if pixel < ULP {
+        warnings.push(format!(
+            "line {line}: the camera's pixels are {pixel:.0e} wide, and single precision tells directions apart by {ULP:.0e}: \
+             many see the same point"
+        ));
+    }
 }
 
-fn finite(v: DVec3) -> bool {
-    v.as_vec3().is_finite()
+/// Warns of shapes that are too small for where they are.
+pub fn warn_of_small(placed: &Placed, space: &Space, warnings: &mut Vec<String>) {
+    let mut small = placed.shapes.iter().filter(|s| !is_resolved(placed, s));
+    let Some(first) = small.next() else { return };
+    let bounds = placed.bounds(first);
+    let away = space.unit * bounds.lo.abs().max(bounds.hi.abs()).max_element();
+    let others = match small.count() {
+        0 => String::new(),
+        n => format!(", and {n} more shapes that are as small where they are"),
+    };
+    warnings.push(format!(
+        "the shape of line {} is {:.1e} thick, {:.1e} from the middle of the scene, where single precision tells places \
+         apart by {:.0e}: it is not where or what the file says{others}",
+        first.line,
+        space.unit * thickness(placed, first),
+        away,
+        away * ULP,
+    ));
+}
+
+fn is_resolved(placed: &Placed, shape: &Shape) -> bool {
+    let bounds = placed.bounds(shape);
+    let away = bounds.lo.abs().max(bounds.hi.abs()).max_element();
+    thickness(placed, shape) >= LEAST_LENGTH.max(0.5 * ULP * away / RESOLVED)
+}
+
+/// The least size of a solid. A mesh may be flat, and its corners are moved without tearing it: its largest.
+fn thickness(placed: &Placed, shape: &Shape) -> f64 {
+    let first = shape.first as usize;
+    let bounds = placed.bounds(shape);
+    match shape.kind {
+        ShapeKind::Sphere => 2.0 * placed.spheres[first].radius,
+        ShapeKind::Box => (bounds.hi - bounds.lo).min_element(),
+        ShapeKind::Cylinder => {
+            let c = &placed.cylinders[first];
+            c.height.min(2.0 * c.radius)
+        }
+        ShapeKind::Mesh => (bounds.hi - bounds.lo).max_element(),
+    }
 }

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use vkpt::prepared::{
-    Camera, Cuboid, Cylinder, NONE, Prepared, Shape, ShapeKind, Sphere, Triangle,
+    Camera, Cuboid, Cylinder, NONE, Prepared, Shape, ShapeKind, Space, Sphere, Triangle,
 };
 
 use crate::icosphere::icosphere;
@@ -16,6 +16,10 @@ impl Builder {
         Self(Prepared {
             width: 1,
             height: 1,
+            space: Space {
+                origin: DVec3::ZERO,
+                unit: 1.0,
+            },
             camera: Camera {
                 eye: DVec3::ZERO,
                 right: DVec3::X,

@@ -2,8 +2,10 @@
 
 use std::fmt::Write;
 
+use glam::DVec3;
+
 use crate::layout::Record;
-use crate::prepared::{Shape, ShapeKind};
+use crate::prepared::{Prepared, ShapeKind};
 use crate::reference::bsdf::{LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION};
 use crate::reference::math::finite::is_finite3;
 use crate::reference::math::{Real, Vec3};
@@ -19,14 +21,14 @@ pub struct Event {
     pub numbers: Vec<(&'static str, Vec<f64>)>,
 }
 
-/// The shapes of a scene, by which an event names what was hit.
+/// The scene, by which an event names what was hit, and where in the file's coordinates.
 #[derive(Clone, Copy, Debug)]
-pub struct Names<'a>(pub &'a [Shape]);
+pub struct Names<'a>(pub &'a Prepared);
 
 impl Names<'_> {
     /// A shape by its index, its kind and the scene's line; `NONE` is the background.
     fn of(self, shape: u32) -> String {
-        let Some(s) = self.0.get(shape as usize) else {
+        let Some(s) = self.0.shapes.get(shape as usize) else {
             return "the background".to_owned();
         };
         let kind = match s.kind {
@@ -36,6 +38,10 @@ impl Names<'_> {
             ShapeKind::Mesh => "mesh",
         };
         format!("shape {shape} ({kind} of line {})", s.line)
+    }
+
+    fn place(self, p: DVec3) -> Vec<f64> {
+        self.0.space.scene_point(p).to_array().to_vec()
     }
 }
 
@@ -77,7 +83,12 @@ impl<F: Real> Recorder<F> for Events<'_> {
             after.clone()
         };
         let on = self.names.of(v.shape);
-        let numbers = [xyz(v.p), vec![s.pdf.f64()], xyz(s.throughput), seen];
+        let numbers = [
+            self.names.place(v.p.f64()),
+            vec![s.pdf.f64()],
+            xyz(s.throughput),
+            seen,
+        ];
         self.told.push(vertex(lobe, &on, v.prim, numbers));
         if let Some(mut event) = connection {
             event.numbers.push(("radiance", after));
@@ -104,19 +115,20 @@ const CONNECTION: u32 = 2;
 /// What the device wrote down. It flies the connection of a vertex a turn later, so that one comes after the other.
 pub fn event(names: Names, r: &Record) -> Event {
     let wide = |v: [f32; 3]| v.map(f64::from).to_vec();
-    let (p, throughput, radiance) = (wide(r.p), wide(r.throughput), wide(r.radiance));
+    let (direction, throughput, radiance) = (wide(r.p), wide(r.throughput), wide(r.radiance));
     let on = names.of(r.shape);
     match r.event {
         VERTEX => {
+            let p = names.place(glam::Vec3::from(r.p).as_dvec3());
             let numbers = [p, vec![f64::from(r.pdf)], throughput, radiance];
             vertex(r.lobe, &on, r.prim, numbers)
         }
         CONNECTION => {
-            let mut event = connection(&on, p, (r.lobe != 0).then_some(throughput));
+            let mut event = connection(&on, direction, (r.lobe != 0).then_some(throughput));
             event.numbers.push(("radiance", radiance));
             event
         }
-        _ => escape([p, throughput, radiance]),
+        _ => escape([direction, throughput, radiance]),
     }
 }
 

@@ -27,7 +27,7 @@ pub fn trace(
         Target::Vulkan(selector) => {
             let device = Device::open(selector)?;
             let records = vulkan::records(job, &device, pixel, index)?;
-            let names = Names(&job.prepared.shapes);
+            let names = Names(job.prepared);
             let events = records.iter().map(|r| event(names, r)).collect();
             (events, device.info().name.clone(), 0.0)
         }
@@ -53,7 +53,7 @@ fn reference<F: Real>(job: &Job, [column, row]: [u32; 2], sample: u32) -> Vec<Ev
         sample,
         seed: job.seed,
     };
-    let mut events = Events::new(Names(&job.prepared.shapes));
+    let mut events = Events::new(Names(job.prepared));
     trace_path(&world, &job.settings, id, &mut events);
     events.told()
 }
