@@ -43,6 +43,8 @@ pub struct Stiffness {
 pub enum Expectation {
     /// Mean radiance over pixels and channels, by a closed form or by quadrature.
     Mean { value: f64, by: String },
+    /// The same, no more than `value`.
+    AtMost { value: f64, by: String },
     /// The same mean as another case's.
     SameMean { case: String, why: String },
     /// The same radiance as another case's in every sample, to the bit.
@@ -107,6 +109,14 @@ impl Case {
     /// The mean over pixels and channels is `value`.
     pub fn mean(self, value: f64, by: impl Into<String>) -> Self {
         self.expect(Expectation::Mean {
+            value,
+            by: by.into(),
+        })
+    }
+
+    /// That mean is at most `value`.
+    pub fn at_most(self, value: f64, by: impl Into<String>) -> Self {
+        self.expect(Expectation::AtMost {
             value,
             by: by.into(),
         })

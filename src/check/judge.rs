@@ -2,6 +2,7 @@
 
 use statrs::distribution::{Binomial, ContinuousCDF, DiscreteCDF, Normal};
 
+use super::bound;
 use super::case::{Case, Expectation};
 use super::measure::Measured;
 use crate::metrics::paired::{DARK, Verdict};
@@ -131,6 +132,17 @@ impl Judge {
                     m.energy.mean
                 );
                 self.mean("energy", m.energy.mean - value, error, rounding, why)
+            }
+            Expectation::AtMost { value, by } => {
+                // What keeps a mean below a bound are weights that are, each by the form it is computed in: no condition.
+                let rounding = bound::carried(case.stiffness.vertices, 1.0) * value.abs();
+                let error = m.energy.standard_error();
+                let why = format!(
+                    "the mean {:.7} ± {error:.1e} is to be at most {value}: {by}",
+                    m.energy.mean
+                );
+                let limit = value + rounding + deviation(self.level) * error;
+                Held::new("at most", m.energy.mean, limit, why)
             }
             Expectation::SameMean { case: other, why } => match of(other) {
                 None => missing(other),

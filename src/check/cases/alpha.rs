@@ -48,7 +48,10 @@ fn case(distribution: Distribution, alpha: &str) -> Case {
         1.0,
         "one reflection; sampled angles carry no cancellation",
     );
-    let about = format!("lobe of width {width:.1e} seen along the normal");
+    let about = match width {
+        0.0 => "a mirror seen along the normal".to_owned(),
+        _ => format!("lobe of width {width:.1e} seen along the normal"),
+    };
     // MIS: what is sampled by the lobe brings at most its weight, what is connected at most half of it, for
     // w f/p ≤ f/(2 p_lobe) by the power heuristic.
     let (most, by) = match distribution {

@@ -1,12 +1,30 @@
-//! Solids of glass in a world of radiance 1, at scales from 1e-5 to 1e5 and far from the origin: no length is special.
+//! Solids of glass in a world of radiance 1, at scales from 1e-30 to 1e30 and far from the origin: no length is special.
 
 use glam::{DQuat, DVec3};
 
 use crate::check::case::{Case, Expectation, Stiffness};
 use crate::scene::Mesh;
 
-const SCALES: [&str; 8] = ["1e-5", "1e-4", "1e-2", "1", "1e2", "1e5", "2^-17", "2^17"];
+const SCALES: [&str; 10] = [
+    "1e-30", "1e-5", "1e-4", "1e-2", "1", "1e2", "1e5", "1e30", "2^-17", "2^17",
+];
 const SHAPES: [&str; 4] = ["sphere", "box", "cylinder", "mesh"];
+
+/// The faces of a cube whose corner i has the coordinates of i's bits, x first.
+pub const CUBE: [[u32; 3]; 12] = [
+    [0, 2, 3],
+    [0, 3, 1],
+    [4, 5, 7],
+    [4, 7, 6],
+    [0, 1, 5],
+    [0, 5, 4],
+    [2, 6, 7],
+    [2, 7, 3],
+    [0, 4, 6],
+    [0, 6, 2],
+    [1, 3, 7],
+    [1, 7, 5],
+];
 
 pub fn cases() -> Vec<Case> {
     let solids = SHAPES
@@ -161,20 +179,7 @@ impl Furnace {
             path: "cube".into(),
             positions: (0..8).map(corner).collect(),
             normals: None,
-            triangles: vec![
-                [0, 2, 3],
-                [0, 3, 1],
-                [4, 5, 7],
-                [4, 7, 6],
-                [0, 1, 5],
-                [0, 5, 4],
-                [2, 6, 7],
-                [2, 7, 3],
-                [0, 4, 6],
-                [0, 6, 2],
-                [1, 3, 7],
-                [1, 7, 5],
-            ],
+            triangles: CUBE.to_vec(),
             translate: DVec3::splat(self.shift),
             scale: self.scale(),
             rotate: DQuat::from_rotation_x(0.5),

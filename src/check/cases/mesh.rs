@@ -1,8 +1,11 @@
 //! Triangles of no area, needles, a mesh of one triangle, a mesh of a million.
 
+use std::f64::consts::PI;
+
 use glam::{DQuat, DVec3};
 
 use crate::check::case::{Case, Stiffness};
+use crate::check::closed::polygon::irradiance;
 use crate::scene::Mesh;
 
 pub fn cases() -> Vec<Case> {
@@ -52,6 +55,7 @@ pub fn cases() -> Vec<Case> {
                 vec![[3, 3, 3], [0, 3, 1], [0, 1, 2], [4, 4, 0], [2, 2, 2]],
             ),
         ),
+        needle_light(),
         lit(
             "million",
             "a plane of a million triangles",
@@ -86,6 +90,24 @@ fn glowing(name: &str, about: &str, mesh: Mesh) -> Case {
     Case::new(format!("mesh/{name}"), about, text, stiff)
         .mesh(mesh)
         .mean(1.0, "its own radiance")
+}
+
+/// A light a million times as long as wide, 3 above a diffuse floor.
+fn needle_light() -> Case {
+    let corners = [[-5.0, -5e-6, 3.0], [5.0, 5e-6, 3.0], [5.0, -5e-6, 3.0]];
+    let text = "screen 16 16\ncamera 0 0 1 1e-9\nbrdf .5 .5 .5 0 0 0 1\nbox -9 -9 -1 18 18 1\nlight 1e5 1e5 1e5\n";
+    let why = "its width is next to 0, where f32 is fine, and its area one product";
+    let stiff = Stiffness::new(2.0, 1.0, 1.0, why);
+    let irradiance = irradiance(&corners.map(DVec3::from_array), DVec3::Z);
+    Case::new(
+        "mesh/needle-light",
+        "a light a million times as long as wide",
+        text,
+        stiff,
+    )
+    .mesh(mesh(&corners, vec![[0, 1, 2]]))
+    .spp(64)
+    .mean(0.5 / PI * 1e5 * irradiance, "Kd/π E by Lambert's formula")
 }
 
 fn mesh(corners: &[[f64; 3]], triangles: Vec<[u32; 3]>) -> Mesh {

@@ -1,14 +1,18 @@
 //! The cases, a file a group.
 
 mod alpha;
+mod angle;
+mod beyond;
 mod bounces;
 mod camera;
 mod contact;
+mod far;
 mod furnace;
 mod interface;
 mod light;
 mod medium;
 mod mesh;
+mod yardstick;
 
 use super::case::Case;
 
@@ -16,14 +20,18 @@ use super::case::Case;
 pub fn battery() -> Vec<Case> {
     let groups = [
         alpha::cases(),
+        angle::cases(),
         interface::cases(),
         furnace::cases(),
+        yardstick::cases(),
+        far::cases(),
         medium::cases(),
         light::cases(),
         camera::cases(),
         bounces::cases(),
         contact::cases(),
         mesh::cases(),
+        beyond::cases(),
     ];
     groups.into_iter().flatten().collect()
 }

@@ -2,4 +2,5 @@
 //! and with angles, and not shared with either renderer.
 
 pub mod interface;
+pub mod polygon;
 pub mod slab;
