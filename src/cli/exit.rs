@@ -2,6 +2,8 @@
 
 use std::process::ExitCode;
 
+use miette::Severity;
+
 use crate::image::file::FileError;
 use crate::prepared::PrepareError;
 use crate::render::RenderError;
@@ -65,7 +67,7 @@ impl Failure {
             Self::Usage(error) => drop(error.print()),
             Self::Scene(errors) => {
                 let sum = errors.to_string();
-                errors.diagnostics.into_iter().for_each(point_out);
+                point_out(errors.diagnostics);
                 tell(&sum);
             }
             Self::Prepare(error) => tell(&error),
@@ -97,7 +99,21 @@ pub fn warn(message: &str) {
     eprintln!("warning: {message}");
 }
 
-/// Shows what is wrong in a scene file: the line, with the culprit underlined.
-pub fn point_out(diagnostic: Diagnostic) {
-    eprintln!("{:?}", miette::Report::new(diagnostic));
+/// As many errors as are worth reading before some are mended. Each is drawn by going through the whole file.
+const MOST: usize = 20;
+
+/// Shows what is wrong in a scene file: the line, with the culprit underlined. Where there is too much of it, errors go
+/// before warnings.
+pub fn point_out(mut diagnostics: Vec<Diagnostic>) {
+    let all = diagnostics.len();
+    if all > MOST {
+        diagnostics.sort_by_key(|d| d.severity != Severity::Error);
+        diagnostics.truncate(MOST);
+    }
+    for diagnostic in diagnostics {
+        eprintln!("{:?}", miette::Report::new(diagnostic));
+    }
+    if all > MOST {
+        eprintln!("… and {} more\n", all - MOST);
+    }
 }

@@ -43,7 +43,7 @@ impl Ready {
         let read = scene::read(request.scene, request.strict).map_err(Failure::Scene)?;
         let read_s = start.elapsed().as_secs_f64();
         let mut warnings: Vec<String> = read.warnings.iter().map(ToString::to_string).collect();
-        read.warnings.into_iter().for_each(point_out);
+        point_out(read.warnings);
         let start = Instant::now();
         let prepared =
             prepared::prepare(&read.scene, &settings, request.size).map_err(Failure::Prepare)?;

@@ -185,3 +185,22 @@ fn standard_errors_that_cannot_be_written_are_5() {
     assert!(run.err.contains("cannot write a-stderr.exr"), "{}", run.err);
     assert_eq!(names(folder.path()), ["a-stderr.exr", "scene.scn"]);
 }
+
+/// A file that is no scene: the first errors are shown, the rest counted.
+#[test]
+fn of_many_errors_the_first_are_told() {
+    let lines: String = (0..3000).map(|i| format!("v {i} 0 0\n")).collect();
+    let folder = folder(&lines);
+    let run = run(folder.path(), &["scene.scn"]);
+    assert_eq!(run.code, Some(3));
+    let shown = run
+        .err
+        .lines()
+        .filter(|l| l.contains("[scene.scn:"))
+        .count();
+    // Errors go first: neither screen nor camera are there. Of the words that vkpt does not know, 18 are left.
+    assert_eq!(shown, 18, "{}", run.err);
+    assert!(run.err.contains("no `screen`"), "{}", run.err);
+    assert!(run.err.contains("… and 2982 more\n"), "{}", run.err);
+    assert!(run.err.contains("2 errors, 3000 warnings"), "{}", run.err);
+}
