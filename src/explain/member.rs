@@ -108,7 +108,8 @@ fn form_of(subject: &Subject, m: &Material, form: Fresnel) -> String {
 
 /// How much a material lets through, and the flag behind the rule of absorption.
 fn absorbing(subject: &Subject, m: &Material) -> String {
-    let [r, g, b] = m.sigma.to_array().map(|sigma| shortest((-sigma).exp()));
+    let kt = m.transmittance(&subject.job.prepared.space);
+    let [r, g, b] = kt.to_array().map(shortest);
     let kt = format!("Kt {r} {g} {b} per unit");
     match by(subject, "absorption", |s| s.absorption.to_owned()) {
         flag if flag.starts_with("--") => format!("{flag}; {kt}"),

@@ -168,6 +168,15 @@ pub fn extinction_in(sigma: DVec3, space: &Space) -> DVec3 {
     DVec3::select(sigma.cmpeq(opaque), opaque, scaled)
 }
 
+impl Material {
+    /// Kt per unit length of the scene, as its file has it.
+    pub fn transmittance(&self, space: &Space) -> DVec3 {
+        let scaled = self.sigma.map(|sigma| (-sigma / space.unit).exp());
+        let opaque = self.sigma.cmpeq(DVec3::splat(OPAQUE_SIGMA));
+        DVec3::select(opaque, DVec3::ZERO, scaled)
+    }
+}
+
 /// (‖Kd‖/(‖Kd‖ + ‖Ks‖ + ‖Kt‖), ‖Ks‖/(‖Ks‖ + ‖Kt‖)) with the hand-out's Euclidean norms; 0 where nothing is
 /// to choose. The second stays within [`LEAST_CHOICE`] of both ends in a transmissive material.
 fn choice_by_norms(brdf: &Brdf) -> (f64, f64) {
