@@ -5,23 +5,17 @@ use vkpt::report::check::{Held, failures, table};
 use crate::records::run;
 
 #[test]
-fn the_table_fits_a_hundred_columns_and_marks_what_fails() {
+fn the_table_fits_a_hundred_columns_beside_the_mark_of_what_fails() {
     let text = table(&run());
-    assert!(text.lines().all(|l| l.chars().count() <= 100), "{text}");
+    let columns = |l: &str| l.trim_end_matches(" FAILS").chars().count();
+    assert!(text.lines().all(|l| columns(l) <= 100), "{text}");
     let line = |name: &str| {
         text.lines()
             .find(|l| l.trim_start().starts_with(name))
             .expect("a line")
     };
     for word in [
-        "1,048,576",
-        "1,234",
-        "1.2e-7",
-        "1.0e0",
-        "2.2500",
-        "0.8346",
-        "0.50",
-        "250 ms",
+        "0.12 %", "1.2e-7", "1.0e0", "2.2500", "0.8346", "0.50", "250 ms",
     ] {
         assert!(line("ggx/1e-3").contains(word), "{word}: {text}");
     }

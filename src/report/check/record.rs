@@ -60,6 +60,11 @@ impl CaseRecord {
     pub fn group(&self) -> &str {
         self.name.split('/').next().unwrap_or_default()
     }
+
+    /// Samples that are no number, or an infinite one.
+    pub fn broken(&self) -> u64 {
+        self.nan + self.infinite
+    }
 }
 
 /// Something measured, held against its bound.

@@ -1,21 +1,22 @@
 //! The table of `vkpt check`, and what its failures mean.
 
 use super::record::{CaseRecord, Check, Held};
-use super::words::{margin, plain, relative, short, worst};
+use super::words::{margin, plain, relative, share, short, worst};
 use crate::report::human::{duration, plural, thousands};
 
-/// Heads of the columns after the name, and their widths: 100 columns in all.
-const COLUMNS: [(&str, usize); 8] = [
-    ("samples", 10),
-    ("parted", 7),
+/// Heads of the columns after the name, and their widths: 100 columns in all, and the mark.
+const COLUMNS: [(&str, usize); 9] = [
+    ("parted", 8),
     ("99 %", 8),
     ("worst", 8),
+    ("broken", 7),
     ("weight", 8),
     ("mean", 8),
+    ("expected", 9),
     ("margin", 7),
     ("time", 7),
 ];
-const NAME: usize = 31;
+const NAME: usize = 30;
 const MARK: usize = 6;
 
 /// A line a case, below the name of its group; then how many failed.
@@ -53,12 +54,13 @@ fn line(name: &str, cells: &[String; COLUMNS.len()], mark: &str) -> String {
 
 fn cells(case: &CaseRecord) -> [String; COLUMNS.len()] {
     [
-        thousands(case.samples),
-        thousands(case.parted),
+        share(case.parted, case.samples),
         relative(case.p99),
         relative(worst(case)),
+        thousands(case.broken()),
         short(case.largest),
         short(case.mean),
+        case.expected.map_or("–".to_owned(), short),
         margin(case.margin),
         duration(case.seconds),
     ]

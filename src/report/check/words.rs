@@ -16,6 +16,19 @@ pub fn relative(x: Option<f64>) -> String {
     x.map_or("–".to_owned(), small)
 }
 
+/// `0`, `0.024 %`: two digits, for one path among millions is to be seen.
+pub fn share(part: u64, of: u64) -> String {
+    let percent = 100.0 * part as f64 / of.max(1) as f64;
+    match percent {
+        0.0 => "0".to_owned(),
+        p if p < 0.001 => format!("{p:.0e} %"),
+        p => {
+            let decimals = (1.0 - p.log10().floor()).clamp(0.0, 4.0) as usize;
+            format!("{p:.decimals$} %")
+        }
+    }
+}
+
 fn small(x: f64) -> String {
     if x == 0.0 {
         "0".to_owned()
@@ -100,5 +113,12 @@ mod tests {
             [None, Some(0.0), Some(3.14e-7)].map(relative),
             ["–", "0", "3.1e-7"]
         );
+    }
+
+    #[test]
+    fn shares_have_two_digits() {
+        let texts =
+            [(0, 7), (1, 8192), (1, 100), (1, 3), (7, 7), (1, 1 << 20)].map(|(n, of)| share(n, of));
+        assert_eq!(texts, ["0", "0.012 %", "1.0 %", "33 %", "100 %", "1e-4 %"]);
     }
 }

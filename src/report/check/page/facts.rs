@@ -35,6 +35,7 @@ pub fn legend() -> Markup {
                 }
                 dt { "parted" } dd { "paths that the device decides otherwise than cpu-f64: another shape, light, lobe or end" }
                 dt { "99 %, worst" } dd { "relative difference to cpu-f64 of the paths that stay together: what 99 % stay below, and the largest" }
+                dt { "broken" } dd { "samples with a NaN or an infinity, on the device or in a reference: there may be none" }
                 dt { "weight" } dd { "the most that one path brings" }
                 dt { "mean, expected" } dd { "radiance over all samples, and what a closed form or quadrature has in its place" }
                 dt { "pictures" }
