@@ -6,8 +6,8 @@ use super::cdf::CdfError;
 use super::geometry::Placed;
 use super::lights::Lights;
 use super::{
-    Camera, Material, MaterialKind, NONE, Prepared, ShapeKind, Space, contact, eye, material, medium,
-    range,
+    Camera, Material, MaterialKind, NONE, Prepared, ShapeKind, Space, contact, eye, material,
+    medium, range,
 };
 use crate::scene::{self, MaterialKind as SceneMaterial, Scene};
 use crate::settings::Settings;
