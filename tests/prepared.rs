@@ -106,6 +106,23 @@ fn overlapping_glass_is_said_once() {
     assert!(warnings("sphere 0 0 0 1\nsphere 1.5 1.5 -.5 1\nbox .8 .8 .8 1 1 1\n").is_empty());
 }
 
+/// 2⁹⁶ = 7.92e28: 2³² samples of it add up to 2¹²⁸, the end of single precision.
+#[test]
+fn a_radiance_whose_samples_do_not_add_up_is_warned_of() {
+    let warnings = |line: &str| prepared(&format!("{VIEW}{line}\nsphere 0 0 0 1\n")).warnings;
+    for line in ["light 1 7.93e28 1", "background 3e38 0 0"] {
+        let warnings = warnings(line);
+        assert_eq!(warnings.len(), 1, "{line}: {warnings:?}");
+        assert!(
+            warnings[0].starts_with("line 3: the radiance"),
+            "{warnings:?}"
+        );
+    }
+    for line in ["light 7.92e28 1 1", "background 7.92e28 0 0"] {
+        assert!(warnings(line).is_empty(), "{line}");
+    }
+}
+
 /// Glass on glass, without a gap or with one that single precision does not hold; each pair once.
 #[test]
 fn glass_that_touches_glass_along_a_face_is_warned_of() {

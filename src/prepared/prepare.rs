@@ -60,6 +60,11 @@ pub fn prepare(
     range::check_materials(&materials)?;
     range::warn_of_narrow(&camera, scene.camera_line, height, &mut warnings);
     range::warn_of_small(&placed, &space, &mut warnings);
+    range::warn_of_radiances(
+        &materials,
+        (scene.background, scene.background_line),
+        &mut warnings,
+    );
     medium::warn_of_overlaps(&placed, &materials, &mut warnings);
     contact::warn_of_contacts(&placed, &materials, &mut warnings);
     eye::warn_of_surface(camera.eye, &placed, &materials, &mut warnings);

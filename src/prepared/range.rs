@@ -1,5 +1,7 @@
 //! What single precision cannot hold of a scene, or not resolve: refused, or warned of.
 
+use glam::DVec3;
+
 use super::geometry::Placed;
 use super::{Camera, Material, PrepareError, Shape, ShapeKind, Space};
 
@@ -11,6 +13,27 @@ const RESOLVED: f64 = 1.0 / 128.0;
 
 /// Below this, in rendering space, the squares of lengths lose their digits: √2⁻¹²⁶, and 2³ to calculate with.
 const LEAST_LENGTH: f64 = 8.0 / 9_223_372_036_854_775_808.0;
+
+/// The most that a sample may bring: 2³² of them, which a pixel may have, add up below 2¹²⁸, where single precision ends.
+const LARGEST_RADIANCE: f64 = 79_228_162_514_264_337_593_543_950_336.0;
+
+/// Warns of emitters brighter than [`LARGEST_RADIANCE`]; of the background, whose line is 0 where none says so, with them.
+pub fn warn_of_radiances(
+    materials: &[Material],
+    background: (DVec3, usize),
+    warnings: &mut Vec<String>,
+) {
+    let emitters = materials.iter().map(|m| (m.radiance, m.line));
+    for (radiance, line) in emitters.chain([background]) {
+        if radiance.max_element() > LARGEST_RADIANCE {
+            warnings.push(format!(
+                "line {line}: the radiance {:e} is above 2^96: a pixel's samples may add up to more than single \
+                 precision holds",
+                radiance.max_element()
+            ));
+        }
+    }
+}
 
 /// Refuses an index of refraction whose square is infinite on the device, or that of its inverse.
 pub fn check_materials(materials: &[Material]) -> Result<(), PrepareError> {

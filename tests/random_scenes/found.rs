@@ -20,7 +20,7 @@ fn radiance_out_of_the_densest_glass_is_finite() {
     };
     for by in [By::References, COMPOSED] {
         let all = made(by, &case, &case.prepared(), 8);
-        assert_eq!(all.and_then(|all| broken(&all)), None);
+        assert_eq!(all.and_then(|all| broken(&all, false)), None);
     }
 }
 

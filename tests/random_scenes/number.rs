@@ -83,9 +83,9 @@ pub fn ior() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// A radiance: any number from 0 on.
+/// A radiance: any number from 0 on of which a pixel's samples add up in single precision; above it there is a warning.
 pub fn radiance() -> impl Strategy<Value = f64> {
-    prop_oneof![Just(0.0), Just(1.0), 0.0..10.0f64, decades(-45.0, 12.0)]
+    prop_oneof![Just(0.0), Just(1.0), 0.0..10.0f64, decades(-45.0, 28.8)]
 }
 
 /// A coordinate: often one that others have too, so that surfaces touch and coincide.

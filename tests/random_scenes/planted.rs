@@ -55,7 +55,7 @@ fn a_sound_kernel_passes() {
         return;
     };
     assert_eq!(
-        (broken(&all), brighter(&all), parted(&all)),
+        (broken(&all, false), brighter(&all), parted(&all)),
         (None, None, None)
     );
 }
@@ -66,7 +66,7 @@ fn a_nan_in_a_weight_is_found() {
     let Some(all) = planted(SAMPLE, WEIGHT, &nan) else {
         return;
     };
-    let found = broken(&all).expect("a finding");
+    let found = broken(&all, false).expect("a finding");
     assert!(
         found.contains("the device") && found.contains("NaN"),
         "{found}"
@@ -80,7 +80,7 @@ fn a_negative_weight_is_found() {
     let Some(all) = planted(SAMPLE, WEIGHT, &negative) else {
         return;
     };
-    let found = broken(&all).expect("a finding");
+    let found = broken(&all, false).expect("a finding");
     assert!(
         found.contains("the device") && found.contains('-'),
         "{found}"
