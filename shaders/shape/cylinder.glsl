@@ -70,11 +70,18 @@ Surface cylinder_surface(Ray ray, Hit hit, Cylinder cylinder) {
     bool on_side = hit.prim == CYLINDER_SIDE;
     bool on_base = hit.prim == CYLINDER_BASE;
     float rho = sqrt(p.x * p.x + p.y * p.y);
-    // Where the radius is below the resolution of the coordinates, any direction will do.
+    // Where the radius is below the resolution of the coordinates, the side that faces the ray will do, from within the
+    // other; any, where the ray runs along the axis.
     bool on_axis = rho == 0.0;
+    bool leaves = start_on(ray, cylinder.shape) == START_INSIDE;
+    vec3 along = to_local(frame, leaves ? ray.d : -ray.d);
+    float across = sqrt(along.x * along.x + along.y * along.y);
+    bool parallel = across == 0.0;
+    float ex = parallel ? 1.0 : along.x / across;
+    float ey = parallel ? 0.0 : along.y / across;
     float divisor = on_axis ? 1.0 : rho;
-    float x = on_axis ? 1.0 : p.x / divisor;
-    float y = p.y / divisor;
+    float x = on_axis ? ex : p.x / divisor;
+    float y = on_axis ? ey : p.y / divisor;
     float r = on_side ? cylinder.radius : min2(rho, cylinder.radius);
     float cap = on_base ? 0.0 : cylinder.height;
     float z = on_side ? min2(max2(p.z, 0.0), cylinder.height) : cap;

@@ -35,8 +35,10 @@ float sphere_hit(vec3 o, vec3 d, vec3 centre, float radius, uint start) {
 Surface sphere_surface(Ray ray, Hit hit, Sphere sphere) {
     vec3 v = ray.o - sphere.centre + ray.d * hit.t;
     float length = length3(v);
-    // Where the radius is below the resolution of the coordinates, the side that faces the ray will do.
+    // Where the radius is below the resolution of the coordinates, the side that faces the ray will do, from within the
+    // other.
     bool lost = length == 0.0;
-    vec3 n = lost ? -ray.d : v / (lost ? 1.0 : length);
+    bool leaves = start_on(ray, sphere.shape) == START_INSIDE;
+    vec3 n = lost ? (leaves ? ray.d : -ray.d) : v / (lost ? 1.0 : length);
     return Surface(sphere.centre + n * sphere.radius, n, n);
 }

@@ -37,3 +37,26 @@ fn what_grey_glass_lets_through_next_to_total_reflection_weighs_1() {
     let all = made(By::References, &interface.case, &prepared, 128).expect("the references");
     assert_eq!(excess(&limits, &all, &interface.case.settings, 1e-6), None);
 }
+
+/// Where a radius is below the resolution of single precision, a path left what it had entered as if it entered it again;
+/// where the surface is not there, for ever.
+#[test]
+fn no_path_is_endless_where_a_radius_is_not_resolved() {
+    for (eye, shape) in [
+        ("1e-23 2e-23 4e-23", "sphere 0 0 0  3e-24"),
+        ("0 1e-22 .5", "cylinder 0 0 -1  0 0 2  3e-24"),
+    ] {
+        let case = Case {
+            text: format!(
+                "screen 8 8\ncamera {eye}  .3\nbackground 1 1 1\nbrdf 0 0 0  0 0 0  0  1 1 1  1\n\
+                 {shape}\nsphere 3 0 0  .5\nsphere -3 0 0  .5\n"
+            ),
+            settings: Settings::default(),
+            seed: 0,
+        };
+        for by in [By::References, COMPOSED] {
+            let all = made(by, &case, &case.prepared(), 16);
+            assert_eq!(all.and_then(|all| broken(&all, false)), None);
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! Capped cylinders; twin of `shaders/shape/cylinder.glsl`.
 
-use super::ray::{FAR, Hit, Ray, START_INSIDE, Surface};
+use super::ray::{FAR, Hit, Ray, START_INSIDE, Surface, start_on};
 use super::slab::{PARALLEL, Slab, enters, first_of, slab};
 use crate::prepared;
 use crate::reference::math::frame::{Frame, to_local};
@@ -135,11 +135,22 @@ pub fn cylinder_surface<F: Real>(ray: Ray<F>, hit: Hit<F>, cylinder: &Cylinder<F
     let on_side = hit.prim == CYLINDER_SIDE;
     let on_base = hit.prim == CYLINDER_BASE;
     let rho = (p.x * p.x + p.y * p.y).sqrt();
-    // Where the radius is below the resolution of the coordinates, any direction will do.
+    // Where the radius is below the resolution of the coordinates, the side that faces the ray will do, from within the
+    // other; any, where the ray runs along the axis.
     let on_axis = rho == F::zero();
+    let leaves = start_on(ray, cylinder.shape) == START_INSIDE;
+    let along = to_local(frame, if leaves { ray.d } else { -ray.d });
+    let across = (along.x * along.x + along.y * along.y).sqrt();
+    let parallel = across == F::zero();
+    let ex = if parallel { F::one() } else { along.x / across };
+    let ey = if parallel {
+        F::zero()
+    } else {
+        along.y / across
+    };
     let divisor = if on_axis { F::one() } else { rho };
-    let x = if on_axis { F::one() } else { p.x / divisor };
-    let y = p.y / divisor;
+    let x = if on_axis { ex } else { p.x / divisor };
+    let y = if on_axis { ey } else { p.y / divisor };
     let r = if on_side {
         cylinder.radius
     } else {

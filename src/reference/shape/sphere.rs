@@ -1,6 +1,6 @@
 //! Spheres; twin of `shaders/shape/sphere.glsl`.
 
-use super::ray::{Hit, Ray, START_ELSEWHERE, START_INSIDE, Surface};
+use super::ray::{Hit, Ray, START_ELSEWHERE, START_INSIDE, Surface, start_on};
 use crate::prepared;
 use crate::reference::math::{Real, Vec3, dot3, length3, max2, min2};
 
@@ -66,10 +66,11 @@ pub fn sphere_hit<F: Real>(o: Vec3<F>, d: Vec3<F>, centre: Vec3<F>, radius: F, s
 pub fn sphere_surface<F: Real>(ray: Ray<F>, hit: Hit<F>, sphere: &Sphere<F>) -> Surface<F> {
     let v = ray.o - sphere.centre + ray.d * hit.t;
     let length = length3(v);
-    // Where the radius is below the resolution of the coordinates, the side that faces the ray will do.
+    // Where the radius is below the resolution of the coordinates, the side that faces the ray will do, from within the other.
     let lost = length == F::zero();
+    let leaves = start_on(ray, sphere.shape) == START_INSIDE;
     let n = if lost {
-        -ray.d
+        if leaves { ray.d } else { -ray.d }
     } else {
         v / if lost { F::one() } else { length }
     };
