@@ -55,14 +55,15 @@ impl World {
     }
 }
 
-/// Up to six shapes of these materials; the scale is that of the units which people use.
+/// Up to six shapes of these materials, at any scale, mostly that of the units which people use; up to 1e8 times as far from
+/// the origin as they are large.
 pub fn world(material: impl Strategy<Value = String> + 'static) -> impl Strategy<Value = World> {
     let scale = prop_oneof![
         4 => Just(1.0),
         2 => select(vec![1e-5, 1e-3, 1e3, 1e5]),
-        1 => decades(-5.0, 5.0),
+        1 => decades(-25.0, 25.0),
     ];
-    let offset = prop_oneof![4 => Just(0.0), 1 => select(vec![1.0, 1e4])];
+    let offset = prop_oneof![4 => Just(0.0), 1 => select(vec![1.0, 1e4, 1e8])];
     (
         scale,
         offset,
@@ -70,7 +71,7 @@ pub fn world(material: impl Strategy<Value = String> + 'static) -> impl Strategy
     )
         .prop_map(|(scale, offset, shapes)| World {
             scale,
-            offset,
+            offset: scale * offset,
             shapes,
         })
 }
