@@ -2,53 +2,21 @@
 
 mod absent;
 mod array;
+mod limits;
 mod scene;
 mod state;
 
 pub use array::ArrayPlan;
+pub use limits::PlanLimits;
 pub use scene::{CAMERA, ScenePlan, hierarchy};
 pub use state::StatePlan;
 
 use super::tiles::{Tile, tiles};
-use super::vulkan::{read_first, tile_pixels};
 use super::{Job, RenderError};
 use crate::features::Features;
 use crate::flat::bvh::Cost;
-use crate::gpu::Device;
 use crate::kernel::scene::Recording;
 use crate::kernel::{self, Composed, KernelError, Spirv};
-
-/// What a plan depends on of its device.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PlanLimits {
-    /// The most bytes in a uniform buffer.
-    pub uniform_buffer: u64,
-    /// Pixels under way at once.
-    pub tile_pixels: u32,
-    /// Whether threads read before any branch what they try one by one.
-    pub read_first: bool,
-}
-
-impl PlanLimits {
-    pub fn of(device: &Device) -> Self {
-        Self {
-            uniform_buffer: device.limits().uniform_buffer,
-            tile_pixels: tile_pixels(device),
-            read_first: read_first(device),
-        }
-    }
-}
-
-/// Those of most GPUs.
-impl Default for PlanLimits {
-    fn default() -> Self {
-        Self {
-            uniform_buffer: 1 << 16,
-            tile_pixels: 1 << 20,
-            read_first: false,
-        }
-    }
-}
 
 /// A rendering before it begins.
 #[derive(Clone, Debug)]

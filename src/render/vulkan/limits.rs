@@ -1,8 +1,8 @@
 //! How much one dispatch takes on, and how. The picture does not depend on it.
 
-use crate::gpu::{Device, DeviceKind};
-use crate::layout::PathState;
+use crate::gpu::Device;
 use crate::render::RenderError;
+use crate::render::plan::PlanLimits;
 
 /// Loop steps a dispatch where the driver sets no limit: enough for some thousand bounces, short of any watchdog.
 const UNLIMITED_BUDGET: u32 = 1 << 20;
@@ -25,27 +25,13 @@ impl DispatchLimits {
     /// # Errors
     /// Of the probe for its limit on loops, which runs once a device.
     pub fn of(device: &Device) -> Result<Self, RenderError> {
+        let plan = PlanLimits::of(device);
         Ok(Self {
-            tile_pixels: tile_pixels(device),
+            tile_pixels: plan.tile_pixels,
             budget: budget(device)?,
-            read_first: read_first(device),
+            read_first: plan.read_first,
         })
     }
-}
-
-/// A GPU would run out of scalar registers.
-pub fn read_first(device: &Device) -> bool {
-    device.info().kind == DeviceKind::Cpu
-}
-
-/// A CPU gains from more samples a dispatch, a GPU from more threads; the paths under way must fit one buffer.
-pub fn tile_pixels(device: &Device) -> u32 {
-    let wanted = match device.info().kind {
-        DeviceKind::Cpu => 1 << 16,
-        _ => 1 << 20,
-    };
-    let fit = device.limits().storage_buffer / size_of::<PathState>() as u64;
-    wanted.min(fit as u32)
 }
 
 /// A driver's limit counts the steps of a whole subgroup, whose threads may in the worst case take turns; half is

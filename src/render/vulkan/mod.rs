@@ -17,7 +17,7 @@ use crate::gpu::Device;
 use crate::kernel::scene::Recording;
 use crate::layout::Record;
 use develop::Counts;
-pub use limits::{DispatchLimits, read_first, tile_pixels};
+pub use limits::DispatchLimits;
 pub use outcomes::Outcomes;
 pub use replicates::Replicates;
 use run::Run;

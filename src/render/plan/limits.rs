@@ -1,0 +1,48 @@
+//! What a plan depends on of its device.
+
+use crate::gpu::{Device, DeviceKind};
+use crate::layout::PathState;
+
+/// Known without a device too: by default those of most GPUs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PlanLimits {
+    /// The most bytes in a uniform buffer.
+    pub uniform_buffer: u64,
+    /// Pixels under way at once.
+    pub tile_pixels: u32,
+    /// Whether threads read before any branch what they try one by one
+    /// (`kernel/scene/generate/written_out.rs`).
+    pub read_first: bool,
+}
+
+impl PlanLimits {
+    /// What suits the device.
+    pub fn of(device: &Device) -> Self {
+        Self {
+            uniform_buffer: device.limits().uniform_buffer,
+            tile_pixels: tile_pixels(device),
+            // A GPU would run out of scalar registers.
+            read_first: device.info().kind == DeviceKind::Cpu,
+        }
+    }
+}
+
+impl Default for PlanLimits {
+    fn default() -> Self {
+        Self {
+            uniform_buffer: 1 << 16,
+            tile_pixels: 1 << 20,
+            read_first: false,
+        }
+    }
+}
+
+/// A CPU gains from more samples a dispatch, a GPU from more threads; the paths under way must fit one buffer.
+fn tile_pixels(device: &Device) -> u32 {
+    let wanted = match device.info().kind {
+        DeviceKind::Cpu => 1 << 16,
+        _ => 1 << 20,
+    };
+    let fit = device.limits().storage_buffer / size_of::<PathState>() as u64;
+    wanted.min(fit as u32)
+}
