@@ -77,6 +77,37 @@ fn a_colour_that_takes_all_light_is_no_underflow() {
     }
 }
 
+/// A sky of 2⁹⁶ or more is dropped, for the sum of its samples may be infinite; what is below is added up.
+#[test]
+fn what_may_add_up_to_infinity_is_dropped() {
+    for (sky, kept) in [("7.9e28", true), ("7.93e28", false), ("3e38", false)] {
+        let text = format!("screen 4 4\ncamera 0 0 .5 1\nbackground {sky} 1 1\n");
+        for made in by_both(&text) {
+            let stats = &made.stats;
+            let infinite = if kept { 0 } else { stats.samples };
+            assert_eq!(
+                stats.dropped,
+                Dropped {
+                    infinite,
+                    ..Dropped::default()
+                },
+                "{sky} on {}",
+                stats.device
+            );
+            let red: f32 = if kept {
+                sky.parse().expect("a number")
+            } else {
+                0.0
+            };
+            assert!(
+                made.film.rgb.iter().all(|p| p[0] == red),
+                "{sky}: {:?}",
+                made.film.rgb[0]
+            );
+        }
+    }
+}
+
 /// A plate of glass, and one of metal, that fill the view.
 const GLASS: &str = "brdf 0 0 0 .04 .04 .04";
 const PLATE: &str = "box -2 -2 -1 4 4 1\n";

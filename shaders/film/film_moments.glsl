@@ -1,11 +1,11 @@
 // The moments of one pixel's samples, from which the standard error of their mean follows.
 // Twin of src/reference/film/film_moments.rs.
 
-// uses: math/finite, film/pixel_sum
+// uses: film/pixel_sum
 
 // Adds sample number n, counted from 1; a broken one counts as 0, as it does in the film.
 void film_moments(inout FilmMoments moments, vec3 radiance, uint n) {
-    vec3 x = is_finite3(radiance) ? radiance : vec3(0.0);
+    vec3 x = is_summable(radiance) ? radiance : vec3(0.0);
     // delta = x - mean; mean += delta / n; m2 += delta (x - mean): Welford, Technometrics 4, 1962;
     // Knuth, The Art of Computer Programming 2, 4.2.2, (15) and (16)
     vec3 delta = x - moments.mean;

@@ -1,16 +1,16 @@
 // A pixel of the film: the sum of its samples, and what was counted on the way.
 // Twin of src/reference/film/film_pixel.rs.
 
-// uses: math/finite, film/pixel_sum
+// uses: film/pixel_sum
 
 bool has_nan(vec3 v) {
     uvec3 bits = floatBitsToUint(v) & uvec3(0x7fffffffu);
     return bits.x > 0x7f800000u || bits.y > 0x7f800000u || bits.z > 0x7f800000u;
 }
 
-// Adds a sample; a broken one counts as 0, and by its cause. Samples of even and of odd index are the two groups.
+// Adds a sample; one that is broken, or too large to add up, counts as 0, and by its cause. Samples of even and of odd index are the two groups.
 void film_sample(inout FilmPixel pixel, vec3 radiance) {
-    bool broken = !is_finite3(radiance);
+    bool broken = !is_summable(radiance);
     bool nan = has_nan(radiance);
     pixel.nan += nan ? 1u : 0u;
     pixel.infinite += broken && !nan ? 1u : 0u;

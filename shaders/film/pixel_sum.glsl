@@ -10,7 +10,14 @@ struct PixelSum {
     vec3 comp;
 };
 
-// The sum with one more sample, finite and >= -sum/2 in each channel. Relative error of an addition: below 3 2^-48.
+// Whether every component is below 2^96: 2^32 of them, the most that a pixel may have, add up below 2^128, where floats
+// end. By bits, which no driver's idea of NaN and infinity can change.
+bool is_summable(vec3 x) {
+    uvec3 bits = floatBitsToUint(x) & uvec3(0x7fffffffu);
+    return bits.x < 0x6f800000u && bits.y < 0x6f800000u && bits.z < 0x6f800000u;
+}
+
+// The sum with one more sample, summable and >= -sum/2 in each channel. Relative error of an addition: below 3 2^-48.
 PixelSum film_add(PixelSum pixel, vec3 x) {
     // s + err = sum + x exactly: Knuth, The Art of Computer Programming 2, 4.2.2, theorem B (2Sum)
     vec3 s = pixel.sum + x;

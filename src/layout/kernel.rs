@@ -63,7 +63,7 @@ crate::gpu_struct! {
         rays: uint,
         /// Samples dropped for a NaN.
         nan: uint,
-        /// Samples dropped for an infinity.
+        /// Samples dropped for an infinity, or what adds up to one.
         infinite: uint,
         /// Loops that ended before their own end condition held.
         loops: uint,

@@ -74,7 +74,7 @@ pub fn twins() -> Vec<Twin> {
 fn dropping() -> Twin {
     let row = |x: f32| Row::new().vec3(vec3(1.0, x, 2.0)).u(7);
     Twin::new("film_sample", "film/film_pixel")
-        .also(&["has_nan"])
+        .also(&["has_nan", "is_summable"])
         .prelude(vkpt::layout::FilmPixel::glsl())
         .glsl(
             "vec3 radiance = in_vec3();
@@ -97,6 +97,8 @@ fn dropping() -> Twin {
             o.u(pixel.infinite as u32);
         })
         .edges([0.0, 1e-45, f32::MAX, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, -f32::NAN].map(row))
+        // 2⁹⁶ and what is next below
+        .edges([0x6f80_0000, 0x6f7f_ffff, 0xef80_0000].map(|bits| row(f32::from_bits(bits))))
         .edge(Row::new().vec3(vec3(f32::INFINITY, f32::NAN, f32::NEG_INFINITY)).u(6))
         .edge(Row::new().vec3(vec3(f32::INFINITY, f32::NEG_INFINITY, 1.0)).u(6))
         .seeded(1000, |r| Row::new().u(r.u32()).u(r.u32()).u(r.u32()).u(r.u32() >> 1))

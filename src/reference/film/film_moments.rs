@@ -1,8 +1,7 @@
 //! The moments of one pixel's samples, from which the standard error of their mean follows.
 //! Twin of `shaders/film/film_moments.glsl`.
 
-use super::pixel_sum::{PixelSum, film_add};
-use crate::reference::math::finite::is_finite3;
+use super::pixel_sum::{PixelSum, film_add, is_summable};
 use crate::reference::math::{Real, Vec3, vec3};
 
 /// Mean and Σ (x − mean)² of the samples so far, per channel. Kept beside the film, whose sum they never touch,
@@ -34,7 +33,7 @@ impl<F: Real> Default for FilmMoments<F> {
 ///
 /// Deviations must square to numbers of `f32`: they are to be between 1e-18 and 1e18.
 pub fn film_moments<F: Real>(moments: &mut FilmMoments<F>, radiance: Vec3<F>, n: u32) {
-    let x = if is_finite3(radiance) {
+    let x = if is_summable(radiance) {
         radiance
     } else {
         Vec3::zero()

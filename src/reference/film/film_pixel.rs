@@ -1,7 +1,6 @@
 //! A pixel of the film: the sum of its samples, and what was counted on the way. Twin of `shaders/film/film_pixel.glsl`.
 
-use super::pixel_sum::{PixelSum, film_add, film_mean};
-use crate::reference::math::finite::is_finite3;
+use super::pixel_sum::{PixelSum, film_add, film_mean, is_summable};
 use crate::reference::math::{Real, Vec3};
 use crate::sample::GROUPS;
 
@@ -19,7 +18,7 @@ pub struct FilmPixel<F> {
     pub contrast: Vec3<F>,
     /// Samples dropped for a NaN.
     pub nan: u64,
-    /// Samples dropped for an infinity.
+    /// Samples dropped for an infinity, or what adds up to one.
     pub infinite: u64,
     pub rays: u64,
     /// Paths that reached the bounce from which even lossless ones may end.
@@ -48,10 +47,10 @@ pub fn has_nan<F: Real>(v: Vec3<F>) -> bool {
     v.x.is_nan() || v.y.is_nan() || v.z.is_nan()
 }
 
-/// Adds a sample; a broken one counts as 0, and by its cause. Samples of even and of odd index are the two groups
+/// Adds a sample; one that is broken, or too large to add up, counts as 0, and by its cause. Samples of even and of odd index are the two groups
 /// ([`GROUPS`]).
 pub fn film_sample<F: Real>(pixel: &mut FilmPixel<F>, radiance: Vec3<F>) {
-    let broken = !is_finite3(radiance);
+    let broken = !is_summable(radiance);
     let nan = has_nan(radiance);
     pixel.nan += u64::from(nan);
     pixel.infinite += u64::from(broken && !nan);

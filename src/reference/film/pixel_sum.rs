@@ -22,7 +22,14 @@ impl<F: Real> PixelSum<F> {
     }
 }
 
-/// The sum with one more sample, finite and ≥ −sum/2 in each channel. Relative error of an addition: below 3·2⁻⁴⁸.
+/// Whether every component is below 2⁹⁶ (in f64 2⁹⁹²): 2³² of them, the most that a pixel may have, add up below 2¹²⁸
+/// (2¹⁰²⁴), where the scalar ends.
+pub fn is_summable<F: Real>(x: Vec3<F>) -> bool {
+    let below = |x: F| x.abs() < F::SUMMABLE;
+    below(x.x) && below(x.y) && below(x.z)
+}
+
+/// The sum with one more sample, summable and ≥ −sum/2 in each channel. Relative error of an addition: below 3·2⁻⁴⁸.
 pub fn film_add<F: Real>(pixel: PixelSum<F>, x: Vec3<F>) -> PixelSum<F> {
     // s + err = sum + x exactly: Knuth, The Art of Computer Programming 2, 4.2.2, theorem B (2Sum)
     let s = pixel.sum + x;

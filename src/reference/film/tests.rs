@@ -103,7 +103,7 @@ fn squares_keep_adding_up_past_two_to_the_24() {
 
 #[test]
 fn equal_samples_have_no_error() {
-    for x in [0.1, 1.0 / 3.0, 1e-30, 1e30] {
+    for x in [0.1, 1.0 / 3.0, 1e-30, 1e28] {
         let ours = moments(std::iter::repeat_n(x, 1_000_003));
         assert_eq!((ours.m2.sum, ours.mean.sum.x), (Vec3::zero(), x));
         assert_eq!(film_stderr(&ours, 1_000_003), Vec3::zero());

@@ -33,6 +33,8 @@ pub trait Real:
     const ULP: Self;
     /// The least number of full precision, 2⁻¹²⁶ or 2⁻¹⁰²².
     const LEAST_NORMAL: Self;
+    /// 2⁻³² of where the scalar ends: 2⁹⁶ or 2⁹⁹².
+    const SUMMABLE: Self;
     /// 2^⌈p/2⌉ + 1, which splits a number of p bits into halves: see `products`.
     const SPLIT: Self;
     /// The nearest scalar to `x`.
@@ -107,6 +109,7 @@ macro_rules! common {
 impl Real for f32 {
     const ULP: Self = f32::EPSILON / 2.0;
     const LEAST_NORMAL: Self = f32::MIN_POSITIVE;
+    const SUMMABLE: Self = 79_228_162_514_264_337_593_543_950_336.0;
     const SPLIT: Self = 4097.0;
     common!(f32);
     fn sincos_2pi(u: Self) -> (Self, Self) {
@@ -126,6 +129,7 @@ impl Real for f32 {
 impl Real for f64 {
     const ULP: Self = f64::EPSILON / 2.0;
     const LEAST_NORMAL: Self = f64::MIN_POSITIVE;
+    const SUMMABLE: Self = f64::MAX / 4_294_967_296.0;
     const SPLIT: Self = 134_217_729.0;
     common!(f64);
     fn sincos_2pi(u: Self) -> (Self, Self) {
