@@ -60,6 +60,7 @@ pub fn prepare(
     range::check_materials(&materials)?;
     range::warn_of_narrow(&camera, scene.camera_line, height, &mut warnings);
     range::warn_of_small(&placed, &space, &mut warnings);
+    range::enlarge(&mut placed);
     range::warn_of_radiances(
         &materials,
         (scene.background, scene.background_line),

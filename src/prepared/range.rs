@@ -27,8 +27,8 @@ pub fn warn_of_radiances(
     for (radiance, line) in emitters.chain([background]) {
         if radiance.max_element() > LARGEST_RADIANCE {
             warnings.push(format!(
-                "line {line}: the radiance {:e} is above 2^96: a pixel's samples may add up to more than single \
-                 precision holds",
+                "line {line}: the radiance {:e} is above 2^96: 2^32 samples that bring so much add up to more than single \
+                 precision holds, and those that do count as black",
                 radiance.max_element()
             ));
         }
@@ -87,6 +87,17 @@ pub fn warn_of_small(placed: &Placed, space: &Space, warnings: &mut Vec<String>)
         away,
         away * ULP,
     ));
+}
+
+/// Makes radii and heights that have no square in single precision the least that have one: they have been warned of, and
+/// what is divided by them stays finite.
+pub fn enlarge(placed: &mut Placed) {
+    for s in &mut placed.spheres {
+        s.radius = s.radius.max(LEAST_LENGTH);
+    }
+    for c in &mut placed.cylinders {
+        (c.radius, c.height) = (c.radius.max(LEAST_LENGTH), c.height.max(LEAST_LENGTH));
+    }
 }
 
 fn is_resolved(placed: &Placed, shape: &Shape) -> bool {
