@@ -19,14 +19,15 @@ void extend(inout PathState s, Vertex v, inout FilmPixel pixel, uint pixel_index
     s.throughput *= b.weight;
     bool through = leads_through(b.wi);
     s.eta_scale *= crossing_scale(v, through);
-    // A broken throughput breaks the sample, which the film then drops and counts.
-    bool broken = !is_finite3(s.throughput);
-    s.radiance += broken ? s.throughput : vec3(0.0);
     pixel.underflows += found && faint ? 1u : 0u;
     float survival = chance(roulette_survival(s.throughput, s.eta_scale, s.bounce));
     bool survives = unit_float(w.x) < survival;
-    if (found && survives && !(broken || faint || is_black(s.throughput))) {
-        s.throughput *= 1.0 / survival;
+    bool alive = found && survives && !(faint || is_black(s.throughput));
+    s.throughput *= alive ? 1.0 / survival : 1.0;
+    // A broken throughput breaks the sample, which the film then drops and counts.
+    bool broken = !is_finite3(s.throughput);
+    s.radiance += broken ? s.throughput : vec3(0.0);
+    if (alive && !broken) {
         s.medium = medium_after(v, through, s.medium);
         bool goes_outside = v.outside != through;
         s.o = v.p;

@@ -14,10 +14,10 @@ use crate::{hold, long_seeds};
 /// Samples a pixel.
 const SPP: u32 = 8;
 
-/// What is wrong with the samples; `None` where nothing is. Where paths may `grow`, they may end beyond the scalar's
-/// range, and the film drops and counts them.
+/// What is wrong with the samples; `None` where nothing is. Where paths may `grow`, they may end at the scalar's infinity,
+/// where the film drops and counts them.
 pub fn broken(all: &[Made], grow: bool) -> Option<String> {
-    let wrong = |x: f64| x < 0.0 || !(x.is_finite() || grow);
+    let wrong = |x: f64| x < 0.0 || x.is_nan() || (x.is_infinite() && !grow);
     all.iter().find_map(|made| {
         let i = made
             .radiances

@@ -39,11 +39,6 @@ pub fn extend<F: Real>(
     if through {
         s.eta_scale *= transmission_scale(settings, v.interaction.eta);
     }
-    // A broken throughput breaks the sample, which the film then drops and counts.
-    let broken = !is_finite3(s.throughput);
-    if broken {
-        s.radiance += s.throughput;
-    }
     s.underflow = found && faint;
     let survival = chance(roulette_survival(
         settings.estimator.roulette,
@@ -52,9 +47,16 @@ pub fn extend<F: Real>(
         s.bounce,
     ));
     let survives = w[0] < survival;
-    let alive = found && survives && !(broken || faint || is_black(s.throughput));
+    let mut alive = found && survives && !(faint || is_black(s.throughput));
     if alive {
         s.throughput = s.throughput * (F::one() / survival);
+    }
+    // A broken throughput breaks the sample, which the film then drops and counts.
+    if !is_finite3(s.throughput) {
+        s.radiance += s.throughput;
+        alive = false;
+    }
+    if alive {
         s.medium = if through { medium_beyond(v) } else { s.medium };
         s.ray = spawn_ray(v, wi, through);
         s.pdf = b.pdf;
