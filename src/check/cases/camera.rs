@@ -60,6 +60,16 @@ pub fn cases() -> Vec<Case> {
         .spp(1024)
         .mean(1.0, "smooth glass"),
         seen(
+            "one-sample",
+            "one sample a pixel",
+            "0 0 4 .3",
+            GLASS,
+            "sphere 0 0 0 1",
+        )
+        .spp(1)
+        .weight(1.0, "smooth glass only turns light")
+        .mean(1.0, "smooth glass"),
+        seen(
             "8192x8192",
             "the last corner of a picture of 8192 × 8192",
             "0 0 4 .3",
