@@ -6,15 +6,13 @@
 
 use super::eye::ACCURACY;
 use super::geometry::{Bounds, Placed};
-use super::{Material, Prepared, Shape, ShapeKind};
+use super::{Material, Shape, ShapeKind};
 
 /// Says once that two transmissive shapes have a part of a plane in common, as far as single precision tells; of planes
 /// across the axes of the world.
 pub fn warn_of_contacts(placed: &Placed, materials: &[Material], warnings: &mut Vec<String>) {
     let glass: Vec<_> = placed
-        .shapes
-        .iter()
-        .filter(|s| Prepared::is_transmissive(&materials[s.material as usize]))
+        .transmissive(materials)
         .map(|s| (s, placed.bounds(s)))
         .collect();
     for (i, a) in glass.iter().enumerate() {

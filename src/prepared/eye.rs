@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::geometry::Placed;
-use super::{Material, Prepared, Shape, ShapeKind};
+use super::{Material, Shape, ShapeKind};
 
 /// What f32 surely tells apart, relative to the largest coordinate: the eye and the surface are rounded by half an ulp
 /// each, their difference and the root of a hit by as much again; 2⁻²⁴ each.
@@ -22,11 +22,7 @@ pub fn warn_of_surface(
         let size = largest.into_iter().fold(0.0, f64::max);
         distance(placed, s, eye).is_some_and(|d| d <= ACCURACY * size)
     };
-    let mut glass = placed
-        .shapes
-        .iter()
-        .filter(|s| Prepared::is_transmissive(&materials[s.material as usize]));
-    if let Some(shape) = glass.find(is_on) {
+    if let Some(shape) = placed.transmissive(materials).find(is_on) {
         warnings.push(format!(
             "the eye stands on the surface of the transmissive shape of line {}: whether it sees from within or from \
              without is left to rounding",

@@ -147,6 +147,16 @@ impl Placed {
 }
 
 impl Placed {
+    /// The shapes that light travels through.
+    pub fn transmissive<'a>(
+        &'a self,
+        materials: &'a [Material],
+    ) -> impl Iterator<Item = &'a Shape> {
+        let is_transmissive =
+            |s: &&Shape| Prepared::is_transmissive(&materials[s.material as usize]);
+        self.shapes.iter().filter(is_transmissive)
+    }
+
     /// The bounds of one shape.
     pub fn bounds(&self, shape: &Shape) -> Bounds {
         let first = shape.first as usize;

@@ -5,14 +5,12 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::geometry::Placed;
-use super::{Material, NONE, Prepared, Shape, ShapeKind};
+use super::{Material, NONE, Shape, ShapeKind};
 
 /// The material whose inside `p` stands in, or [`NONE`].
 pub fn medium_at(p: DVec3, placed: &Placed, materials: &[Material]) -> u32 {
     placed
-        .shapes
-        .iter()
-        .filter(|s| Prepared::is_transmissive(&materials[s.material as usize]))
+        .transmissive(materials)
         .find(|s| contains(placed, s, p))
         .map_or(NONE, |s| s.material)
 }
@@ -58,9 +56,7 @@ fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
 /// Says once that transmissive shapes which overlap are outside the model (model page, section 9).
 pub fn warn_of_overlaps(placed: &Placed, materials: &[Material], warnings: &mut Vec<String>) {
     let glass: Vec<_> = placed
-        .shapes
-        .iter()
-        .filter(|s| Prepared::is_transmissive(&materials[s.material as usize]))
+        .transmissive(materials)
         .map(|s| (s, placed.bounds(s)))
         .collect();
     for (i, (a, bounds_a)) in glass.iter().enumerate() {

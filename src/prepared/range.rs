@@ -71,10 +71,12 @@ pub fn warn_of_narrow(camera: &Camera, line: usize, height: u32, warnings: &mut 
 
 /// Warns of shapes that are too small for where they are.
 pub fn warn_of_small(placed: &Placed, space: &Space, warnings: &mut Vec<String>) {
-    let mut small = placed.shapes.iter().filter(|s| !is_resolved(placed, s));
-    let Some(first) = small.next() else { return };
-    let bounds = placed.bounds(first);
-    let away = space.unit * bounds.lo.abs().max(bounds.hi.abs()).max_element();
+    let sizes = placed.shapes.iter().map(|s| (s, Size::of(placed, s)));
+    let mut small = sizes.filter(|(_, size)| !size.is_resolved());
+    let Some((first, size)) = small.next() else {
+        return;
+    };
+    let away = space.unit * size.away;
     let others = match small.count() {
         0 => String::new(),
         n => format!(", and {n} more shapes that are as small where they are"),
@@ -83,7 +85,7 @@ pub fn warn_of_small(placed: &Placed, space: &Space, warnings: &mut Vec<String>)
         "the shape of line {} is {:.1e} thick, {:.1e} from the middle of the scene, where single precision tells places \
          apart by {:.0e}: it is not where or what the file says{others}",
         first.line,
-        space.unit * thickness(placed, first),
+        space.unit * size.thickness,
         away,
         away * ULP,
     ));
@@ -100,23 +102,31 @@ pub fn enlarge(placed: &mut Placed) {
     }
 }
 
-fn is_resolved(placed: &Placed, shape: &Shape) -> bool {
-    let bounds = placed.bounds(shape);
-    let away = bounds.lo.abs().max(bounds.hi.abs()).max_element();
-    thickness(placed, shape) >= LEAST_LENGTH.max(0.5 * ULP * away / RESOLVED)
+/// How large a shape is, and how far from the middle of the scene it reaches.
+struct Size {
+    /// The least of a solid. A mesh may be flat, and its corners are moved without tearing it: its largest.
+    thickness: f64,
+    away: f64,
 }
 
-/// The least size of a solid. A mesh may be flat, and its corners are moved without tearing it: its largest.
-fn thickness(placed: &Placed, shape: &Shape) -> f64 {
-    let first = shape.first as usize;
-    let bounds = placed.bounds(shape);
-    match shape.kind {
-        ShapeKind::Sphere => 2.0 * placed.spheres[first].radius,
-        ShapeKind::Box => (bounds.hi - bounds.lo).min_element(),
-        ShapeKind::Cylinder => {
-            let c = &placed.cylinders[first];
-            c.height.min(2.0 * c.radius)
-        }
-        ShapeKind::Mesh => (bounds.hi - bounds.lo).max_element(),
+impl Size {
+    fn of(placed: &Placed, shape: &Shape) -> Self {
+        let first = shape.first as usize;
+        let bounds = placed.bounds(shape);
+        let thickness = match shape.kind {
+            ShapeKind::Sphere => 2.0 * placed.spheres[first].radius,
+            ShapeKind::Box => (bounds.hi - bounds.lo).min_element(),
+            ShapeKind::Cylinder => {
+                let c = &placed.cylinders[first];
+                c.height.min(2.0 * c.radius)
+            }
+            ShapeKind::Mesh => (bounds.hi - bounds.lo).max_element(),
+        };
+        let away = bounds.lo.abs().max(bounds.hi.abs()).max_element();
+        Self { thickness, away }
+    }
+
+    fn is_resolved(&self) -> bool {
+        self.thickness >= LEAST_LENGTH.max(0.5 * ULP * self.away / RESOLVED)
     }
 }

@@ -22,3 +22,19 @@ pub fn outside(page: &str) -> Vec<&str> {
     }
     found
 }
+
+/// Words that would be markup, were they not escaped.
+pub const MARKUP: &str = "</pre><script>alert(1)</script>&\"'<img src=x onerror=y>";
+
+/// A page about [`MARKUP`] has the tags of a plain one and no more, and tells the words as words.
+pub fn no_markup(page: &str, plain: &str) {
+    for tag in ["<script", "<img", "</pre", "<style"] {
+        assert_eq!(
+            page.matches(tag).count(),
+            plain.matches(tag).count(),
+            "{tag}"
+        );
+    }
+    assert!(page.contains("&lt;script&gt;alert(1)&lt;/script&gt;"));
+    assert_eq!(outside(page), Vec::<&str>::new());
+}
