@@ -5,34 +5,26 @@
 //! entered, or never left: wrong by (n₁/n₂)², where nothing tells so.
 
 use super::eye::ACCURACY;
-use super::geometry::{Bounds, Placed};
+use super::geometry::Placed;
+use super::medium::{Bounded, first_pair};
 use super::{Material, Shape, ShapeKind};
 
 /// Says once that two transmissive shapes have a part of a plane in common, as far as single precision tells; of planes
 /// across the axes of the world.
 pub fn warn_of_contacts(placed: &Placed, materials: &[Material], warnings: &mut Vec<String>) {
-    let glass: Vec<_> = placed
-        .transmissive(materials)
-        .map(|s| (s, placed.bounds(s)))
-        .collect();
-    for (i, a) in glass.iter().enumerate() {
-        if let Some((b, _)) = glass[i + 1..].iter().find(|b| touch(placed, a, b)) {
-            warnings.push(format!(
-                "the transmissive shapes of lines {} and {} touch along a face: light that goes from one into the other is \
-                 wrong by the squares of their indices of refraction; leave a gap between them, however thin",
-                a.0.line.min(b.line),
-                a.0.line.max(b.line)
-            ));
-            return;
-        }
+    if let Some([a, b]) = first_pair(placed, materials, |a, b| touch(placed, a, b)) {
+        warnings.push(format!(
+            "the transmissive shapes of lines {a} and {b} touch along a face: light that goes from one into the other is \
+             wrong by the squares of their indices of refraction; leave a gap between them, however thin"
+        ));
     }
 }
 
-/// Whether two shapes, with their bounds, are flat where the bounds touch.
-fn touch(placed: &Placed, (a, p): &(&Shape, Bounds), (b, q): &(&Shape, Bounds)) -> bool {
+/// Whether two shapes are flat where their bounds touch.
+fn touch(placed: &Placed, (a, p): Bounded, (b, q): Bounded) -> bool {
     let size = [p.lo, p.hi, q.lo, q.hi].map(|v| v.abs().max_element());
     let near = ACCURACY * size.into_iter().fold(0.0, f64::max);
-    let common = p.hi.min(q.hi) - p.lo.max(q.lo);
+    let common = p.common(q);
     (0..3).any(|k| {
         let beside = (0..3).all(|j| j == k || common[j] > near);
         let meet = |a: &Shape, top: f64, b: &Shape, bottom: f64| {

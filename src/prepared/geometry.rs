@@ -5,47 +5,10 @@ use std::borrow::Cow;
 use glam::DVec3;
 
 use super::{
-    Cuboid, Cylinder, Material, NONE, Prepared, Shape, ShapeKind, Space, Sphere, Triangle,
+    Bounds, Cuboid, Cylinder, Material, NONE, Prepared, Shape, ShapeKind, Space, Sphere, Triangle,
 };
 
 use crate::scene::{Edges, Geometry, Mesh, Scene, edges, flip, signed_volume};
-
-/// An axis-aligned box; empty where `lo` > `hi`.
-#[derive(Clone, Copy, Debug)]
-pub struct Bounds {
-    pub lo: DVec3,
-    pub hi: DVec3,
-}
-
-impl Bounds {
-    pub const EMPTY: Self = Self {
-        lo: DVec3::INFINITY,
-        hi: DVec3::NEG_INFINITY,
-    };
-
-    pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
-        points.into_iter().fold(Self::EMPTY, |b, p| Self {
-            lo: b.lo.min(p),
-            hi: b.hi.max(p),
-        })
-    }
-
-    pub fn union(self, o: Self) -> Self {
-        Self {
-            lo: self.lo.min(o.lo),
-            hi: self.hi.max(o.hi),
-        }
-    }
-
-    pub fn centre(&self) -> DVec3 {
-        (self.lo + self.hi) * 0.5
-    }
-
-    /// Radius of the sphere through the corners.
-    pub fn radius(&self) -> f64 {
-        ((self.hi - self.lo) * 0.5).length().max(0.0)
-    }
-}
 
 /// p' = T·S·R·p
 fn place(mesh: &Mesh, p: DVec3) -> DVec3 {
@@ -187,7 +150,7 @@ impl Placed {
             .iter()
             .map(|s| self.bounds(s))
             .reduce(Bounds::union);
-        all.unwrap_or(Bounds { lo: p, hi: p })
+        all.unwrap_or(Bounds::point(p))
     }
 
     /// Moves every shape from the scene to rendering space.

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::geometry::Placed;
-use super::{Material, NONE, Shape, ShapeKind};
+use super::{Bounds, Material, NONE, Shape, ShapeKind};
 
 /// The material whose inside `p` stands in, or [`NONE`].
 pub fn medium_at(p: DVec3, placed: &Placed, materials: &[Material]) -> u32 {
@@ -55,24 +55,33 @@ fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
 
 /// Says once that transmissive shapes which overlap are outside the model (model page, section 9).
 pub fn warn_of_overlaps(placed: &Placed, materials: &[Material], warnings: &mut Vec<String>) {
-    let glass: Vec<_> = placed
+    let rule =
+        |(a, p): Bounded, (b, q): Bounded| p.common(q).min_element() > 0.0 && overlap(placed, a, b);
+    if let Some([a, b]) = first_pair(placed, materials, rule) {
+        warnings.push(format!(
+            "the transmissive shapes of lines {a} and {b} overlap: every object stands in air in this model, so the \
+             picture is wrong where they do"
+        ));
+    }
+}
+
+/// A shape and its bounds.
+pub type Bounded<'a> = (&'a Shape, Bounds);
+
+/// The lines, in order, of the first two transmissive shapes that obey `rule`.
+pub fn first_pair(
+    placed: &Placed,
+    materials: &[Material],
+    rule: impl Fn(Bounded, Bounded) -> bool,
+) -> Option<[usize; 2]> {
+    let all: Vec<Bounded> = placed
         .transmissive(materials)
         .map(|s| (s, placed.bounds(s)))
         .collect();
-    for (i, (a, bounds_a)) in glass.iter().enumerate() {
-        for (b, bounds_b) in &glass[i + 1..] {
-            let common = bounds_a.hi.min(bounds_b.hi) - bounds_a.lo.max(bounds_b.lo);
-            if common.min_element() > 0.0 && overlap(placed, a, b) {
-                warnings.push(format!(
-                    "the transmissive shapes of lines {} and {} overlap: every object stands in air in \
-                     this model, so the picture is wrong where they do",
-                    a.line.min(b.line),
-                    a.line.max(b.line)
-                ));
-                return;
-            }
-        }
-    }
+    all.iter().enumerate().find_map(|(i, &a)| {
+        let &(b, _) = all[i + 1..].iter().find(|&&b| rule(a, b))?;
+        Some([a.0.line.min(b.line), a.0.line.max(b.line)])
+    })
 }
 
 /// Whether two shapes whose bounds overlap do so themselves: exact for spheres and boxes, assumed otherwise.

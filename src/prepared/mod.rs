@@ -4,6 +4,7 @@
 //! Positions and lengths are in rendering space ([`Space`]): the scene moved so that the middle of its bounds is the
 //! origin, and scaled to about 1, which keeps f32 accurate whatever the scene's place and scale.
 
+mod bounds;
 pub mod cdf;
 mod contact;
 mod eye;
@@ -16,6 +17,8 @@ mod range;
 mod space;
 
 use glam::DVec3;
+
+pub use bounds::Bounds;
 
 pub use crate::scene::WordLines;
 use crate::settings::{Distribution, Fresnel};

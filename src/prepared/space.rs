@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::geometry::Bounds;
+use super::Bounds;
 
 /// Where the origin of rendering space lies in the scene, and how long its unit is there.
 ///
@@ -18,7 +18,7 @@ impl Space {
     /// About the middle of `shapes`, with `eye` in it.
     pub fn of(shapes: Bounds, eye: DVec3) -> Self {
         let origin = shapes.centre();
-        let all = shapes.union(Bounds { lo: eye, hi: eye });
+        let all = shapes.union(Bounds::point(eye));
         let extent = (all.lo - origin)
             .abs()
             .max((all.hi - origin).abs())
@@ -71,10 +71,7 @@ mod tests {
             assert_eq!(space.scene_point(space.point(eye)), eye);
             assert_eq!(space.unit.to_bits() << 12, 0, "a power of two");
         }
-        let nothing = Bounds {
-            lo: DVec3::ONE,
-            hi: DVec3::ONE,
-        };
+        let nothing = Bounds::point(DVec3::ONE);
         assert_eq!(Space::of(nothing, DVec3::ONE).unit, 1.0);
     }
 }

@@ -11,7 +11,8 @@ use super::shape::linear::{nearer_box, nearer_cylinder, nearer_sphere};
 use super::shape::{
     Cuboid, Cylinder, Hit, Ray, Sphere, Target, Triangle, nearer_triangle, ray_shear,
 };
-use bounds::Bounds;
+use crate::prepared::Bounds;
+use bounds::{of_box, of_cylinder, of_sphere, of_triangle};
 use tree::Tree;
 
 /// All primitives of a scene.
@@ -32,10 +33,10 @@ impl<F: Real> Accel<F> {
     /// The hierarchy over all primitives; the same for the same primitives.
     pub fn build(primitives: Primitives<F>) -> Self {
         let p = primitives;
-        let bounds: Vec<Bounds> = (p.spheres.iter().map(Bounds::of_sphere))
-            .chain(p.boxes.iter().map(Bounds::of_box))
-            .chain(p.cylinders.iter().map(Bounds::of_cylinder))
-            .chain(p.triangles.iter().map(Bounds::of_triangle))
+        let bounds: Vec<Bounds> = (p.spheres.iter().map(of_sphere))
+            .chain(p.boxes.iter().map(of_box))
+            .chain(p.cylinders.iter().map(of_cylinder))
+            .chain(p.triangles.iter().map(of_triangle))
             .collect();
         Self {
             tree: Tree::new(&bounds),

@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 
-use super::bounds::Bounds;
+use crate::prepared::Bounds;
 
 const BINS: usize = 16;
 
@@ -17,9 +17,7 @@ pub struct Item {
 
 /// Reorders `items` (two at least) and returns how many come first; never none, never all.
 pub fn split(items: &mut [Item]) -> usize {
-    let centres = items.iter().fold(Bounds::EMPTY, |all, item| {
-        all.union(Bounds::point(item.bounds.centre()))
-    });
+    let centres = Bounds::around(items.iter().map(|item| item.bounds.centre()));
     let half = items.len() / 2;
     let Some((axis, plane)) = cheapest_plane(items, centres) else {
         return half;
@@ -65,7 +63,7 @@ fn costs<'a>(bins: impl Iterator<Item = &'a (Bounds, u32)>) -> [(f64, u32); BINS
     let mut all = (Bounds::EMPTY, 0);
     for (sum, bin) in sums.iter_mut().zip(bins) {
         all = (all.0.union(bin.0), all.1 + bin.1);
-        *sum = (all.0.area() * f64::from(all.1), all.1);
+        *sum = (all.0.half_area() * f64::from(all.1), all.1);
     }
     sums
 }

@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::bounds::Bounds;
 use super::slabs::Slabs;
 use super::split::{Item, split};
+use crate::prepared::Bounds;
 use crate::reference::math::{Real, Vec3};
 
 /// Primitives that a leaf may hold.
