@@ -5,14 +5,15 @@ use std::sync::{Arc, PoisonError};
 
 use ash::vk;
 
-use super::device::{Device, Inner};
+use super::device::Device;
 use super::error::GpuError;
 use super::memory::{kinds_of_memory, stages};
+use super::shared_device::SharedDevice;
 use crate::layout::BufferUse;
 
 /// Device memory with a name, zeros at first.
 pub struct Buffer {
-    pub(super) device: Arc<Inner>,
+    pub(super) device: Arc<SharedDevice>,
     pub(super) name: String,
     pub(super) usage: BufferUse,
     pub(super) bytes: u64,
@@ -83,7 +84,7 @@ impl Device {
 impl Buffer {
     /// Without zeros. A buffer of 0 bytes is legal here, so it takes at least 16.
     pub(super) fn new(
-        device: &Arc<Inner>,
+        device: &Arc<SharedDevice>,
         name: String,
         usage: BufferUse,
         bytes: u64,

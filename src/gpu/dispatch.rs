@@ -6,9 +6,10 @@ use std::time::Duration;
 use ash::vk;
 
 use super::buffer::Buffer;
-use super::device::{Device, Inner};
+use super::device::Device;
 use super::error::GpuError;
 use super::pipeline::{Pipeline, descriptor};
+use super::shared_device::SharedDevice;
 use crate::layout::BufferUse;
 
 impl Device {
@@ -80,7 +81,7 @@ impl Device {
                 "{groups:?} workgroups, the device allows {limit:?}"
             )));
         }
-        let foreign = |d: &Arc<Inner>| !Arc::ptr_eq(d, &self.0);
+        let foreign = |d: &Arc<SharedDevice>| !Arc::ptr_eq(d, &self.0);
         if foreign(&pipeline.device) || buffers.iter().any(|b| foreign(&b.device)) {
             return Err(GpuError::Mismatch("an object of another device".into()));
         }

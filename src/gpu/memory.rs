@@ -6,19 +6,19 @@ use std::sync::PoisonError;
 use ash::vk;
 
 use super::buffer::Buffer;
-use super::device::Inner;
 use super::error::GpuError;
 use super::info::DeviceKind;
+use super::shared_device::SharedDevice;
 
 /// Whether the host reaches a kernel's buffers by copies only: across a bus it reads device memory slowly, even
 /// where it sees it.
-pub(super) fn stages(device: &Inner) -> bool {
+pub(super) fn stages(device: &SharedDevice) -> bool {
     matches!(device.info.kind, DeviceKind::Discrete | DeviceKind::Virtual)
         || device.options.always_stage
 }
 
 /// Kinds of memory for a kernel's buffers, best first.
-pub(super) fn kinds_of_memory(device: &Inner) -> Vec<vk::MemoryPropertyFlags> {
+pub(super) fn kinds_of_memory(device: &SharedDevice) -> Vec<vk::MemoryPropertyFlags> {
     use vk::MemoryPropertyFlags as M;
     if stages(device) {
         return vec![M::DEVICE_LOCAL, M::empty()];

@@ -19,6 +19,7 @@ mod pipeline_cache;
 mod probe;
 mod queue;
 mod selector;
+mod shared_device;
 mod statistics;
 mod transfer;
 

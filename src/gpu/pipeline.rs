@@ -4,15 +4,16 @@ use std::sync::Arc;
 
 use ash::vk;
 
-use super::device::{Device, Inner};
+use super::device::Device;
 use super::error::GpuError;
 use super::pipeline_cache::PipelineCache;
+use super::shared_device::SharedDevice;
 use crate::kernel::Spirv;
 use crate::layout::BufferUse;
 
 /// A compute pipeline: binding i of set 0 is the i-th buffer.
 pub struct Pipeline {
-    pub(super) device: Arc<Inner>,
+    pub(super) device: Arc<SharedDevice>,
     pub(super) uses: Vec<BufferUse>,
     pub(super) push_bytes: u32,
     set_layout: vk::DescriptorSetLayout,

@@ -8,9 +8,9 @@ use std::path::Path;
 
 use ash::vk;
 
-use super::device::Inner;
 use super::info::DeviceInfo;
 use super::instance::Instance;
+use super::shared_device::SharedDevice;
 use crate::cache::{CacheFolder, Room, hash};
 use crate::kernel::Spirv;
 
@@ -67,7 +67,7 @@ fn header(properties: &vk::PhysicalDeviceProperties) -> [u8; HEADER] {
 
 /// The driver's cache for one kernel, while its pipeline is made.
 pub(super) struct PipelineCache<'a> {
-    device: &'a Inner,
+    device: &'a SharedDevice,
     kept: Option<Kept<'a>>,
 }
 
@@ -81,7 +81,7 @@ struct Kept<'a> {
 
 impl<'a> PipelineCache<'a> {
     /// With what earlier processes left for this kernel, on this device with this driver.
-    pub fn open(device: &'a Inner, kernel: &Spirv) -> Self {
+    pub fn open(device: &'a SharedDevice, kernel: &Spirv) -> Self {
         let folder = device.options.cache.as_deref();
         let kept = folder.and_then(|folder| Kept::open(device, folder, kernel));
         Self { device, kept }
@@ -107,7 +107,7 @@ impl<'a> PipelineCache<'a> {
 }
 
 impl<'a> Kept<'a> {
-    fn open(device: &Inner, folder: &'a Path, kernel: &Spirv) -> Option<Self> {
+    fn open(device: &SharedDevice, folder: &'a Path, kernel: &Spirv) -> Option<Self> {
         let owner = &device.cache_owner;
         let (folder, key) = (
             CacheFolder::new(folder, ROOM),
@@ -134,14 +134,14 @@ impl Drop for PipelineCache<'_> {
 }
 
 /// `None` where the driver fails, which is its right for any data.
-fn create(device: &Inner, data: &[u8]) -> Option<vk::PipelineCache> {
+fn create(device: &SharedDevice, data: &[u8]) -> Option<vk::PipelineCache> {
     let info = vk::PipelineCacheCreateInfo::default().initial_data(data);
     // SAFETY: the info is complete; data begin with this driver's header and are, to the checksum, what it gave.
     unsafe { device.raw.create_pipeline_cache(&info, None) }.ok()
 }
 
 /// All that the driver has put in; empty where it fails.
-fn data(device: &Inner, cache: vk::PipelineCache) -> Vec<u8> {
+fn data(device: &SharedDevice, cache: vk::PipelineCache) -> Vec<u8> {
     // SAFETY: the cache was made by this device and is alive.
     unsafe { device.raw.get_pipeline_cache_data(cache) }.unwrap_or_default()
 }

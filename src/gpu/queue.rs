@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use ash::vk;
 
 use super::barrier;
-use super::device::Inner;
 use super::error::GpuError;
+use super::shared_device::SharedDevice;
 
 /// A compute queue with a command buffer, two timestamps and, once there was work, a fence.
 pub(super) struct Queue {
@@ -80,7 +80,7 @@ impl Queue {
     /// `record` must record valid commands for a compute queue, on objects of `device` that live until this returns.
     pub unsafe fn run(
         &mut self,
-        device: &Inner,
+        device: &SharedDevice,
         record: impl FnOnce(&ash::Device, vk::CommandBuffer),
     ) -> Result<Duration, GpuError> {
         let (raw, commands) = (&device.raw, self.commands);
@@ -106,7 +106,7 @@ impl Queue {
 
     /// # Safety
     /// As of [`run`](Self::run), the commands recorded.
-    unsafe fn submit_and_wait(&mut self, device: &Inner) -> Result<(), GpuError> {
+    unsafe fn submit_and_wait(&mut self, device: &SharedDevice) -> Result<(), GpuError> {
         self.make_fence(&device.raw)?;
         let commands = [self.commands];
         let submits = [vk::SubmitInfo::default().command_buffers(&commands)];
@@ -169,7 +169,7 @@ impl Queue {
     ///
     /// # Safety
     /// The commands with both timestamps have been executed.
-    unsafe fn elapsed(&self, device: &Inner) -> Result<Option<Duration>, GpuError> {
+    unsafe fn elapsed(&self, device: &SharedDevice) -> Result<Option<Duration>, GpuError> {
         if self.timestamp_bits == 0 {
             return Ok(None);
         }
