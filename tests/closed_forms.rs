@@ -30,7 +30,7 @@ struct Case {
     name: String,
     scene: String,
     settings: Settings,
-    spp: u64,
+    spp: u32,
     expected: Rgb,
     /// 1: all pixels show the same thing, each is a sample. More: the mean of each seed's picture is a sample.
     seeds: u32,

@@ -17,7 +17,7 @@ const ROUNDING: f64 = 1e-5;
 /// What Beckmann's rational G1 may be off (model page, section 3).
 const RATIONAL_G1: f64 = 3.2e-3;
 
-fn render(text: &str, settings: Settings, spp: u64, seed: u32) -> Film {
+fn render(text: &str, settings: Settings, spp: u32, seed: u32) -> Film {
     film(text, settings, spp, seed, &Target::CpuF32)
 }
 

@@ -29,7 +29,7 @@ const SCENES: [(&str, &str); 3] = [("table", TABLE), ("smooth", SMOOTH), ("wide"
 #[derive(Clone, Copy)]
 struct Effort {
     seeds: u32,
-    spp: u64,
+    spp: u32,
 }
 
 /// For each block and for the whole picture its mean, seed by seed.

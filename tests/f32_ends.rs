@@ -9,7 +9,7 @@ use vkpt::kernel::{OwnFile, file};
 use vkpt::render::{Dropped, Job, KernelChoice, Outcome, Target};
 use vkpt::settings::{Roulette, Settings};
 
-const SPP: u64 = 16;
+const SPP: u32 = 16;
 
 fn without_roulette() -> Settings {
     let mut settings = Settings::default();

@@ -20,8 +20,8 @@ const SIZE: [u32; 2] = [48, 36];
 
 /// Samples per pixel of a picture, and of each half of its reference: the halves' own noise has no part in the error
 /// on average, and spreads it by 2 √(spp/REFERENCE_SPP/pixels), a two-hundredth.
-const SPP: u64 = 32;
-const REFERENCE_SPP: u64 = 64 * SPP;
+const SPP: u32 = 32;
+const REFERENCE_SPP: u32 = 64 * SPP;
 
 /// A rendering by the device where there is one (on a CPU driver the reference's picture to the bit), else by f32.
 fn rendered(job: &Job) -> Outcome {

@@ -13,7 +13,7 @@ use vkpt::render::{Job, Outcome, Target};
 use vkpt::settings::Settings;
 
 /// Means of blocks then have errors near .4 %: 1 % is seen, if not in every block.
-const SPP: u64 = 256;
+const SPP: u32 = 256;
 
 fn file(name: &str) -> PathBuf {
     Path::new("../shared/oracle").join(name)

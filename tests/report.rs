@@ -61,7 +61,7 @@ fn record() -> Record {
     }
 }
 
-fn at(spp: u64, seconds: f64, rel_mse: Option<f64>, interval: Option<[f64; 2]>) -> ErrorAt {
+fn at(spp: u32, seconds: f64, rel_mse: Option<f64>, interval: Option<[f64; 2]>) -> ErrorAt {
     ErrorAt {
         spp,
         seconds,

@@ -114,7 +114,7 @@ fn an_interrupted_picture_is_that_of_the_samples_it_has() {
     let settings = Settings::default();
     let scene = prepared(TABLE, &settings);
     let endless = job(&scene, settings, 1 << 31, 1);
-    let check = |name: &str, render: &dyn Fn(&Job, &AtomicBool) -> (Film, u64, bool)| {
+    let check = |name: &str, render: &dyn Fn(&Job, &AtomicBool) -> (Film, u32, bool)| {
         let stop = AtomicBool::new(false);
         let (film, spp, interrupted) = render(&endless, &stop);
         assert!(interrupted && spp >= 3, "{name}: {spp} samples");

@@ -18,7 +18,7 @@ use vkpt::settings::Settings;
 
 const STDERR: &[Aov] = &[Aov::Stderr];
 
-fn with_errors(scene: &Prepared, spp: u64, seed: u32) -> Job<'_> {
+fn with_errors(scene: &Prepared, spp: u32, seed: u32) -> Job<'_> {
     Job {
         aovs: STDERR,
         ..job(scene, independent(), spp, seed)
@@ -153,7 +153,7 @@ fn where_all_samples_are_equal_the_error_is_0() {
 
 /// Side of a block of pixels: of its 25 × 32 samples the mean is nearly normal.
 const BLOCK: usize = 5;
-const SPP: u64 = 32;
+const SPP: u32 = 32;
 
 /// A box on a floor under a ball of light and a sky: shadows, penumbrae, light from one surface to another.
 const DIFFUSE: &str = "screen 160 120

@@ -44,7 +44,7 @@ fn the_error_is_told_after_powers_of_two_and_at_the_end() {
         (21, vec![1, 2, 4, 8, 16, 21]),
     ] {
         for (name, outcome) in outcomes(&job(&scene, Settings::default(), spp, 1)) {
-            let told: Vec<u64> = outcome.errors.iter().map(|e| e.spp).collect();
+            let told: Vec<u32> = outcome.errors.iter().map(|e| e.spp).collect();
             assert_eq!(told, expected, "{name}");
             let known = |e: &ErrorAt| e.rel_mse.is_some() == (e.spp > 1);
             assert!(outcome.errors.iter().all(known), "{name}");
@@ -128,7 +128,7 @@ fn intervals_hold_the_error_of_a_lambert_ball() {
 // ---- ends
 
 /// What ends a rendering leaves the picture of so many samples.
-fn equals_its_spp(job: &Job, target: Option<&Target>, end: End) -> u64 {
+fn equals_its_spp(job: &Job, target: Option<&Target>, end: End) -> u32 {
     let render = |job: &Job| match target {
         Some(target) => Some(outcome(job, target)),
         None => on_device(job),

@@ -130,7 +130,7 @@ pub fn measure(
     let job = Job {
         prepared: &prepared,
         settings: case.settings,
-        spp: case.spp.into(),
+        spp: case.spp,
         until: Until::default(),
         seed: SEED,
         crop: case.crop,

@@ -77,7 +77,7 @@ impl Ready {
         Ok(Job {
             prepared: &self.prepared,
             settings: self.settings,
-            spp: request.spp.into(),
+            spp: request.spp,
             until: Until::default(),
             seed: request.seed,
             crop: request.crop,

@@ -98,7 +98,7 @@ fn of_rendering(progress: &Progress, elapsed: Duration) -> String {
         fraction,
     } = *progress;
     // Nothing is said of the most samples where time or error are to end the rendering alone.
-    let most = match spp < u32::MAX.into() {
+    let most = match spp < u32::MAX {
         true => format!(" of {spp}"),
         false => String::new(),
     };
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn a_rendering_tells_what_is_left() {
-        let at = |samples_done, spp: u64, fraction| {
+        let at = |samples_done, spp: u32, fraction| {
             let progress = Progress {
                 samples_done,
                 spp,
@@ -157,10 +157,7 @@ mod tests {
                 at(255, 256, 0.999),
                 "255 of 256 samples per pixel, 30 ms left",
             ),
-            (
-                at(7, u32::MAX.into(), 0.5),
-                "7 samples per pixel, 30.0 s left",
-            ),
+            (at(7, u32::MAX, 0.5), "7 samples per pixel, 30.0 s left"),
         ];
         for (found, expected) in rows {
             assert_eq!(found, expected);

@@ -42,7 +42,7 @@ pub fn record(
             size: [ready.prepared.width, ready.prepared.height],
             crop: arguments.view.crop,
             spp: outcome.spp,
-            spp_asked: arguments.spp().into(),
+            spp_asked: arguments.spp(),
             ended: match outcome.end {
                 End::Complete => "complete",
                 End::Interrupted => "interrupted",

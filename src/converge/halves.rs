@@ -14,7 +14,7 @@ pub const HALVES: [u32; 2] = [u32::MAX - 1, u32::MAX];
 pub struct Halves {
     pub films: [Film; 2],
     /// Samples per pixel of each.
-    pub spp: u64,
+    pub spp: u32,
     /// What both took.
     pub seconds: f64,
 }
@@ -23,7 +23,8 @@ impl Halves {
     /// For [`Halves::from_bytes`]: samples, seconds, width, height, then the pixels of both, least significant bytes first.
     pub fn to_bytes(&self) -> Vec<u8> {
         let Film { width, height, .. } = self.films[0];
-        let mut bytes = [self.spp.to_le_bytes(), self.seconds.to_le_bytes()].concat();
+        let mut bytes = self.spp.to_le_bytes().to_vec();
+        bytes.extend(self.seconds.to_le_bytes());
         bytes.extend([width, height].map(u32::to_le_bytes).as_flattened());
         let pixels = self.films.iter().flat_map(|film| film.rgb.as_flattened());
         bytes.extend(pixels.flat_map(|value| value.to_le_bytes()));
@@ -56,7 +57,7 @@ impl Halves {
         let (a, b) = pixels.split_at(count);
         Some(Self {
             films: [film(a), film(b)],
-            spp: u64::from_le_bytes(*spp),
+            spp: u32::from_le_bytes(*spp),
             seconds: f64::from_le_bytes(*seconds),
         })
     }
@@ -70,7 +71,7 @@ impl Halves {
 pub fn halves(
     job: &Job,
     engine: &Engine,
-    (seconds, most): (f64, u64),
+    (seconds, most): (f64, u32),
     stop: &AtomicBool,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Option<Halves>, ConvergeError> {
@@ -90,8 +91,8 @@ pub fn halves(
             seconds,
         });
         // What fits into the time that is left, at the pace so far; twice as much at most, for a better look at the pace.
-        let fits = spp as f64 * (seconds / spent).min(2.0);
-        let next = (fits as u64).min(most);
+        let fits = f64::from(spp) * (seconds / spent).min(2.0);
+        let next = (fits as u32).min(most);
         if next <= spp {
             return Ok(Some(Halves {
                 films: [0, 1].map(|i| replicates.picture(i)),

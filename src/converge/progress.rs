@@ -5,7 +5,7 @@
 pub struct Progress {
     pub part: Part,
     /// Samples per pixel that the part's pictures have, or are to have at this step.
-    pub spp: u64,
+    pub spp: u32,
     /// Seconds of sampling that the part took so far.
     pub spent_s: f64,
     /// The most that it may take, but for a first step that takes longer.

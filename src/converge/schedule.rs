@@ -23,7 +23,7 @@ pub struct Plan {
     /// as each doubles the samples, up to half of the time may be left. The first is rendered whatever it takes.
     pub seconds: f64,
     /// The most samples per pixel.
-    pub spp: u64,
+    pub spp: u32,
     /// How FLIP looks at the pictures.
     pub viewing: Viewing,
 }
@@ -57,10 +57,11 @@ pub fn measure(
         }
         bench.judge(spp)?;
         // The next step has as many samples again as all steps so far.
-        if 2.0 * bench.spent > plan.seconds || 2 * spp > plan.spp {
-            break false;
+        let next = spp.checked_mul(2).filter(|&next| next <= plan.spp);
+        match next {
+            Some(next) if 2.0 * bench.spent <= plan.seconds => spp = next,
+            _ => break false,
         }
-        spp *= 2;
     };
     Ok(Measured {
         spent_s: bench.spent,
@@ -115,7 +116,7 @@ impl<'a> Bench<'a> {
     /// one after the other, there and back by turns, so that a steady drift cancels.
     fn advance(
         &mut self,
-        spp: u64,
+        spp: u32,
         stop: &AtomicBool,
         progress: &mut dyn FnMut(Progress),
     ) -> Result<bool, ConvergeError> {
@@ -150,7 +151,7 @@ impl<'a> Bench<'a> {
     }
 
     /// Holds every replicate against its variant's reference.
-    fn judge(&mut self, spp: u64) -> Result<(), ConvergeError> {
+    fn judge(&mut self, spp: u32) -> Result<(), ConvergeError> {
         for (entrant, variant) in self.entrants.iter_mut().zip(self.variants) {
             let count = entrant.took.len();
             let pictures: Vec<_> = (0..count).map(|i| entrant.replicates.picture(i)).collect();

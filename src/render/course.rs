@@ -36,7 +36,7 @@ pub enum End {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorAt {
     /// Samples in every pixel.
-    pub spp: u64,
+    pub spp: u32,
     /// Seconds of rendering so far, compiling apart.
     pub seconds: f64,
     /// `None` of one sample, which tells nothing of its error, and of a picture that overflows.
@@ -59,7 +59,7 @@ pub struct Course<'a> {
     began: f64,
     /// Seconds that each sample index of the last slice took, in all tiles.
     pace: f64,
-    done: u64,
+    done: u32,
     end: Option<End>,
     errors: Vec<ErrorAt>,
 }
@@ -81,7 +81,7 @@ impl<'a> Course<'a> {
     }
 
     /// Samples that every pixel has.
-    pub fn done(&self) -> u64 {
+    pub fn done(&self) -> u32 {
         self.done
     }
 
@@ -91,23 +91,23 @@ impl<'a> Course<'a> {
     }
 
     /// The samples that the next slice is to bring every pixel to; `None` at the end.
-    pub fn next_slice(&mut self) -> Option<u64> {
+    pub fn next_slice(&mut self) -> Option<u32> {
         if self.end.is_some() {
             return None;
         }
         self.began = self.seconds();
         let slice = self.slices.next(self.next_look() - self.done);
         let left = self.job.until.seconds.map(|s| s - self.began);
-        let fit = left.map_or(u64::MAX, |left| (left / self.pace) as u64);
+        let fit = left.map_or(u32::MAX, |left| (left / self.pace) as u32);
         Some(self.done + slice.min(fit).max(1))
     }
 
     /// Every pixel has `samples` of them, and the longest dispatch took `longest`; `halves` is asked for the picture
     /// where its error is due.
-    pub fn reached(&mut self, samples: u64, longest: Duration, halves: impl FnOnce() -> Halves) {
+    pub fn reached(&mut self, samples: u32, longest: Duration, halves: impl FnOnce() -> Halves) {
         let slice = samples - self.done;
         self.slices.took(slice, longest);
-        self.pace = (self.seconds() - self.began) / slice as f64;
+        self.pace = (self.seconds() - self.began) / f64::from(slice);
         let due = samples == self.next_look();
         self.done = samples;
         self.end = self.spent();
@@ -120,11 +120,11 @@ impl<'a> Course<'a> {
     }
 
     /// How far it will be once every pixel has `samples` of them, of which the slice under way has made `part`.
-    pub fn progress(&self, samples: u64, part: f64) -> Progress {
+    pub fn progress(&self, samples: u32, part: f64) -> Progress {
         let slice = samples - self.done;
         let samples_done = if part == 1.0 { samples } else { self.done };
-        let made = self.done as f64 + part * slice as f64;
-        let wanted = self.samples_wanted().min(self.job.spp as f64);
+        let made = f64::from(self.done) + part * f64::from(slice);
+        let wanted = self.samples_wanted().min(f64::from(self.job.spp));
         let spent = self.job.until.seconds.map_or(0.0, |s| self.seconds() / s);
         Progress {
             samples_done,
@@ -164,7 +164,7 @@ impl<'a> Course<'a> {
 
     /// About how many samples the error asked for takes: the error is inverse to their number.
     fn samples_wanted(&self) -> f64 {
-        let last = self.errors.last().map(|e| e.spp as f64);
+        let last = self.errors.last().map(|e| f64::from(e.spp));
         let ratio = self
             .job
             .until
@@ -174,18 +174,9 @@ impl<'a> Course<'a> {
         last.zip(ratio).map_or(f64::INFINITY, |(n, r)| n * r)
     }
 
-    /// After how many samples the error is looked at next: after powers of two; where it decides on the end, after
-    /// every eighth of one besides, lest a rendering take twice as long as it need. Where that is depends on no clock.
-    fn next_look(&self) -> u64 {
-        let octave = (self.done + 1).next_power_of_two();
-        let look = match self.job.until.rel_mse {
-            None => octave,
-            Some(_) => {
-                let step = (octave / 16).max(1);
-                (self.done / step + 1) * step
-            }
-        };
-        look.min(self.job.spp)
+    /// After how many samples the error is looked at next.
+    fn next_look(&self) -> u32 {
+        next_look(self.done, self.job.until.rel_mse.is_some()).min(self.job.spp)
     }
 
     fn look(&mut self, halves: impl FnOnce() -> Halves) {
@@ -198,5 +189,46 @@ impl<'a> Course<'a> {
             seconds: self.seconds(),
             rel_mse,
         });
+    }
+}
+
+/// After how many samples the error is looked at next, where every pixel has `done`: after powers of two. `closely`, where
+/// the error decides on the end, after every eighth of one too, or a rendering could take twice as long as it needs. Depends
+/// on no clock. A look beyond 2³² − 1 samples, which no pixel gets, is that number.
+fn next_look(done: u32, closely: bool) -> u32 {
+    let octave = done.checked_ilog2().map_or(0, |log| 1 << log);
+    let step = if closely { octave / 8 } else { octave }.max(1);
+    (done / step + 1).saturating_mul(step)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn looks_come_after_powers_of_two_and_eighths_of_them() {
+        let looks = |closely, count| {
+            let next = |&done: &u32| Some(next_look(done, closely));
+            let all: Vec<u32> = std::iter::successors(Some(0), next).take(count).collect();
+            all
+        };
+        assert_eq!(looks(false, 7), [0, 1, 2, 4, 8, 16, 32]);
+        let closely = [
+            0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 18, 20, 22, 24, 26, 28, 30,
+            32, 36,
+        ];
+        assert_eq!(looks(true, 26), closely);
+        // A rendering may end anywhere.
+        assert_eq!((next_look(33, false), next_look(33, true)), (64, 36));
+    }
+
+    #[test]
+    fn the_last_look_is_beyond_all_samples() {
+        let half = 1 << 31;
+        assert_eq!(next_look(half, true), half + half / 8);
+        for done in [half, u32::MAX - 1, u32::MAX] {
+            assert_eq!(next_look(done, false), u32::MAX, "{done}");
+        }
+        assert_eq!(next_look(u32::MAX, true), u32::MAX);
     }
 }

@@ -38,7 +38,7 @@ pub fn render<F: Real>(
     let mut course = Course::new(job, stop);
     while let Some(samples) = course.next_slice() {
         let began = Instant::now();
-        film.advance(job, &world, course.done() as u32..samples as u32);
+        film.advance(job, &world, course.done()..samples);
         progress(course.progress(samples, 1.0));
         course.reached(samples, began.elapsed(), || film.halves(samples));
     }
@@ -51,7 +51,7 @@ pub fn render<F: Real>(
         compile_s: 0.0,
         render_s,
         gpu_s: None,
-        samples: done * u64::from(film.area.pixels()),
+        samples: u64::from(done) * u64::from(film.area.pixels()),
         rays: film.count(|p| p.rays),
         dropped: Dropped {
             nan: film.count(|p| p.nan),
@@ -127,13 +127,13 @@ impl<F: Real> Pixels<F> {
     }
 
     /// The mean of `spp` samples a pixel.
-    fn picture(&self, spp: u64) -> Film {
-        self.develop(self.film.iter().map(|p| film_mean(p.sum, spp as u32)))
+    fn picture(&self, spp: u32) -> Film {
+        self.develop(self.film.iter().map(|p| film_mean(p.sum, spp)))
     }
 
     /// That mean, with half the difference of its two groups of samples; `spp` ≥ 2.
-    fn halves(&self, spp: u64) -> Halves {
-        let half = |p: &FilmPixel<F>| film_half_difference(p.sum, p.contrast, spp as u32);
+    fn halves(&self, spp: u32) -> Halves {
+        let half = |p: &FilmPixel<F>| film_half_difference(p.sum, p.contrast, spp);
         Halves {
             mean: self.picture(spp),
             half_difference: self.develop(self.film.iter().map(half)),
@@ -141,9 +141,9 @@ impl<F: Real> Pixels<F> {
     }
 
     /// Of that mean, where it was asked for and one sample is not all there is.
-    fn standard_errors(&self, spp: u64) -> Option<Film> {
+    fn standard_errors(&self, spp: u32) -> Option<Film> {
         let moments = self.moments.as_ref().filter(|_| spp >= 2)?;
-        Some(self.develop(moments.iter().map(|m| film_stderr(m, spp as u32))))
+        Some(self.develop(moments.iter().map(|m| film_stderr(m, spp))))
     }
 
     fn develop(&self, values: impl Iterator<Item = Vec3<F>>) -> Film {

@@ -59,8 +59,8 @@ pub enum KernelChoice<'a> {
 pub struct Job<'a> {
     pub prepared: &'a Prepared,
     pub settings: Settings,
-    /// Samples in every pixel, at most 2³² − 1.
-    pub spp: u64,
+    /// Samples in every pixel.
+    pub spp: u32,
     /// When to end before all of them are there.
     pub until: Until,
     pub seed: u32,
@@ -115,9 +115,9 @@ impl Job<'_> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
     /// Samples that every pixel has.
-    pub samples_done: u64,
+    pub samples_done: u32,
     /// The most that it will have.
-    pub spp: u64,
+    pub spp: u32,
     /// Of all work, in [0, 1]: by samples, by time or by error, whichever it is to end at.
     pub fraction: f64,
 }
@@ -137,7 +137,7 @@ pub struct Outcome {
     /// Standard error of the mean per pixel and channel: if [`Aov::Stderr`] was asked for and there are two samples.
     pub stderr: Option<Film>,
     /// Samples in every pixel.
-    pub spp: u64,
+    pub spp: u32,
     pub end: End,
     /// What is known of the picture's error after 1, 2, 4 … samples, and after the last.
     pub errors: Vec<ErrorAt>,

@@ -17,7 +17,7 @@ use crate::sample::{Address, PairedSample, Path};
 
 /// Pixels and samples of one slice: 2¹⁷ paths of some 150 bytes in all, whatever the picture.
 const TILE: u32 = 1 << 13;
-const SLICE: u64 = 16;
+const SLICE: u32 = 16;
 
 /// Renders each sample of the job three times and hands it to `take`; returns whether `stop` ended it early.
 ///
@@ -31,7 +31,7 @@ pub fn paired(
     take: &mut dyn FnMut(&PairedSample),
 ) -> Result<bool, RenderError> {
     let references = References::new(job);
-    let mut outcomes = Outcomes::new(job, device, TILE, SLICE.min(job.spp) as u32)?;
+    let mut outcomes = Outcomes::new(job, device, TILE, SLICE.min(job.spp))?;
     let tiles = outcomes.tiles();
     for done in (0..job.spp).step_by(SLICE as usize) {
         let slice = SLICE.min(job.spp - done);
@@ -39,14 +39,14 @@ pub fn paired(
             if stop.load(Ordering::Relaxed) {
                 return Ok(true);
             }
-            let outcomes = outcomes.of(i, done as u32, slice as u32)?;
-            let samples = references.samples(tile, done as u32, &outcomes);
+            let outcomes = outcomes.of(i, done, slice)?;
+            let samples = references.samples(tile, done, &outcomes);
             samples.iter().flatten().for_each(&mut *take);
             let part = (i + 1) as f64 / tiles.len() as f64;
             progress(Progress {
                 samples_done: if part == 1.0 { done + slice } else { done },
                 spp: job.spp,
-                fraction: (done as f64 + part * slice as f64) / job.spp as f64,
+                fraction: (f64::from(done) + part * f64::from(slice)) / f64::from(job.spp),
             });
         }
     }

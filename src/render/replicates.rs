@@ -36,8 +36,8 @@ impl Took {
 
 /// Films that grow.
 pub(super) trait Growing {
-    fn advance(&mut self, i: usize, spp: u64, stop: &AtomicBool) -> Result<Took, RenderError>;
-    fn done(&self, i: usize) -> u64;
+    fn advance(&mut self, i: usize, spp: u32, stop: &AtomicBool) -> Result<Took, RenderError>;
+    fn done(&self, i: usize) -> u32;
     fn picture(&self, i: usize) -> Film;
     fn set_up_s(&self) -> f64;
 }
@@ -89,12 +89,12 @@ impl<'a> Replicates<'a> {
     ///
     /// # Errors
     /// Those of a rendering. The replicate is then lost.
-    pub fn advance(&mut self, i: usize, spp: u64, stop: &AtomicBool) -> Result<Took, RenderError> {
+    pub fn advance(&mut self, i: usize, spp: u32, stop: &AtomicBool) -> Result<Took, RenderError> {
         self.0.advance(i, spp, stop)
     }
 
     /// Samples that each pixel of replicate `i` has.
-    pub fn done(&self, i: usize) -> u64 {
+    pub fn done(&self, i: usize) -> u32 {
         self.0.done(i)
     }
 

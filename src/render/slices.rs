@@ -8,7 +8,7 @@ pub const WANTED: Duration = Duration::from_millis(75);
 /// The size of the next slice of samples, learnt from the last. The picture does not depend on it.
 #[derive(Debug)]
 pub struct Slices {
-    samples: u64,
+    samples: u32,
 }
 
 impl Slices {
@@ -17,13 +17,13 @@ impl Slices {
     }
 
     /// Samples of the next slice, at most `left`.
-    pub fn next(&self, left: u64) -> u64 {
+    pub fn next(&self, left: u32) -> u32 {
         self.samples.min(left)
     }
 
     /// Learns that a slice of `samples` took `time`; at most doubles, so that one quick slice misleads little.
-    pub fn took(&mut self, samples: u64, time: Duration) {
-        let wanted = samples as f64 * WANTED.as_secs_f64() / time.as_secs_f64().max(1e-6);
-        self.samples = (wanted as u64).clamp(1, 2 * self.samples);
+    pub fn took(&mut self, samples: u32, time: Duration) {
+        let wanted = f64::from(samples) * WANTED.as_secs_f64() / time.as_secs_f64().max(1e-6);
+        self.samples = (wanted as u32).clamp(1, self.samples.saturating_mul(2));
     }
 }

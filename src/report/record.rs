@@ -31,8 +31,8 @@ pub struct Job {
     /// Left, top, right, bottom in pixels of the full picture, right and bottom excluded.
     pub crop: Option<[u32; 4]>,
     /// Samples in every pixel: fewer than `spp_asked` if something else ended the rendering.
-    pub spp: u64,
-    pub spp_asked: u64,
+    pub spp: u32,
+    pub spp_asked: u32,
     /// Why there are not more: `complete`, `interrupted`, `time` or `target-error`.
     pub ended: &'static str,
     /// `--time`, seconds of rendering.
@@ -99,7 +99,7 @@ pub struct Seconds {
 /// What is known of the picture's error at one time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ErrorAt {
-    pub spp: u64,
+    pub spp: u32,
     /// Of rendering so far, compiling apart.
     pub seconds: f64,
     /// Estimate of the relMSE; `None` of one sample a pixel.

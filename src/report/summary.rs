@@ -14,7 +14,7 @@ pub fn summary(record: &Record) -> String {
         format!(
             "{}: {width}×{height}{crop}, {} per pixel, seed {}",
             record.job.scene,
-            plural(record.job.spp, "sample"),
+            plural(record.job.spp.into(), "sample"),
             record.job.seed
         ),
         format!("  on      {}", machine(record)),

@@ -24,7 +24,7 @@ pub fn prepared_file(path: &Path, settings: &Settings, size: Option<[u32; 2]>) -
     Some(prepare(&read.scene, settings, size).expect("a scene that can be rendered"))
 }
 
-pub fn job(prepared: &Prepared, settings: Settings, spp: u64, seed: u32) -> Job<'_> {
+pub fn job(prepared: &Prepared, settings: Settings, spp: u32, seed: u32) -> Job<'_> {
     Job {
         prepared,
         settings,
@@ -54,7 +54,7 @@ pub fn on_device_within(job: &Job, limits: DispatchLimits) -> Option<Outcome> {
     Some(outcome.expect("a rendering"))
 }
 
-pub fn film(text: &str, settings: Settings, spp: u64, seed: u32, target: &Target) -> Film {
+pub fn film(text: &str, settings: Settings, spp: u32, seed: u32, target: &Target) -> Film {
     let prepared = prepared(text, &settings);
     outcome(&job(&prepared, settings, spp, seed), target).film
 }

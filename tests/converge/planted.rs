@@ -117,7 +117,7 @@ struct Truth {
 
 /// Seeds that neither the replicates nor the reference have.
 const SEEDS: std::ops::Range<u32> = 100..116;
-const SAMPLES: u64 = 512;
+const SAMPLES: u32 = 512;
 
 /// From 16 renderings of both: of two of them, w and w' biased, h and h' honest, the mean of (w − h)(w' − h') over the
 /// honest mean squared is what the bias makes, for no noise is in both factors. Eight such values are independent.

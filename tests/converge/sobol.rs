@@ -10,10 +10,10 @@ use vkpt::settings::{Sampler, Settings};
 use crate::common::render::{job, outcome, prepared};
 use crate::{LIT, RUNNING};
 
-const SAMPLES: u64 = 16;
+const SAMPLES: u32 = 16;
 const REPLICATES: usize = 24;
 
-fn pictures(job: &Job, seeds: std::ops::Range<u32>, spp: u64) -> Vec<Film> {
+fn pictures(job: &Job, seeds: std::ops::Range<u32>, spp: u32) -> Vec<Film> {
     let seeds: Vec<u32> = seeds.collect();
     let mut replicates = Replicates::new(job, &Engine::CpuF32, &seeds).expect("ready");
     let picture = |i: usize| {

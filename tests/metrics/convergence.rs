@@ -24,12 +24,12 @@ fn truth() -> Film {
 }
 
 /// A picture of `spp` samples a pixel.
-fn rendered(random: &mut Random, truth: &Film, spp: u64) -> Film {
+fn rendered(random: &mut Random, truth: &Film, spp: u32) -> Film {
     let sigma = SIGMA / (spp as f32).sqrt();
     random.noisy(truth, &constant(truth.width, truth.height, [sigma; 3]))
 }
 
-fn replicates(random: &mut Random, truth: &Film, spp: u64) -> Vec<Film> {
+fn replicates(random: &mut Random, truth: &Film, spp: u32) -> Vec<Film> {
     (0..REPLICATES)
         .map(|_| rendered(random, truth, spp))
         .collect()
@@ -48,7 +48,7 @@ fn all(errors: &[Trimmed]) -> Vec<f64> {
     errors.iter().map(|e| e.all).collect()
 }
 
-fn halves(random: &mut Random, truth: &Film, spp: u64) -> Reference {
+fn halves(random: &mut Random, truth: &Film, spp: u32) -> Reference {
     let [a, b] = [0, 1].map(|_| rendered(random, truth, spp));
     Reference::halves(a, b, &VIEWING).expect("two halves")
 }
@@ -217,7 +217,7 @@ fn a_bias_flattens_the_curve() {
     let at = |random: &mut Random, film: &Film, spp| {
         all(&errors(&replicates(random, film, spp), &exact, Metric::Mse))
     };
-    let mut between = |film: &Film, n: u64| {
+    let mut between = |film: &Film, n: u32| {
         let (a, b) = (at(&mut random, film, n), at(&mut random, film, 2 * n));
         slope((n, &a), (2 * n, &b)).expect("replicates")
     };

@@ -84,7 +84,7 @@ fn by_all(case: &Case, prepared: &Prepared, spp: u32, kernel: KernelChoice) -> O
     let device = common::device()?;
     let job = Job {
         kernel,
-        ..job(prepared, case.settings, spp.into(), case.seed)
+        ..job(prepared, case.settings, spp, case.seed)
     };
     let mut all = ["the device", "cpu-f32", "cpu-f64"].map(|by| Made {
         by,

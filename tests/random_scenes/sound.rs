@@ -47,7 +47,7 @@ fn may_grow(prepared: &Prepared) -> bool {
 
 /// The picture that cpu-f32 makes of the same samples: finite, not negative, and nothing is dropped on the way.
 fn picture_is_whole(case: &Case, prepared: &Prepared) -> TestCaseResult {
-    let job = job(prepared, case.settings, SPP.into(), case.seed);
+    let job = job(prepared, case.settings, SPP, case.seed);
     let outcome = outcome(&job, &Target::CpuF32);
     let values = outcome.film.rgb.as_flattened();
     prop_assert!(

@@ -30,7 +30,7 @@ pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
     let plan = Plan {
         seeds: arguments.seeds()?,
         seconds: arguments.time,
-        spp: arguments.spp.into(),
+        spp: arguments.spp,
         viewing: Viewing {
             exposure: arguments.exposure,
             ..Viewing::default()

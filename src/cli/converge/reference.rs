@@ -18,7 +18,7 @@ use crate::report::noted_sampler;
 use crate::settings::{Model, Sampler, Settings};
 
 /// No reference of one's own has more samples per pixel.
-const MOST: u64 = 1 << 24;
+const MOST: u32 = 1 << 24;
 
 /// A reference, and what it is called.
 pub struct Named {

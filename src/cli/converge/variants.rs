@@ -75,7 +75,7 @@ impl Variants {
             Some(Job {
                 prepared: prepared(settings.model)?,
                 settings: *settings,
-                spp: arguments.spp.into(),
+                spp: arguments.spp,
                 until: Until::default(),
                 seed: arguments.seed,
                 crop: arguments.view.crop,

@@ -8,7 +8,7 @@ use crate::metrics::Trimmed;
 #[derive(Clone, Debug)]
 pub struct Step {
     /// Samples per pixel.
-    pub spp: u64,
+    pub spp: u32,
     /// For each replicate, seconds of all its samples so far on the wall clock.
     pub wall_s: Vec<f64>,
     /// The same by the device's own timestamps, where it has them.

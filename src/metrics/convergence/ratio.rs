@@ -38,9 +38,9 @@ fn ratio(over: &[&[f64]], under: &[&[f64]]) -> Option<Interval> {
 /// (relative) MSE of independent samples, −½ for its root. `a` and `b`: samples per pixel, and an error a replicate.
 ///
 /// Over samples rather than seconds: these are known without noise.
-pub fn slope(a: (u64, &[f64]), b: (u64, &[f64])) -> Option<Interval> {
+pub fn slope(a: (u32, &[f64]), b: (u32, &[f64])) -> Option<Interval> {
     let (log, half) = log_ratio(&[b.1], &[a.1])?;
-    let step = (b.0 as f64 / a.0 as f64).ln();
+    let step = (f64::from(b.0) / f64::from(a.0)).ln();
     (step > 0.0).then(|| Interval {
         value: log / step,
         low: (log - half) / step,

@@ -22,7 +22,7 @@ pub struct Replicates<'a, F> {
 
 struct Replicate<F> {
     seed: u32,
-    done: u64,
+    done: u32,
     film: Pixels<F>,
 }
 
@@ -45,7 +45,7 @@ impl<'a, F: Real> Replicates<'a, F> {
 }
 
 impl<F: Real> Growing for Replicates<'_, F> {
-    fn advance(&mut self, i: usize, spp: u64, stop: &AtomicBool) -> Result<Took, RenderError> {
+    fn advance(&mut self, i: usize, spp: u32, stop: &AtomicBool) -> Result<Took, RenderError> {
         let Replicate { seed, done, film } = &mut self.films[i];
         let job = Job {
             seed: *seed,
@@ -55,7 +55,7 @@ impl<F: Real> Growing for Replicates<'_, F> {
         while *done < spp && !stop.load(Ordering::Relaxed) {
             let slice = self.slices.next(spp - *done);
             let began = Instant::now();
-            film.advance(&job, &self.world, *done as u32..(*done + slice) as u32);
+            film.advance(&job, &self.world, *done..*done + slice);
             self.slices.took(slice, began.elapsed());
             *done += slice;
         }
@@ -65,7 +65,7 @@ impl<F: Real> Growing for Replicates<'_, F> {
         })
     }
 
-    fn done(&self, i: usize) -> u64 {
+    fn done(&self, i: usize) -> u32 {
         self.films[i].done
     }
 

@@ -37,17 +37,17 @@ impl Counts {
 }
 
 /// The picture of `spp` samples a pixel.
-pub fn picture(tiles: &[TileFilm], area: Tile, spp: u64) -> Film {
-    let mean = |p: &FilmPixel| film_mean(parts(p.sum, p.comp), spp as u32);
+pub fn picture(tiles: &[TileFilm], area: Tile, spp: u32) -> Film {
+    let mean = |p: &FilmPixel| film_mean(parts(p.sum, p.comp), spp);
     assemble(tiles, area, |t, k| mean(&t.pixels[k]))
 }
 
 /// That picture, with half the difference of its two groups of samples; `spp` ≥ 2.
-pub fn halves(tiles: &[TileFilm], area: Tile, spp: u64) -> Halves {
+pub fn halves(tiles: &[TileFilm], area: Tile, spp: u32) -> Halves {
     let half_difference = |p: &FilmPixel| {
         let [x, y, z] = p.contrast;
         let sum = parts(p.sum, p.comp);
-        film_half_difference(sum, vec3(x, y, z), spp as u32)
+        film_half_difference(sum, vec3(x, y, z), spp)
     };
     Halves {
         mean: picture(tiles, area, spp),
@@ -56,13 +56,13 @@ pub fn halves(tiles: &[TileFilm], area: Tile, spp: u64) -> Halves {
 }
 
 /// The standard errors of the mean of `spp` ≥ 2 samples a pixel, whose moments were kept.
-pub fn standard_errors(tiles: &[TileFilm], area: Tile, spp: u64) -> Film {
+pub fn standard_errors(tiles: &[TileFilm], area: Tile, spp: u32) -> Film {
     let stderr = |m: &FilmMoments| {
         let moments = film::FilmMoments {
             mean: parts(m.mean, m.mean_comp),
             m2: parts(m.m2, m.m2_comp),
         };
-        film_stderr(&moments, spp as u32)
+        film_stderr(&moments, spp)
     };
     assemble(tiles, area, |t, k| stderr(&t.moments[k]))
 }

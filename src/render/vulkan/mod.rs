@@ -48,7 +48,7 @@ pub fn render(
         compile_s,
         render_s,
         gpu_s: Some(run.gpu_time.as_secs_f64()),
-        samples: done * u64::from(job.area().pixels()),
+        samples: u64::from(done) * u64::from(job.area().pixels()),
         rays: counts.rays,
         dropped: counts.dropped,
         long_paths: counts.long_paths,
@@ -78,7 +78,7 @@ fn sample(
     while let Some(samples) = course.next_slice() {
         let mut longest = Duration::ZERO;
         for tile in 0..run.tiles.len() {
-            longest = longest.max(run.advance(tile, samples as u32)?);
+            longest = longest.max(run.advance(tile, samples)?);
             let part = (tile + 1) as f64 / run.tiles.len() as f64;
             progress(course.progress(samples, part));
         }

@@ -25,7 +25,7 @@ pub struct Replicates<'a> {
 
 struct Replicate {
     seed: u32,
-    done: u64,
+    done: u32,
     /// Empty while the run has them.
     tiles: Vec<TileFilm>,
 }
@@ -60,12 +60,12 @@ impl<'a> Replicates<'a> {
     }
 
     /// Slices of samples from `done` to `spp`; returns how many there are.
-    fn sample(&mut self, mut done: u64, spp: u64, stop: &AtomicBool) -> Result<u64, RenderError> {
+    fn sample(&mut self, mut done: u32, spp: u32, stop: &AtomicBool) -> Result<u32, RenderError> {
         while done < spp && !stop.load(Ordering::Relaxed) {
             let slice = self.slices.next(spp - done);
             let mut longest = Duration::ZERO;
             for tile in 0..self.run.tiles.len() {
-                longest = longest.max(self.run.advance(tile, (done + slice) as u32)?);
+                longest = longest.max(self.run.advance(tile, done + slice)?);
             }
             self.slices.took(slice, longest);
             done += slice;
@@ -75,7 +75,7 @@ impl<'a> Replicates<'a> {
 }
 
 impl Growing for Replicates<'_> {
-    fn advance(&mut self, i: usize, spp: u64, stop: &AtomicBool) -> Result<Took, RenderError> {
+    fn advance(&mut self, i: usize, spp: u32, stop: &AtomicBool) -> Result<Took, RenderError> {
         let Replicate { seed, done, .. } = self.films[i];
         let tiles = std::mem::take(&mut self.films[i].tiles);
         let idle = self.run.exchange(tiles, seed)?;
@@ -90,7 +90,7 @@ impl Growing for Replicates<'_> {
         Ok(took)
     }
 
-    fn done(&self, i: usize) -> u64 {
+    fn done(&self, i: usize) -> u32 {
         self.films[i].done
     }
 

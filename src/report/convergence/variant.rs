@@ -46,7 +46,7 @@ pub struct VariantRecord {
 /// All replicates with as many samples each.
 #[derive(Clone, Debug, Serialize)]
 pub struct StepRecord {
-    pub spp: u64,
+    pub spp: u32,
     /// Seconds of sampling of one replicate on the wall clock.
     pub wall_s: Interval,
     /// The same with all that comes before the first sample.
