@@ -1,5 +1,5 @@
 //! Kernels that ask what a driver makes of what [`compile`](super::compile) refuses or marks. Only `doctor` uses
-//! them (`tests/architecture.rs`): no picture may depend on such a kernel.
+//! them (`tests/library/architecture.rs`): no picture may depend on such a kernel.
 
 use super::compile::{caught, module_edited, spirv, words};
 use super::composed::Composed;

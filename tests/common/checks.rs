@@ -1,7 +1,5 @@
 //! Records of `vkpt check` that never ran, and pictures to stand beside them.
 
-#![allow(dead_code, reason = "each test program uses a part of it")]
-
 use vkpt::film::Film;
 use vkpt::metrics::difference_map;
 use vkpt::report::SettingsRecord;

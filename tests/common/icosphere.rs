@@ -1,7 +1,5 @@
 //! The displaced icospheres of `examples/icosphere`.
 
-#![allow(dead_code, reason = "each test program uses a part of it")]
-
 #[path = "../../examples/icosphere/mesh/mod.rs"]
 pub mod mesh;
 

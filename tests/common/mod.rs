@@ -3,9 +3,12 @@
 //! `VKPT_TEST_DEVICE` picks it (part of a name, or an index; default: the best). A test that finds no device fails,
 //! unless `VKPT_TEST_NO_GPU=1` says outright that the run goes without.
 
-#![allow(dead_code, reason = "each test program uses a part of it")]
+#![allow(dead_code, reason = "each of the three crates uses a part of it")]
 
+pub mod checks;
+pub mod icosphere;
 pub mod meshes;
+pub mod pages;
 pub mod render;
 pub mod scenes;
 pub mod settings;
@@ -16,7 +19,8 @@ use std::sync::OnceLock;
 
 use vkpt::gpu::{Device, GpuError, Options, Selector};
 
-/// One device for all tests of a file, under the validation layer where that is installed. `None`: the run goes without.
+/// One device for all tests of a crate, under the validation layer where that is installed. `None`: the run goes
+/// without.
 pub fn device() -> Option<&'static Device> {
     static DEVICE: OnceLock<Option<Device>> = OnceLock::new();
     DEVICE.get_or_init(|| open(Options::default())).as_ref()

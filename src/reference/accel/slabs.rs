@@ -16,7 +16,7 @@
 //!
 //! So boxes grown by [`PAD`]·u·R = 64 u R on each side contain every hit within them, and the computed
 //! entry ≤ t ≤ exit. Instead of growing each box, the ray's origin is moved: one way for the planes it meets
-//! first, the other way for those it leaves by. `tests/bvh/` holds the 48 u R against what the tests report.
+//! first, the other way for those it leaves by. `tests/device/bvh/` holds the 48 u R against what the tests report.
 
 use crate::reference::math::{Real, Vec3, max2, min2, vec3};
 

@@ -1,0 +1,140 @@
+//! `vkpt explain`: what it prints and writes, and how it ends.
+
+use std::fs;
+use std::path::Path;
+
+use vkpt::settings::Settings;
+
+use super::program::{SCENE, command, folder, names, run, without_vulkan};
+use crate::common;
+use crate::common::render::job;
+use crate::common::spirv_tools::tool;
+
+#[test]
+fn the_page_is_narrow_and_names_lines_buffers_and_memory() {
+    let run = run(Path::new("."), &["explain", "scenes/glass-table.txt"]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""));
+    for line in run.out.lines() {
+        assert!(line.chars().count() <= 100, "{line}");
+        assert_eq!(line, line.trim_end());
+    }
+    for words in [
+        "400×300 pixels",
+        "light 15 13 10.4",
+        "line 7: fresnel exact",
+        "Left out",
+        "the scene has no mesh",
+        "bytes of SPIR-V",
+        "no hierarchy",
+        "PathState",
+        "on the device",
+    ] {
+        assert!(run.out.contains(words), "{words} is missing:\n{}", run.out);
+    }
+}
+
+#[test]
+fn a_mesh_brings_a_hierarchy_and_its_cost() {
+    let run = run(Path::new("."), &["explain", "scenes/glass-mesh.txt"]);
+    for words in [
+        "CWBVH",
+        "nodes",
+        "surface area heuristic",
+        "bvh_words",
+        "8,126 triangles",
+        "beside it, 4 primitives tried one by one",
+    ] {
+        assert!(run.out.contains(words), "{words} is missing:\n{}", run.out);
+    }
+}
+
+#[test]
+fn no_device_is_needed_but_one_that_is_asked_for_must_be_there() {
+    let folder = folder(SCENE);
+    let without = |arguments: &[&str]| {
+        let output = command(folder.path(), arguments)
+            .env("VK_DRIVER_FILES", "/nowhere.json")
+            .env("VK_ICD_FILENAMES", "/nowhere.json")
+            .output()
+            .expect("the program runs");
+        (
+            output.status.code(),
+            String::from_utf8_lossy(&output.stdout).into_owned(),
+        )
+    };
+    let (code, out) = without(&["explain", "scene.scn"]);
+    assert_eq!(code, Some(0));
+    assert!(out.contains("there is no Vulkan device here"), "{out}");
+    assert!(
+        out.contains("1,048,576") || out.contains("48 pixels"),
+        "{out}"
+    );
+    assert_eq!(
+        without(&["explain", "scene.scn", "--device", "0"]).0,
+        Some(4)
+    );
+}
+
+#[test]
+fn the_spirv_is_the_module_that_renders_and_is_written_whole() {
+    if without_vulkan() {
+        return;
+    }
+    let folder = folder(SCENE);
+    let arguments = ["explain", "scene.scn", "--spirv", "k.spv", "--glsl"];
+    let run = run(folder.path(), &arguments);
+    assert_eq!(run.code, Some(0), "{}", run.err);
+    assert_eq!(names(folder.path()), ["k.spv", "scene.scn"]);
+    let written = fs::read(folder.path().join("k.spv")).expect("a module");
+    let device = vkpt::gpu::Device::open(&vkpt::gpu::Selector::Best).expect("a device");
+    let settings = Settings::default();
+    let scene = common::render::prepared(SCENE, &settings);
+    let kernel = vkpt::render::kernel(&job(&scene, settings, 1, 0), &device).expect("a kernel");
+    assert!(written == kernel.bytes());
+    tool("spirv-val", &["--target-env", "vulkan1.1"], &written);
+}
+
+#[test]
+fn the_glsl_has_a_heading_a_file_and_nothing_else_beside_it() {
+    let folder = folder(SCENE);
+    let run = run(folder.path(), &["explain", "scene.scn", "--glsl"]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""));
+    assert!(run.out.starts_with("#version 450\n"));
+    assert!(run.out.contains("\n// ──── shaders/path_trace.comp ────\n"));
+    assert!(
+        run.out
+            .contains("\n// ──── shaders/shape/sphere.glsl ────\n")
+    );
+    assert!(run.out.trim_end().ends_with('}'));
+    assert!(!run.out.contains("shape/box.glsl"));
+}
+
+#[test]
+fn the_full_kernel_is_larger_and_named_as_the_reason() {
+    let folder = folder(SCENE);
+    let full = run(folder.path(), &["explain", "scene.scn", "--kernel", "full"]);
+    assert!(full.out.contains("--kernel full"), "{}", full.out);
+    assert!(full.out.contains("100 %"), "{}", full.out);
+    let composed = run(folder.path(), &["explain", "scene.scn"]);
+    assert!(!composed.out.contains("--kernel full"), "{}", composed.out);
+}
+
+#[test]
+fn what_is_wrong_has_its_exit_code() {
+    let folder = folder("screen 8 6\n");
+    let code = |arguments: &[&str]| run(folder.path(), arguments).code;
+    assert_eq!(code(&["explain"]), Some(2));
+    assert_eq!(code(&["explain", "scene.scn"]), Some(3));
+    assert_eq!(
+        code(&["explain", "scene.scn", "--spirv", "none/k.spv"]),
+        Some(5)
+    );
+    fs::write(folder.path().join("scene.scn"), SCENE).expect("a scene file");
+    assert_eq!(
+        code(&["explain", "scene.scn", "--crop", "0,0,99,99"]),
+        Some(2)
+    );
+    fs::write(folder.path().join("odd.scn"), format!("{SCENE}sphear 1\n")).expect("a scene file");
+    assert_eq!(code(&["explain", "odd.scn", "--strict"]), Some(3));
+    assert_eq!(names(folder.path()), ["odd.scn", "scene.scn"]);
+}

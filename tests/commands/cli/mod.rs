@@ -1,0 +1,17 @@
+//! The program itself: help, refusals, exit codes, and that a refusal leaves no file.
+
+mod check;
+mod compare;
+mod converge;
+mod converge_refusals;
+mod doctor;
+mod ends;
+mod explain;
+mod help;
+mod interrupt;
+mod overstated;
+mod paired;
+pub mod program;
+mod readme;
+mod refusals;
+mod rendering;

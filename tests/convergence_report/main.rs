@@ -1,9 +1,0 @@
-//! What `vkpt converge` shows of an experiment: the plot, held against logarithms and the labels of its own ticks, and
-//! the page, held against the record.
-
-#[path = "../common/pages.rs"]
-mod pages;
-
-mod page;
-mod plot;
-mod records;

@@ -1,0 +1,251 @@
+//! The kernels' hierarchy, on the device, against brute force on the CPU.
+
+use rayon::prelude::*;
+use vkpt::flat::{self, bvh, bvh::Bvh};
+use vkpt::gpu::{Buffer, BufferUse, Device, Pipeline};
+use vkpt::kernel::{Composer, Slot, compile};
+use vkpt::layout::{self, GpuStruct};
+use vkpt::prepared::{NONE, Prepared};
+use vkpt::reference::shape::Hit;
+
+use super::brute::{World, bits};
+use super::rays::{Query, Rays};
+use super::scenes;
+use super::tree::ALL_KINDS;
+use crate::common;
+
+/// Queries answered by one dispatch.
+const BATCH: usize = 1 << 15;
+const QUERY_WORDS: usize = 16;
+const HIT_WORDS: usize = 8;
+
+const ROOT: &str = "// uses: shape/bvh/nearest
+layout(local_size_x = 64) in;
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    uvec4 a = queries[4u * i];
+    uvec4 b = queries[4u * i + 1u];
+    uvec4 c = queries[4u * i + 2u];
+    Ray ray = Ray(uintBitsToFloat(a.xyz), uintBitsToFloat(uvec3(a.w, b.x, b.y)), b.z, b.w, c.x, uintBitsToFloat(c.y));
+    Hit hit = nearest_bvh(ray, Target(c.w, queries[4u * i + 3u].x), no_hit(uintBitsToFloat(c.z)));
+    hits[2u * i] = uvec4(floatBitsToUint(hit.t), hit.shape, hit.prim, loop_failed ? 1u : 0u);
+    hits[2u * i + 1u] = uvec4(floatBitsToUint(hit.uv), loop_steps, 0u);
+}
+";
+
+/// A scene on the device, and the kernel that searches it.
+pub struct Search<'a> {
+    device: &'a Device,
+    pipeline: Pipeline,
+    scene: Vec<Buffer>,
+    queries: Buffer,
+    hits: Buffer,
+}
+
+impl<'a> Search<'a> {
+    /// `edit` may change the text of a file of the library, by its name.
+    pub fn new(
+        device: &'a Device,
+        prepared: &Prepared,
+        bvh: &Bvh,
+        edit: impl Fn(&str, &str) -> String,
+    ) -> Self {
+        let arrays: [(&str, &str, Vec<u8>); 7] = [
+            ("uvec4", "bvh_words", bytes(&bvh.nodes)),
+            ("uint", "bvh_references", bytes(&bvh.references)),
+            ("Sphere", "spheres", bytes(&flat::spheres(prepared))),
+            ("Cuboid", "boxes", bytes(&flat::boxes(prepared))),
+            ("Cylinder", "cylinders", bytes(&flat::cylinders(prepared))),
+            ("float", "triangle_words", bytes(&flat::triangles(prepared))),
+            (
+                "uint",
+                "triangle_shapes",
+                bytes(&flat::triangle_shapes(prepared)),
+            ),
+        ];
+        let buffer = |name: &str, bytes: usize| {
+            device
+                .buffer(name, BufferUse::Storage, bytes as u64)
+                .expect("a buffer")
+        };
+        let mut declarations = String::new();
+        let mut scene = Vec::new();
+        for (i, (ty, name, bytes)) in arrays.iter().enumerate() {
+            declarations += &declaration(i, "readonly ", ty, name);
+            scene.push(buffer(name, bytes.len()));
+            scene[i].write(bytes).expect("an upload");
+        }
+        declarations += &declaration(7, "readonly ", "uvec4", "queries");
+        declarations += &declaration(8, "", "uvec4", "hits");
+        let kernel = compose(prepared, bvh, &declarations, edit);
+        Self {
+            device,
+            pipeline: device
+                .pipeline(&kernel, &[BufferUse::Storage; 9], 0)
+                .expect("a pipeline"),
+            scene,
+            queries: buffer("queries", BATCH * QUERY_WORDS * 4),
+            hits: buffer("hits", BATCH * HIT_WORDS * 4),
+        }
+    }
+
+    /// The hits of at most [`BATCH`] queries, in order.
+    pub fn nearest(&self, queries: &[Query<f32>]) -> Vec<Hit<f32>> {
+        let mut words: Vec<[u32; QUERY_WORDS]> = queries.iter().map(query_words).collect();
+        // The rest of the batch repeats the last query.
+        words.resize(BATCH, words[words.len() - 1]);
+        self.queries
+            .write(bytemuck::cast_slice(&words))
+            .expect("an upload");
+        let mut buffers: Vec<&Buffer> = self.scene.iter().collect();
+        buffers.extend([&self.queries, &self.hits]);
+        let groups = [(BATCH / 64) as u32, 1, 1];
+        self.device
+            .dispatch(&self.pipeline, &buffers, &[], groups)
+            .expect("a dispatch");
+        let bytes = self.hits.read().expect("a download");
+        bytes
+            .chunks_exact(4 * HIT_WORDS)
+            .take(queries.len())
+            .map(hit)
+            .collect()
+    }
+}
+
+fn bytes<T: bytemuck::NoUninit>(records: &[T]) -> Vec<u8> {
+    bytemuck::cast_slice(records).to_vec()
+}
+
+fn declaration(index: usize, access: &str, ty: &str, name: &str) -> String {
+    format!(
+        "layout(std430, set = 0, binding = {index}) {access}buffer {name}_block {{ {ty} {name}[]; }};\n"
+    )
+}
+
+fn compose(
+    prepared: &Prepared,
+    bvh: &Bvh,
+    declarations: &str,
+    edit: impl Fn(&str, &str) -> String,
+) -> vkpt::kernel::Spirv {
+    let prelude = format!(
+        "const uint NONE = {NONE}u;\nconst uint STACK = {}u;\nconst float REACH = {:?};\n\
+         const uint TRIANGLE_SHAPES = {}u;\n",
+        bvh.stack,
+        bvh.reach,
+        prepared.triangles.len()
+    );
+    let structs = [
+        layout::Sphere::glsl(),
+        layout::Cuboid::glsl(),
+        layout::Cylinder::glsl(),
+    ]
+    .concat();
+    let mut composer = Composer::new()
+        .prelude(prelude + &structs + declarations)
+        .slot("leaf", Slot::Text(bvh::leaf_text(ALL_KINDS)))
+        .slot("triangles", Slot::File("shape/triangle/corners".into()))
+        .add("root", ROOT);
+    for file in ["shape/bvh/slabs", "shape/bvh/nearest"] {
+        let text = vkpt::kernel::file(file).expect("a file of the library");
+        composer = composer.add(file, edit(file, text));
+    }
+    let composed = composer.compose(&["root"]).expect("composes");
+    compile(&composed).unwrap_or_else(|e| panic!("{e:?}"))
+}
+
+fn query_words(q: &Query<f32>) -> [u32; QUERY_WORDS] {
+    let (o, d) = (q.ray.o, q.ray.d);
+    let mut words = [0; QUERY_WORDS];
+    words[..6].copy_from_slice(&[o.x, o.y, o.z, d.x, d.y, d.z].map(f32::to_bits));
+    words[6..9].copy_from_slice(&[q.ray.shape, q.ray.prim, q.ray.start]);
+    words[9..11].copy_from_slice(&[q.ray.t_self, q.t_max].map(f32::to_bits));
+    words[11..13].copy_from_slice(&[q.skip.shape, q.skip.prim]);
+    words
+}
+
+fn hit(bytes: &[u8]) -> Hit<f32> {
+    let word = |i: usize| {
+        u32::from_ne_bytes([
+            bytes[4 * i],
+            bytes[4 * i + 1],
+            bytes[4 * i + 2],
+            bytes[4 * i + 3],
+        ])
+    };
+    assert_eq!(word(3), 0, "a loop ended before its end");
+    Hit {
+        t: f32::from_bits(word(0)),
+        shape: word(1),
+        prim: word(2),
+        uv: [f32::from_bits(word(4)), f32::from_bits(word(5))],
+    }
+}
+
+/// The first of `count` queries whose answer differs from brute force in any bit, as text.
+fn first_difference(search: &Search, prepared: &Prepared, count: usize) -> Option<String> {
+    let world = World::<f32>::new(prepared);
+    let mut source = Rays::new(prepared, 23);
+    let mut left = count;
+    while left > 0 {
+        let n = left.min(BATCH);
+        let queries: Vec<Query<f32>> = (0..n).map(|_| source.next()).collect();
+        let found = search.nearest(&queries);
+        let difference = queries.par_iter().zip(&found).find_map_first(|(q, found)| {
+            let expected = world.nearest(q);
+            (bits(*found) != bits(expected)).then(|| format!("{q:?}\n{found:?}\n{expected:?}"))
+        });
+        if difference.is_some() {
+            return difference;
+        }
+        left -= n;
+    }
+    None
+}
+
+fn check(count: usize) {
+    let Some(device) = common::device() else {
+        return;
+    };
+    for (name, prepared) in scenes::all() {
+        let bvh = bvh::build(&prepared, &ALL_KINDS);
+        let search = Search::new(device, &prepared, &bvh, |_, text| text.to_owned());
+        let difference = first_difference(&search, &prepared, count);
+        assert_eq!(difference, None, "{name}");
+    }
+}
+
+#[test]
+fn gpu_equals_brute_force() {
+    check(16_384);
+}
+
+#[test]
+#[ignore = "ten million queries: minutes"]
+fn gpu_equals_brute_force_at_length() {
+    check(1_000_000);
+}
+
+/// Without padding a box hides hits on its faces; a box that is a plane too small hides what lies behind it.
+#[test]
+fn planted_errors_are_noticed() {
+    let Some(device) = common::device() else {
+        return;
+    };
+    let prepared = scenes::cube();
+    let bvh = bvh::build(&prepared, &ALL_KINDS);
+    let unpadded = Search::new(device, &prepared, &bvh, |_, text| {
+        text.replace("3.814697265625e-6", "0.0")
+    });
+    assert!(first_difference(&unpadded, &prepared, 20_000).is_some());
+
+    let prepared = scenes::blob();
+    let mut bvh = bvh::build(&prepared, &ALL_KINDS);
+    for node in &mut bvh.nodes {
+        // The upper planes in x of the first four children, each one lower.
+        let planes = node[10].to_le_bytes().map(|q| q.saturating_sub(1));
+        node[10] = u32::from_le_bytes(planes);
+    }
+    let shrunken = Search::new(device, &prepared, &bvh, |_, text| text.to_owned());
+    assert!(first_difference(&shrunken, &prepared, 20_000).is_some());
+}

@@ -1,0 +1,57 @@
+//! `vkpt check`: that its battery is sound, and that what is planted in a kernel fails it.
+
+mod battery;
+mod closed;
+mod page;
+mod planted;
+mod told;
+
+use std::sync::atomic::AtomicBool;
+
+use vkpt::check::run::{Bench, Ran, run};
+use vkpt::check::{Case, battery};
+use vkpt::kernel::OwnFile;
+use vkpt::render::KernelChoice;
+use vkpt::report::check::Check;
+
+use crate::common;
+
+/// The named cases, by a kernel that has `files` of its own; `None` where the run goes without a device.
+fn ran(names: &[&str], files: &[OwnFile]) -> Option<Check> {
+    Some(ran_with_pictures(names, files)?.record)
+}
+
+/// The same, with the pictures.
+fn ran_with_pictures(names: &[&str], files: &[OwnFile]) -> Option<Ran> {
+    let device = common::device()?;
+    let all = battery();
+    let find = |name: &&str| {
+        all.iter()
+            .find(|c| c.name == **name)
+            .unwrap_or_else(|| panic!("no case {name}"))
+    };
+    let selected: Vec<&Case> = names.iter().map(find).collect();
+    let kernel = if files.is_empty() {
+        KernelChoice::Composed
+    } else {
+        KernelChoice::Own(files)
+    };
+    let stop = AtomicBool::new(false);
+    let bench = Bench {
+        device,
+        kernel,
+        quick: true,
+        stop: &stop,
+    };
+    Some(run(&all, &selected, &bench, &mut |_, _| {}).expect("a run"))
+}
+
+/// What the case of a run fails by.
+fn fails_by(check: &Check, name: &str) -> Vec<&'static str> {
+    let case = check.cases.iter().find(|c| c.name == name).expect("a case");
+    case.held
+        .iter()
+        .filter(|h| !h.passed())
+        .map(|h| h.what)
+        .collect()
+}

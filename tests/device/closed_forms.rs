@@ -1,0 +1,218 @@
+//! Whole renderings whose radiance is known by hand, on the device and by the reference.
+//!
+//! Pixels of these pictures all show the same thing, so each is an independent sample of the same mean:
+//! Student's t over the pixels, Šidák over each family at α = 1e-3, fixed seeds.
+
+use std::path::Path;
+
+use vkpt::film::Film;
+use vkpt::render::Target;
+use vkpt::settings::{Absorption, Connect, Roulette, Settings};
+
+use crate::common;
+use crate::common::render::film;
+use crate::common::stats::{mean_and_error, p_of_mean, sidak};
+
+const ALPHA: f64 = 1e-3;
+/// Rounding of a sum of products in f32, for means that have no variance.
+const ROUNDING: f64 = 1e-5;
+
+fn targets() -> Vec<Target> {
+    let mut targets = vec![Target::CpuF64];
+    if common::device().is_some() {
+        targets.push(Target::Vulkan(common::selector()));
+    }
+    targets
+}
+
+/// A picture with a known mean.
+struct Case {
+    name: String,
+    scene: String,
+    settings: Settings,
+    spp: u32,
+    expected: Rgb,
+    /// 1: all pixels show the same thing, each is a sample. More: the mean of each seed's picture is a sample.
+    seeds: u32,
+}
+
+type Rgb = [f64; 3];
+
+/// Independent samples of each channel.
+fn samples(case: &Case, target: &Target) -> [Vec<f64>; 3] {
+    let films: Vec<_> = (0..case.seeds)
+        .map(|seed| film(&case.scene, case.settings, case.spp, seed, target))
+        .collect();
+    std::array::from_fn(|c| {
+        let pixels = |film: &Film| film.rgb.iter().map(|p| f64::from(p[c])).collect::<Vec<_>>();
+        match films.as_slice() {
+            [one] => pixels(one),
+            many => many.iter().map(|f| mean_and_error(&pixels(f)).0).collect(),
+        }
+    })
+}
+
+/// Every case on every target, and each case again with its expectation 1 % off, which must fail somewhere.
+fn check(cases: &[Case]) {
+    let level = sidak(ALPHA, 3 * cases.len() * targets().len());
+    let mut caught = 0;
+    for target in targets() {
+        for case in cases {
+            for (samples, expected) in samples(case, &target).iter().zip(case.expected) {
+                let p = p_of_mean(samples, expected, ROUNDING * expected);
+                let (mean, error) = mean_and_error(samples);
+                assert!(
+                    p > level,
+                    "{} on {target:?}: {mean} ± {error}, expected {expected}, p = {p:e}",
+                    case.name
+                );
+                let planted = p_of_mean(samples, expected * 1.01, ROUNDING * expected);
+                caught += usize::from(planted <= level);
+            }
+        }
+    }
+    assert!(caught > 0, "a mean 1 % off must be noticed");
+}
+
+/// A camera that sees one point: every ray of its 24 × 24 pixels is the same to 1e-6.
+fn one_point(eye: &str, orientation: &str) -> String {
+    format!("screen 24 24\ncamera {eye} 1e-6 {orientation}\n")
+}
+
+/// L = Kd r² / (r² + h²): a disc of radius r and radiance 1 at height h over a Lambert plane (model page, check 13).
+#[test]
+fn disc_light_over_a_lambert_plane() {
+    let (r, h, kd) = (0.5, 0.8, 0.7);
+    // The camera looks along (0, 1, −1) at the origin; the disc is the lower cap of a thin cylinder.
+    let scene = one_point("0 -3 3", "x 45")
+        + &format!("brdf {kd} {kd} {kd} 0 0 0 10\nbox -50 -50 -1 100 100 1\n")
+        + &format!("light 1 1 1\ncylinder 0 0 {h} 0 0 1e-4 {r}\n");
+    let expected = kd * r * r / (r * r + h * h);
+    let mut cases = Vec::new();
+    for connect in [Connect::Mis, Connect::Light, Connect::Bsdf] {
+        for roulette in [Roulette::Throughput, Roulette::Constant(0.8), Roulette::Off] {
+            let mut settings = Settings::default();
+            settings.estimator.connect = connect;
+            settings.estimator.roulette = roulette;
+            let name = format!("{connect:?}, {roulette:?}");
+            cases.push(Case {
+                name,
+                scene: scene.clone(),
+                settings,
+                spp: 64,
+                expected: [expected; 3],
+                seeds: 1,
+            });
+        }
+    }
+    check(&cases);
+}
+
+/// A camera inside glass of index n sees a furnace at n² with radiance scaling, at 1 without (check 14), from
+/// inside each of the four shapes.
+#[test]
+fn camera_inside_glass_sees_the_furnace_scaled() {
+    let glass = "background 1 1 1\nfresnel exact\nbrdf 0 0 0 .04 .04 .04 0 1 1 1 1.5\n";
+    let cube = common::meshes::cube();
+    let shapes = [
+        "sphere 0 0 0 1".to_owned(),
+        "box -1 -1 -1 2 2 2".to_owned(),
+        "cylinder 0 0 -1 0 0 2 1".to_owned(),
+        format!("mesh {} 0 0 0 1", cube.path().display()),
+    ];
+    let mut cases = Vec::new();
+    for shape in &shapes {
+        for (radiance_scaling, expected) in [(true, 2.25), (false, 1.0)] {
+            let mut settings = Settings::default();
+            settings.model.radiance_scaling = radiance_scaling;
+            cases.push(Case {
+                name: format!("{shape}, scaling {radiance_scaling}"),
+                scene: format!("screen 16 16\ncamera .1 .2 .3 .7\n{glass}{shape}\n"),
+                settings,
+                spp: 64,
+                expected: [expected; 3],
+                seeds: 1,
+            });
+        }
+    }
+    check(&cases);
+}
+
+/// Unit sphere of smooth glass (exact Fresnel, n = 1.5) in a unit furnace: means over its disc (check 11).
+#[test]
+fn absorbing_sphere_in_a_furnace() {
+    let segment = [
+        (1.0, 1.0),
+        (0.9, 0.833999),
+        (0.5, 0.342929),
+        (0.1, 0.106479),
+    ];
+    let term = [
+        (1.0, 1.0),
+        (0.9, 0.845640),
+        (0.5, 0.359536),
+        (0.1, 0.108081),
+    ];
+    let mut cases = Vec::new();
+    for (absorption, means) in [(Absorption::Segment, segment), (Absorption::Term, term)] {
+        for (kt, disc) in means {
+            let mut settings = Settings::default();
+            settings.model.absorption = absorption;
+            let glass = format!("fresnel exact\nbrdf 0 0 0 .04 .04 .04 0 {kt} {kt} {kt} 1.5\n");
+            // From 1000 away the disc fills the square picture from edge to edge, to 1e-6.
+            let scene = "screen 32 32\ncamera 0 0 1000 .001\nbackground 1 1 1\n".to_owned();
+            let expected = 1.0 - std::f64::consts::FRAC_PI_4 * (1.0 - disc);
+            cases.push(Case {
+                name: format!("{absorption:?}, Kt {kt}"),
+                scene: scene + &glass + "sphere 0 0 0 1\n",
+                settings,
+                spp: 16,
+                expected: [expected; 3],
+                seeds: 24,
+            });
+        }
+    }
+    check(&cases);
+}
+
+/// A slab of unit thickness: T and R of `slab_beer.csv` (check 10). What it transmits is red, what it reflects green.
+#[test]
+fn absorbing_slab() {
+    let path = Path::new("../shared/spec/tables/slab_beer.csv");
+    let Ok(table) = std::fs::read_to_string(path) else {
+        println!("skipped: {} is not there", path.display());
+        return;
+    };
+    let rows = table.lines().skip(1).map(|line| {
+        line.split(',')
+            .map(|x| x.parse().expect("a number"))
+            .collect::<Vec<f64>>()
+    });
+    let mut cases = Vec::new();
+    for row in rows.step_by(5) {
+        let (n, cos, kt) = (row[0], row[1], row[2]);
+        let degrees = cos.acos().to_degrees();
+        let scene = one_point("0 0 3", &format!("x {degrees}"))
+            + "light 1 0 0\nbox -1e4 -1e4 -3 2e4 2e4 1\nlight 0 1 0\nbox -1e4 -1e4 4 2e4 2e4 1\n"
+            + &format!("fresnel exact\nbrdf 0 0 0 .04 .04 .04 0 {kt} {kt} {kt} {n}\n")
+            + "box -1e4 -1e4 0 2e4 2e4 1\n";
+        for (absorption, t, r) in [
+            (Absorption::Segment, row[5], row[6]),
+            (Absorption::Term, row[7], row[8]),
+        ] {
+            let mut settings = Settings::default();
+            settings.model.absorption = absorption;
+            let name = format!("n {n}, cos {cos}, Kt {kt}, {absorption:?}");
+            let scene = scene.clone();
+            cases.push(Case {
+                name,
+                scene,
+                settings,
+                spp: 64,
+                expected: [t, r, 0.0],
+                seeds: 1,
+            });
+        }
+    }
+    check(&cases);
+}

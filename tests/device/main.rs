@@ -1,0 +1,26 @@
+//! What the library does on a Vulkan device (see `common`).
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bvh;
+mod check;
+mod closed_forms;
+mod converge;
+mod doctor;
+mod explain;
+mod f32_ends;
+mod full_kernel;
+mod gpu;
+mod gpu_cache;
+mod hand_over;
+mod honest_error;
+mod oracle;
+mod paired;
+mod random_scenes;
+mod same_bits;
+mod scene_kernels;
+mod standard_errors;
+mod trace;
+mod twins;
+mod while_rendering;

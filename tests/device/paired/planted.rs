@@ -1,0 +1,91 @@
+//! What must be found: other random numbers, another decision, one bit in one sample.
+
+use vkpt::metrics::paired::Verdict;
+use vkpt::sample::PairedSample;
+use vkpt::settings::Settings;
+
+use super::{compared, samples};
+use crate::common::render::{job, prepared};
+use crate::common::scenes::TABLE;
+
+fn table(seed: u32) -> Option<Vec<PairedSample>> {
+    let settings = Settings::default();
+    samples(&job(&prepared(TABLE, &settings), settings, 16, seed))
+}
+
+/// Another seed is a renderer that decides otherwise, yet without bias; a quarter less light on every path is one.
+/// Two seeds part in a third of the paths: the others see the background, or the floor in the light.
+#[test]
+fn other_paths_part_without_bias_and_darker_ones_with() {
+    let (Some(mut samples), Some(others)) = (table(1), table(2)) else {
+        return;
+    };
+    for (s, other) in samples.iter_mut().zip(&others) {
+        s.f64 = other.f64;
+    }
+    let [_, pair] = compared(&samples);
+    assert!(
+        pair.together < pair.paths * 4 / 5,
+        "{} together",
+        pair.together
+    );
+    assert!(
+        matches!(pair.parted.verdict(), Verdict::Unbiased(_)),
+        "{pair:?}"
+    );
+    for s in &mut samples {
+        s.f64.radiance = s.f64.radiance.map(|x| 0.75 * x);
+    }
+    let [_, pair] = compared(&samples);
+    assert!(
+        matches!(pair.parted.verdict(), Verdict::Biased(_)),
+        "{pair:?}"
+    );
+}
+
+/// A hundredth more light on every path: a device that is wrong everywhere stays together, and is not close.
+#[test]
+fn a_hundredth_of_all_light_is_the_median_difference() {
+    let Some(mut samples) = table(1) else { return };
+    for s in &mut samples {
+        s.f64.radiance = s.f64.radiance.map(|x| 1.01 * x);
+    }
+    let [_, pair] = compared(&samples);
+    let median = pair.closeness.quantile(0.5).expect("light");
+    assert!(
+        (median / (1.0 - 1.0 / 1.01)).log2().abs() < 1.0 / 64.0,
+        "{median}"
+    );
+}
+
+/// A swapped lobe at one vertex, the last bit of one sample: each is named with its address.
+#[test]
+fn one_path_of_all_is_found() {
+    let Some(samples) = table(1) else { return };
+    let [before, _] = compared(&samples);
+    if !before.is_equal() {
+        println!("skipped: no CPU driver");
+        return;
+    }
+    let lit = |s: &&PairedSample| s.f32.radiance[1] > 0.0;
+    let victim = samples.iter().skip(7000).find(lit).expect("light").address;
+    let planted = |plant: &dyn Fn(&mut PairedSample)| {
+        let mut samples = samples.clone();
+        let of_victim = samples.iter_mut().filter(|s| s.address == victim);
+        of_victim.for_each(plant);
+        let [pair, _] = compared(&samples);
+        assert_eq!(
+            (pair.paths - pair.equal, pair.first_unequal),
+            (1, Some(victim))
+        );
+        pair
+    };
+    let bit = planted(&|s| s.device.radiance[1] = f64::from((s.f32.radiance[1] as f32).next_up()));
+    assert_eq!((bit.together, bit.first_parted), (bit.paths, None));
+    assert_eq!(bit.closeness.worst.map(|w| w.address), Some(victim));
+    let lobe = planted(&|s| s.device.signature ^= 1);
+    assert_eq!(
+        (lobe.paths - lobe.together, lobe.first_parted),
+        (1, Some(victim))
+    );
+}

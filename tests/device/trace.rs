@@ -1,0 +1,122 @@
+//! `--trace`: the device and the reference in f32 tell the same story of a path, event by event.
+
+use vkpt::gpu::DeviceKind;
+use vkpt::render::{Target, trace};
+use vkpt::settings::Settings;
+
+use crate::common;
+use crate::common::render::{job, prepared};
+use crate::common::scenes::{SMOOTH, TABLE, WIDE};
+
+#[test]
+fn the_device_tells_the_same_story_as_the_reference() {
+    if common::device().is_none_or(|d| d.info().kind != DeviceKind::Cpu) {
+        println!("skipped: no CPU driver");
+        return;
+    }
+    let target = Target::Vulkan(common::selector());
+    let mut told = String::new();
+    for text in [TABLE, SMOOTH, WIDE] {
+        let scene = prepared(text, &Settings::default());
+        let job = job(&scene, Settings::default(), 8, 1);
+        for (pixel, index) in [
+            ([9, 12], 0),
+            ([22, 13], 3),
+            ([16, 20], 7),
+            ([3, 1], 1),
+            ([3, 20], 2),
+            ([3, 20], 5),
+            ([4, 21], 6),
+        ] {
+            let trace = trace(&job, &target, pixel, index)
+                .expect("a trace")
+                .to_string();
+            assert!(
+                trace.ends_with("the two paths are the same"),
+                "pixel {pixel:?}, sample {index}:\n{trace}"
+            );
+            told += &trace;
+        }
+    }
+    for event in [
+        "diffuse",
+        "reflection",
+        "transmission",
+        "delta",
+        "(box of line 6)",
+        "(sphere of line 9)",
+        "connection to shape",
+        "connection to the background",
+        "arrives",
+        "is blocked",
+        "leaves the scene",
+    ] {
+        assert!(told.contains(event), "no path of these has this: {event}");
+    }
+}
+
+/// A connection comes after the vertex that it starts from, and the radiance grows by its light in between.
+#[test]
+fn a_connection_follows_its_vertex() {
+    let scene = prepared(SMOOTH, &Settings::default());
+    let job = job(&scene, Settings::default(), 64, 1);
+    let mut arrived = 0;
+    for sample in 0..64 {
+        let told = trace(&job, &Target::CpuF64, [3, 20], sample).expect("a trace");
+        let text = told.to_string();
+        let f32_side = text
+            .lines()
+            .skip(1)
+            .map(|l| l.get(70..).unwrap_or_default().trim());
+        let lines: Vec<&str> = f32_side.collect();
+        let events: Vec<usize> = (0..lines.len())
+            .filter(|&i| {
+                ["vertex", "connection", "leaves"]
+                    .iter()
+                    .any(|w| lines[i].starts_with(w))
+            })
+            .collect();
+        let red = |from: usize, name: &str| {
+            let line = lines[from..].iter().find(|l| l.starts_with(name));
+            let number = line.and_then(|l| l.split_whitespace().nth(1));
+            number
+                .and_then(|x| x.parse::<f64>().ok())
+                .expect("a number")
+        };
+        assert!(lines[events[0]].starts_with("vertex"), "{text}");
+        for pair in events
+            .windows(2)
+            .filter(|p| lines[p[1]].contains("arrives"))
+        {
+            assert!(lines[pair[0]].starts_with("vertex"), "{text}");
+            let (before, after) = (red(pair[0], "radiance"), red(pair[1], "radiance"));
+            let light = red(pair[1], "light");
+            assert!((after - before - light).abs() <= 1e-6 * after, "{text}");
+            arrived += 1;
+        }
+    }
+    assert!(arrived > 10, "{arrived}");
+}
+
+/// f32 and f64 part at last, within the tolerance or in their decisions; both are told from the camera on.
+#[test]
+fn the_two_references_are_told_side_by_side() {
+    let scene = prepared(SMOOTH, &Settings::default());
+    let job = job(&scene, Settings::default(), 1, 1);
+    let trace = trace(&job, &Target::CpuF64, [16, 20], 0)
+        .expect("a trace")
+        .to_string();
+    let first = trace.lines().next().unwrap_or_default();
+    assert!(
+        first.starts_with("cpu-f64") && first.ends_with("cpu-f32"),
+        "{trace}"
+    );
+    assert_eq!(
+        trace
+            .lines()
+            .nth(1)
+            .map(|l| l.matches("vertex on shape").count()),
+        Some(2),
+        "{trace}"
+    );
+}

@@ -1,0 +1,160 @@
+//! Kinds of material: sampling, and evaluation where light connections and samples look.
+
+use vkpt::kernel::Slot;
+use vkpt::prepared::MaterialKind;
+use vkpt::reference::bsdf::kind::{dielectric, glass, weak};
+use vkpt::reference::bsdf::normals::normals_sample;
+use vkpt::reference::bsdf::rough::{
+    rough_draw, rough_reflection_at, rough_reflection_sample, rough_reflects,
+};
+use vkpt::reference::bsdf::{bsdf_eval, bsdf_sample};
+use vkpt::settings::Settings;
+
+use super::inputs::{
+    OUT_SAMPLE, OUT_VALUE, out_sample, out_value, put, surface_of, take, uniform, uniform2,
+};
+use super::kernel::{columns, twin};
+use crate::twins::harness::{Rng, Row, Twin};
+
+/// Name of sampling, of evaluation, file, kind.
+const KINDS: [(&str, &str, &str, MaterialKind); 6] = [
+    (
+        "diffuse_sample",
+        "diffuse_eval",
+        "bsdf/kind/diffuse",
+        MaterialKind::Diffuse,
+    ),
+    (
+        "opaque_sample",
+        "opaque_eval",
+        "bsdf/kind/opaque",
+        MaterialKind::Opaque,
+    ),
+    (
+        "mirror_sample",
+        "mirror_eval",
+        "bsdf/kind/mirror",
+        MaterialKind::Mirror,
+    ),
+    (
+        "dielectric_sample",
+        "dielectric_eval",
+        "bsdf/kind/dielectric",
+        MaterialKind::Dielectric,
+    ),
+    (
+        "glass_sample",
+        "glass_eval",
+        "bsdf/kind/glass",
+        MaterialKind::Glass,
+    ),
+    (
+        "weak_sample",
+        "weak_eval",
+        "bsdf/kind/weak",
+        MaterialKind::Weak,
+    ),
+];
+
+pub fn twins() -> Vec<Twin> {
+    let mut all = Vec::new();
+    for settings in columns() {
+        for (sample, eval, file, kind) in KINDS {
+            all.push(scatters(settings, sample, eval, file, kind, true));
+            if kind != MaterialKind::Diffuse {
+                let absent = Slot::File("bsdf/diffuse/absent".into());
+                let twin = scatters(settings, sample, eval, file, kind, false);
+                all.push(twin.slot("diffuse", absent));
+            }
+        }
+        all.push(parts(settings));
+    }
+    all
+}
+
+/// A surface of the kind, the random numbers of a sample, and a `wi`: any, or the one that they draw.
+fn scattering(r: &mut Rng, settings: &Settings, kd: bool, kind: MaterialKind) -> Row {
+    let (outside, at) = surface_of(r, kd, &[kind]);
+    let (u_lobe, u_reflect, u_m, u_d) = (uniform(r), uniform(r), uniform2(r), uniform2(r));
+    let drawn = bsdf_sample(settings, &at, u_lobe, u_reflect, u_m, u_d).wi;
+    let wi = if r.bool() { drawn } else { r.direction() };
+    let row = put(Row::new(), outside, &at).f(u_lobe).f(u_reflect);
+    row.vec2(u_m).vec2(u_d).vec3(wi)
+}
+
+fn scatters(
+    settings: Settings,
+    sample: &'static str,
+    eval: &'static str,
+    file: &'static str,
+    kind: MaterialKind,
+    kd: bool,
+) -> Twin {
+    let glsl = format!(
+        "Interaction at = in_interaction();
+        float u_lobe = in_f(); float u_reflect = in_f(); vec2 u_m = in_vec2(); vec2 u_d = in_vec2();
+        BsdfSample s = {sample}(at, u_lobe, u_reflect, u_m, u_d); {OUT_SAMPLE}
+        BsdfValue v = {eval}(at, in_vec3()); {OUT_VALUE}"
+    );
+    twin(sample, file, &settings)
+        .also(&[eval])
+        .glsl(&glsl)
+        .rust(move |i, o| {
+            let at = take(i);
+            let (u_lobe, u_reflect, u_m, u_d) = (i.f(), i.f(), i.vec2(), i.vec2());
+            out_sample(o, bsdf_sample(&settings, &at, u_lobe, u_reflect, u_m, u_d));
+            out_value(o, bsdf_eval(&settings, &at, i.vec3()));
+        })
+        .seeded(2000, move |r| scattering(r, &settings, kd, kind))
+}
+
+/// What kinds are made of, each on surfaces of all kinds that transmit.
+fn parts(settings: Settings) -> Twin {
+    let glsl = format!(
+        "Interaction at = in_interaction(); vec3 wi = in_vec3(); vec2 u = in_vec2();
+        vec3 m = normals_sample(at, u);
+        BsdfValue v = rough_reflection_at(at, wi, m); {OUT_VALUE}
+        v = dielectric_at(at, wi, m); {OUT_VALUE}
+        BsdfSample s = weak_transmission(at, wi, m); {OUT_SAMPLE}
+        s = glass_delta(at, u.x); {OUT_SAMPLE}
+        RoughDraw draw = rough_draw(at, u.y, u);
+        out_b(draw.diffuse); out_vec3(draw.m); out_f(draw.c); out_b(rough_reflects(at, draw, u.x));
+        s = rough_reflection_sample(at, draw, u); {OUT_SAMPLE}"
+    );
+    twin("dielectric_at", "bsdf/kind/dielectric", &settings)
+        .also(&["weak_transmission", "glass_delta"])
+        .also(&[
+            "rough_reflection_at",
+            "rough_draw",
+            "rough_reflects",
+            "rough_reflection_sample",
+        ])
+        .file("bsdf/kind/weak")
+        .file("bsdf/kind/glass")
+        .glsl(&glsl)
+        .rust(move |i, o| {
+            let (at, wi, u) = (take(i), i.vec3(), i.vec2());
+            let m = normals_sample(&settings, &at, u);
+            out_value(o, rough_reflection_at(&settings, &at, wi, m));
+            out_value(o, dielectric::dielectric_at(&settings, &at, wi, m));
+            out_sample(o, weak::weak_transmission(&settings, &at, wi, m));
+            out_sample(o, glass::glass_delta(&settings, &at, u[0]));
+            let draw = rough_draw(&settings, &at, u[1], u);
+            o.b(draw.diffuse);
+            o.vec3(draw.m);
+            o.f(draw.c);
+            o.b(rough_reflects(&settings, &at, draw, u[0]));
+            out_sample(o, rough_reflection_sample(&settings, &at, draw, u));
+        })
+        .seeded(1000, |r| {
+            let kinds = [
+                MaterialKind::Dielectric,
+                MaterialKind::Glass,
+                MaterialKind::Weak,
+            ];
+            let (outside, at) = surface_of(r, true, &kinds);
+            put(Row::new(), outside, &at)
+                .vec3(r.direction())
+                .vec2(uniform2(r))
+        })
+}

@@ -1,0 +1,22 @@
+//! Twins of `shaders/bsdf/`: rows in the folder beside this file, one file a group of functions.
+
+mod inputs;
+mod kernel;
+mod kinds;
+mod lobes;
+mod micro_normals;
+mod slots;
+
+use super::harness::Twin;
+
+pub fn twins() -> Vec<Twin> {
+    [
+        micro_normals::twins(),
+        slots::twins(),
+        lobes::twins(),
+        kinds::twins(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}

@@ -1,0 +1,28 @@
+//! What the library does, on the host alone: no device, no command line.
+
+#[path = "../../fuzz/src/lib.rs"]
+mod bodies;
+#[path = "../common/mod.rs"]
+mod common;
+
+mod architecture;
+mod bsdf;
+mod caustic;
+mod convergence_report;
+mod corpus;
+mod energy;
+mod estimators;
+mod icosphere;
+mod image;
+mod index_matched;
+mod kernel;
+mod kernel_layout;
+mod light;
+mod metrics;
+mod no_allocation;
+mod prepared;
+mod report;
+mod sampling;
+mod scene;
+mod shape;
+mod twin_names;

@@ -1,0 +1,292 @@
+//! Scene → prepared: camera, order of shapes, the eye's medium, warnings.
+
+use std::path::Path;
+
+use glam::DVec3;
+use vkpt::prepared::{MaterialKind, NONE, Prepared, prepare};
+use vkpt::settings::Settings;
+
+use crate::common;
+
+fn prepared(text: &str) -> Prepared {
+    let read = vkpt::scene::parse(text, Path::new("test.txt"), false).expect("a good scene");
+    prepare(&read.scene, &Settings::default(), None).expect("few lights")
+}
+
+const GLASS: &str = "brdf 0 0 0 .04 .04 .04 .1 .5 .5 .5 1.5\n";
+const MATTE: &str = "brdf .5 .5 .5 0 0 0 10\n";
+const VIEW: &str = "screen 40 30\ncamera 0 0 0 .2\n";
+
+/// The scene page gives the official P4 camera to three digits.
+#[test]
+fn the_course_camera_looks_where_the_page_says() {
+    let path = Path::new("../shared/scenes/p4-transmission.scn");
+    if !path.exists() {
+        println!("skipped: {} is not there", path.display());
+        return;
+    }
+    let scene = vkpt::scene::read(path, false)
+        .expect("a course scene")
+        .scene;
+    let camera = prepare(&scene, &Settings::default(), None)
+        .expect("few lights")
+        .camera;
+    let close = |v: DVec3, x, y, z| (v - DVec3::new(x, y, z)).abs().max_element() < 6e-4;
+    assert!(
+        close(camera.forward, -0.803, -0.458, -0.381),
+        "{}",
+        camera.forward
+    );
+    assert!(
+        close(camera.up.normalize(), -0.330, -0.189, 0.925),
+        "{}",
+        camera.up
+    );
+    let degrees = |tangent: f64| 2.0 * tangent.atan().to_degrees();
+    assert!((degrees(camera.up.length()) - 22.6).abs() < 0.05);
+    assert!((degrees(camera.right.length()) - 29.9).abs() < 0.05);
+}
+
+#[test]
+fn opaque_shapes_come_first_then_file_order() {
+    let p = prepared(&format!(
+        "{VIEW}{GLASS}sphere 0 0 0 1\n{MATTE}sphere 5 0 0 1\n{GLASS}sphere 9 0 0 1\n{MATTE}box 20 0 0 1 1 1\n"
+    ));
+    let lines: Vec<usize> = p.shapes.iter().map(|s| s.line).collect();
+    assert_eq!(lines, [6, 10, 4, 8]);
+}
+
+#[test]
+fn the_middle_of_the_scene_becomes_the_origin_and_its_size_about_1() {
+    let p = prepared(&format!(
+        "{VIEW}{MATTE}sphere 1e4 0 0 1\nsphere 1.0004e4 0 0 1\n"
+    ));
+    // The eye is 10,002 away, the power of two below it is 2¹³.
+    assert_eq!(p.space.unit, 8192.0);
+    assert_eq!(p.spheres[0].centre, DVec3::new(-2.0, 0.0, 0.0) / 8192.0);
+    assert_eq!(p.spheres[0].radius, 1.0 / 8192.0);
+    assert_eq!(p.camera.eye, DVec3::new(-10002.0, 0.0, 0.0) / 8192.0);
+}
+
+#[test]
+fn the_eye_knows_the_medium_it_stands_in() {
+    let medium = |shape: &str| {
+        let p = prepared(&format!("{VIEW}{MATTE}sphere 9 9 9 1\n{GLASS}{shape}\n"));
+        match p.eye_medium {
+            NONE => None,
+            m => Some(p.materials[m as usize].kind),
+        }
+    };
+    let inside = [
+        "sphere .5 0 0 1",
+        "box -1 -1 -1 2 2 2",
+        "cylinder 0 0 -1 0 0 2 1",
+    ];
+    let outside = [
+        "sphere 1.5 0 0 1",
+        "box .1 -1 -1 2 2 2",
+        "cylinder 0 0 .1 0 0 2 1",
+    ];
+    for shape in inside {
+        assert_eq!(medium(shape), Some(MaterialKind::Dielectric), "{shape}");
+    }
+    for shape in outside {
+        assert_eq!(medium(shape), None, "{shape}");
+    }
+}
+
+#[test]
+fn overlapping_glass_is_said_once() {
+    let warnings = |shapes: &str| prepared(&format!("{VIEW}{GLASS}{shapes}")).warnings;
+    assert_eq!(
+        warnings("sphere 0 0 0 1\nsphere 1.5 0 0 1\nsphere .7 0 0 1\n").len(),
+        1
+    );
+    // Their bounds overlap, they do not.
+    assert!(warnings("sphere 0 0 0 1\nsphere 1.5 1.5 -.5 1\nbox .8 .8 .8 1 1 1\n").is_empty());
+}
+
+/// 2⁹⁶ = 7.92e28: 2³² samples of it add up to 2¹²⁸, the end of single precision.
+#[test]
+fn a_radiance_whose_samples_do_not_add_up_is_warned_of() {
+    let warnings = |line: &str| prepared(&format!("{VIEW}{line}\nsphere 0 0 0 1\n")).warnings;
+    for line in ["light 1 7.93e28 1", "background 3e38 0 0"] {
+        let warnings = warnings(line);
+        assert_eq!(warnings.len(), 1, "{line}: {warnings:?}");
+        assert!(
+            warnings[0].starts_with("line 3: the radiance"),
+            "{warnings:?}"
+        );
+    }
+    for line in ["light 7.92e28 1 1", "background 7.92e28 0 0"] {
+        assert!(warnings(line).is_empty(), "{line}");
+    }
+}
+
+/// Glass on glass, without a gap or with one that single precision does not hold; each pair once.
+#[test]
+fn glass_that_touches_glass_along_a_face_is_warned_of() {
+    let cube = common::meshes::cube();
+    let mesh = format!("mesh {} 0 0 -1 1", cube.path().display());
+    let warned = |shapes: &str| {
+        let warnings = prepared(&format!("{VIEW}{GLASS}{shapes}")).warnings;
+        warnings
+            .iter()
+            .filter(|w| w.contains("touch along a face"))
+            .count()
+    };
+    let on_top = "box -1 -1 0  2 2 1\n";
+    for below in [
+        "box -1 -1 -1  2 2 1",
+        "box -3 -3 -1  2.5 2.5 1",
+        "box -1 -1 -1  2 2 .99999999",
+        "cylinder 0 0 -1  0 0 1  .5",
+        "cylinder 0 0 -1  1e-9 0 1  .5",
+        &mesh,
+    ] {
+        assert_eq!(warned(&format!("{on_top}{below}\n")), 1, "{below}");
+        assert_eq!(warned(&format!("{below}\n{on_top}")), 1, "{below}");
+    }
+    for apart in [
+        "box -1 -1 -1  2 2 .999",
+        "box 1 1 -1  2 2 1",
+        "sphere 0 0 -1  1",
+        "cylinder -1 0 -.5  2 0 0  .5",
+        // opaque
+        &format!("{MATTE}box -1 -1 -1  2 2 1"),
+    ] {
+        assert_eq!(warned(&format!("{on_top}{apart}\n")), 0, "{apart}");
+    }
+}
+
+#[test]
+fn lights_are_chosen_by_power() {
+    let p = prepared(&format!(
+        "{VIEW}light 1 1 1\nsphere 0 0 0 1\nlight 3 3 3\nsphere 5 0 0 1\nlight 0 0 0\nsphere 9 0 0 1\n"
+    ));
+    assert_eq!(p.lights.len(), 2, "a black emitter is no light");
+    // A quarter of 2²⁴, to the one count that a quantised table may be off.
+    assert!(p.light_cdf[1].abs_diff(1 << 22) <= 1, "{:?}", p.light_cdf);
+    assert_eq!(p.light_cdf[2], 1 << 24);
+}
+
+/// Every number below is finite in single precision; the squares of some indices of refraction and the width of one picture
+/// are not. Lengths and places are, in rendering space.
+#[test]
+fn what_overflows_single_precision_is_refused() {
+    let glass = |ior: &str| format!("brdf 0 0 0 .04 .04 .04 .1 .5 .5 .5 {ior}\nsphere 0 0 0 1");
+    let camera =
+        |eye: &str, ry: &str| format!("camera {eye} {ry}\nsphere 0 0 0 1\nsphere 3e38 0 0 1");
+    let large = [
+        "box 3e38 0 0 -3e38 1 1",
+        "box 3e38 0 0 3e38 1 1\nsphere -3e38 0 0 1",
+        "cylinder 0 0 0 3e38 3e38 0 1",
+        "mesh tests/data/scene/tetrahedron.ply 3e38 0 0 3e38\nsphere -3e38 0 0 1",
+    ];
+    let mut rows = large.map(|lines| (lines.to_owned(), None)).to_vec();
+    rows.extend([
+        (glass("1e19"), None),
+        (glass("2e19"), Some("line 3: the index of refraction 2e19")),
+        (glass("1e-19"), None),
+        (
+            glass("5e-20"),
+            Some("line 3: the index of refraction 5e-20"),
+        ),
+        (camera("-3e38 0 0", "1"), None),
+        (camera("0 0 0", "3e38"), Some("line 2: the camera ")),
+    ]);
+    for (lines, refused) in rows {
+        let view = ["", "camera 0 0 0 .2\n"][usize::from(!lines.starts_with("camera"))];
+        let text = format!("screen 40 30\n{view}{lines}");
+        let read = vkpt::scene::parse(&text, Path::new("test.txt"), true).expect("a legal scene");
+        let told = prepare(&read.scene, &Settings::default(), None);
+        match (refused, told.map_err(|e| e.to_string())) {
+            (None, Ok(p)) => assert!(within_2(&p), "{text}"),
+            (Some(start), Err(told)) if told.starts_with(start) => {}
+            (_, told) => panic!("{text}: {:?}", told.err()),
+        }
+    }
+}
+
+/// All lengths, and the corners of boxes and triangles, are at most 2 in rendering space (4 along a diagonal).
+fn within_2(p: &Prepared) -> bool {
+    let points = p.boxes.iter().flat_map(|b| [b.lo, b.hi]);
+    let points = points.chain(p.triangles.iter().flat_map(|t| t.v));
+    let points = points.chain(p.spheres.iter().map(|s| s.centre + s.radius));
+    let mut points = points.chain(p.cylinders.iter().map(|c| c.base + c.w * c.height));
+    points.all(|v| v.abs().max_element() <= 2.0)
+}
+
+/// 2·.2/30 of the distance is a pixel; at 1e-9 of it, 2⁻²³ holds a hundred.
+#[test]
+fn pixels_that_are_narrower_than_directions_are_warned_of() {
+    for (ry, narrow) in [("1e-5", false), ("1e-9", true)] {
+        let text = format!("screen 40 30\ncamera 0 0 9 {ry}\n{MATTE}sphere 0 0 0 1\n");
+        let warnings = prepared(&text).warnings;
+        let told = warnings.iter().any(|w| w.starts_with("line 2: the camera"));
+        assert_eq!(told, narrow, "{warnings:?}");
+    }
+}
+
+/// 2⁻²⁴ of where it is must be less than a hundredth of what it is; of a mesh, of its largest extent.
+#[test]
+fn what_is_too_small_for_where_it_is_is_warned_of() {
+    let tetrahedron = "mesh tests/data/scene/tetrahedron.ply";
+    let rows = [
+        ("sphere 1e4 0 0 1".to_owned(), false),
+        ("sphere 1e6 0 0 1".to_owned(), true),
+        ("box 1e6 0 0 9 9 1".to_owned(), true),
+        ("box 1e4 0 0 1 1 1".to_owned(), false),
+        ("box 1e4 0 0 1 1 1e-3".to_owned(), true),
+        ("cylinder 1e4 0 0 0 0 1 1e-3".to_owned(), true),
+        (format!("{tetrahedron} 1e4 0 0 1"), false),
+        (format!("{tetrahedron} 1e4 0 0 1e-3"), true),
+        ("sphere 0 0 0 1e-16".to_owned(), true),
+    ];
+    for (shape, small) in rows {
+        // The two others keep the middle of the scene at the origin.
+        let text = format!("{VIEW}{MATTE}{shape}\nsphere -2e6 0 0 9e3\nsphere 2e6 0 0 9e3\n");
+        let warnings = prepared(&text).warnings;
+        let told = warnings.iter().any(|w| w.contains("line 4 is"));
+        assert_eq!(told, small, "{shape}: {warnings:?}");
+    }
+}
+
+/// On a ball, a face, an edge, a mantle and a cap of glass; not beside them, and not on what is opaque.
+#[test]
+fn an_eye_on_the_surface_of_glass_is_warned_of() {
+    let told = |material: &str, shape: &str, eye: &str| {
+        let text = format!("screen 40 30\ncamera {eye} .2\n{material}{shape}\n");
+        let warnings = prepared(&text).warnings;
+        assert!(warnings.len() <= 1, "{warnings:?}");
+        warnings
+            .iter()
+            .any(|w| w.contains("line 4") && w.contains("the eye stands on"))
+    };
+    let (ball, cuboid, can) = (
+        "sphere 0 0 0 1",
+        "box 0 0 0 1 2 3",
+        "cylinder 0 0 0 0 0 2 1",
+    );
+    for (shape, eye) in [
+        (ball, "0 .6 .8"),
+        (ball, "1.0000001 0 0"),
+        (cuboid, ".5 1 3"),
+        (cuboid, "1 2 1"),
+        (can, "0 -1 1"),
+        (can, ".5 0 2"),
+    ] {
+        assert!(told(GLASS, shape, eye), "{shape}, {eye}");
+        assert!(!told(MATTE, shape, eye), "{shape}, {eye}");
+    }
+    for (shape, eye) in [
+        (ball, "0 0 0"),
+        (ball, "1.00001 0 0"),
+        (cuboid, ".5 1 3.00001"),
+        (cuboid, ".5 1 1.5"),
+        (can, "0 0 1"),
+        (can, ".9999 0 1"),
+    ] {
+        assert!(!told(GLASS, shape, eye), "{shape}, {eye}");
+    }
+}

@@ -1,0 +1,59 @@
+//! What a path decides by chance, as often as it should: where in its pixel it starts, which light and which triangle
+//! it connects to, whether it goes on. Through the functions that paths are made of; by the reference in f64, whose
+//! random numbers are the device's.
+//!
+//! Fixed seeds; each family of tests has the level α = 1e-3, shared out after Šidák.
+
+mod lights;
+mod pixel;
+mod roulette;
+
+use vkpt::reference::math::Vec3;
+use vkpt::reference::path::flight::ShadowRay;
+use vkpt::reference::path::record::Recorder;
+use vkpt::reference::path::vertex::Vertex;
+use vkpt::reference::path::{PathState, SampleId, trace_path};
+use vkpt::reference::world::World;
+use vkpt::settings::Settings;
+
+use crate::common;
+
+/// Level of a family of tests.
+const ALPHA: f64 = 1e-3;
+
+/// What a path did.
+#[derive(Default)]
+struct Story {
+    /// Surfaces that it met.
+    vertices: usize,
+    /// Its last direction, if it left the scene.
+    escaped: Option<Vec3<f64>>,
+}
+
+impl Recorder<f64> for Story {
+    fn vertex(&mut self, _: &PathState<f64>, _: &Vertex<f64>, _: u32) {
+        self.vertices += 1;
+    }
+    fn connection(&mut self, _: &PathState<f64>, _: &ShadowRay<f64>, _: Option<Vec3<f64>>) {}
+    fn escape(&mut self, s: &PathState<f64>) {
+        self.escaped = Some(s.ray.d);
+    }
+}
+
+/// The story of sample `sample` of a pixel.
+fn story(world: &World<f64>, settings: &Settings, [column, row]: [u32; 2], sample: u32) -> Story {
+    let mut story = Story::default();
+    let id = SampleId {
+        column,
+        row,
+        pixel: row * world.width + column,
+        sample,
+        seed: 5,
+    };
+    trace_path(world, settings, id, &mut story);
+    story
+}
+
+fn world(text: &str, settings: &Settings) -> World<f64> {
+    World::new(&common::render::prepared(text, settings))
+}

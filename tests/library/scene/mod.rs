@@ -1,0 +1,30 @@
+//! The scene reader, from outside.
+
+mod bad;
+mod checks;
+mod course;
+mod fuzz;
+mod gltf;
+mod gltf_bad;
+mod gltf_writer;
+mod good;
+mod grammar;
+mod obj;
+mod own;
+mod ply;
+mod ply_writer;
+mod rendering;
+mod trimesh;
+
+use std::path::Path;
+
+use vkpt::scene::{Errors, Read, parse};
+
+/// A scene of the two lines that each must have, and `lines` after them; read as `dir/test.scn`.
+fn read_lines(lines: &str) -> Result<Read, Errors> {
+    parse(
+        &format!("screen 4 3\ncamera 0 0 5 0.5\n{lines}"),
+        Path::new("dir/test.scn"),
+        false,
+    )
+}

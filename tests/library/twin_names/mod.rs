@@ -1,0 +1,184 @@
+//! Twins by name: every GLSL function has a Rust function of the same file, name and argument names, in their order.
+//!
+//! `tests/device/twins/` holds what they compute. Here the texts are read: the files of `shaders/`, the dispatch that is
+//! generated for a scene, and `src/reference/`. What a kernel has from its buffers and slots a Rust function is
+//! given (a world, settings, slices): such arguments do not count. Every other difference stands in a list below,
+//! with its reason; a reason that no function needs any more fails.
+
+mod exceptions;
+mod functions;
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use exceptions::{ARGUMENTS, HOMES, KERNEL_ONLY, REFERENCE_ONLY};
+use functions::{Function, glsl_functions, rust_functions, sources, undocumented};
+use vkpt::features::Features;
+use vkpt::kernel::scene::{Parameters, Recording, compose};
+use vkpt::kernel::{file, files};
+use vkpt::settings::Settings;
+
+use crate::common;
+
+/// All functions of `shaders/`, and those that are generated for a scene of every kind of shape, light and material.
+fn kernel_functions() -> Vec<Function> {
+    let library = files().filter(|f| !f.ends_with(".comp"));
+    let written = library.flat_map(|f| glsl_functions(f, file(f).unwrap_or_default()));
+    let mut all: Vec<Function> = written.collect();
+    let known: BTreeSet<String> = all.iter().map(|f| f.name.clone()).collect();
+    let generated = glsl_functions("generated", &generated());
+    let of_file = |f: &Function| file("path_trace.comp").is_some_and(|t| t.contains(&f.name));
+    all.extend((generated.into_iter()).filter(|f| !known.contains(&f.name) && !of_file(f)));
+    all
+}
+
+/// The kernel of a scene that needs everything.
+fn generated() -> String {
+    let cube = common::meshes::cube();
+    let text = format!(
+        "{}light 1 1 1\nbox 2 2 2 1 1 1\nmesh {} 3 3 3 .1\nbackground 1 1 1\n",
+        common::scenes::WIDE,
+        cube.path().display()
+    );
+    let settings = Settings::default();
+    let features = Features::of(&common::render::prepared(&text, &settings), &settings, &[]);
+    let parameters = Parameters {
+        settings: &settings,
+        bindings: &[],
+        bvh: None,
+        background_light: Some(0),
+        recording: Recording::Nothing,
+        read_first: true,
+        own_files: &[],
+    };
+    let composed = compose(&features, &parameters).expect("a kernel");
+    composed.text().to_owned()
+}
+
+/// Where the twin of a function of this GLSL file may stand: the same path, the folder's own file, or its home.
+fn homes(glsl: &str) -> Vec<String> {
+    let folder = glsl.rsplit_once('/').map_or("", |(folder, _)| folder);
+    let mut all = vec![glsl.to_owned(), folder.to_owned()];
+    all.extend(
+        (HOMES.iter())
+            .filter(|h| glsl.starts_with(h.0))
+            .map(|h| h.1.to_owned()),
+    );
+    all
+}
+
+/// What is wrong with a kernel's function, given the reference's; marks the exceptions that it needs.
+fn complaint<'a>(
+    glsl: &'a Function,
+    rust: &[Function],
+    used: &mut BTreeSet<&'a str>,
+) -> Option<String> {
+    let named = |list: &[(&str, &str)], key: &str| list.iter().any(|(name, _)| *name == key);
+    let homes = homes(&glsl.file);
+    let twin = rust
+        .iter()
+        .find(|r| r.name == glsl.name && homes.contains(&r.file));
+    let Some(twin) = twin else {
+        let key = KERNEL_ONLY
+            .iter()
+            .find(|(start, _)| glsl.file.starts_with(start) || glsl.name == *start);
+        used.extend(key.map(|(start, _)| *start));
+        return key
+            .is_none()
+            .then(|| format!("{glsl}: no such function in {homes:?}"));
+    };
+    if twin.arguments == glsl.arguments {
+        return None;
+    }
+    if named(ARGUMENTS, &glsl.name) {
+        used.insert(&glsl.name);
+        return None;
+    }
+    Some(format!("{glsl}, but {twin}"))
+}
+
+fn complaints(kernel: &[Function], rust: &[Function]) -> Vec<String> {
+    let mut used = BTreeSet::new();
+    let mut all: Vec<String> = (kernel.iter())
+        .filter_map(|f| complaint(f, rust, &mut used))
+        .collect();
+    let idle = KERNEL_ONLY
+        .iter()
+        .chain(ARGUMENTS)
+        .filter(|(key, _)| !used.contains(key));
+    all.extend(
+        idle.map(|(key, reason)| {
+            format!("{key}: nothing needs this exception any more ({reason})")
+        }),
+    );
+    all
+}
+
+#[test]
+fn every_function_of_a_kernel_has_a_twin_of_its_name() {
+    let bad = complaints(&kernel_functions(), &rust_functions());
+    assert!(bad.is_empty(), "{}", bad.join("\n"));
+}
+
+/// And the other way round: the reference has no function that could have a twin and has none.
+#[test]
+fn every_function_of_the_reference_has_a_twin_or_a_reason() {
+    let kernel: BTreeSet<String> = kernel_functions().into_iter().map(|f| f.name).collect();
+    let free = rust_functions()
+        .into_iter()
+        .filter(|f| !f.method && !kernel.contains(&f.name));
+    let mut used = BTreeSet::new();
+    let mut bad = Vec::new();
+    for f in free {
+        match REFERENCE_ONLY
+            .iter()
+            .find(|(key, _)| f.file.starts_with(key) || f.name == *key)
+        {
+            Some((key, _)) => {
+                used.insert(*key);
+            }
+            None => bad.push(format!("{f}: only in the reference")),
+        }
+    }
+    let idle = REFERENCE_ONLY.iter().filter(|(key, _)| !used.contains(key));
+    bad.extend(
+        idle.map(|(key, reason)| {
+            format!("{key}: nothing needs this exception any more ({reason})")
+        }),
+    );
+    assert!(bad.is_empty(), "{}", bad.join("\n"));
+}
+
+/// The reference is written to be read.
+#[test]
+fn every_public_function_of_the_reference_is_explained() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/reference");
+    let bare = |(path, text): &(PathBuf, String)| {
+        let of_file = undocumented(text).into_iter();
+        of_file
+            .map(|f| format!("{}: {f}", path.display()))
+            .collect::<Vec<_>>()
+    };
+    let bad: Vec<String> = sources(&root).iter().flat_map(bare).collect();
+    assert!(bad.is_empty(), "without a doc comment:\n{}", bad.join("\n"));
+}
+
+/// A renamed function, another file, swapped and renamed arguments are noticed.
+#[test]
+fn planted_differences_are_noticed() {
+    let kernel = kernel_functions();
+    let rust = rust_functions();
+    let before = complaints(&kernel, &rust).len();
+    let plants: [fn(&mut Function); 4] = [
+        |f| f.name.push('x'),
+        |f| f.file.push('x'),
+        |f| f.arguments.swap(0, 1),
+        |f| f.arguments[0] = "k".into(),
+    ];
+    for plant in plants {
+        let mut planted = rust_functions();
+        let target = planted.iter_mut().find(|f| f.name == "fresnel_exact");
+        plant(target.expect("a function of two arguments"));
+        assert_eq!(complaints(&kernel, &planted).len(), before + 1);
+    }
+}
