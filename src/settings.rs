@@ -1,5 +1,5 @@
 //! Settings of two kinds, never mixed up: the model decides what picture the renderer converges to,
-//! the estimator only how fast (model page, section 1).
+//! the estimator only how fast (model.md, "Settings").
 
 /// Reflectance of an interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -14,7 +14,7 @@ struct RoughDraw {
     float c;
 };
 
-// The choice between Kd and the rest by u_lobe, and a micro-normal by u_m (model page, sections 5.1 to 5.3).
+// The choice between Kd and the rest by u_lobe, and a micro-normal by u_m (model.md, "Sampling a direction").
 RoughDraw rough_draw(Interaction at, float u_lobe, vec2 u_m) {
     vec3 m = normals_sample(at, u_m);
     return RoughDraw(diffuse_chosen(at, u_lobe), m, dot3(at.wo, m));

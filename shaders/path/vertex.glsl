@@ -26,7 +26,7 @@ Vertex path_vertex(Ray ray, Hit hit, float distance) {
     v.ng = surface.ng;
     v.outside = dot3(wo, surface.ng) >= 0.0;
     v.facing = v.outside ? surface.ng : -surface.ng;
-    // The geometric normal decides the side; the shading normal makes only the frame (model page, section 2).
+    // The geometric normal decides the side; the shading normal makes only the frame (model.md, "Conventions").
     v.frame = frame_about(dot3(surface.ns, v.facing) < 0.0 ? -surface.ns : surface.ns);
     v.shape = hit.shape;
     v.prim = hit.prim;

@@ -61,7 +61,7 @@ Hit no_hit(float t_max) {
     return Hit(t_max, NONE, NONE, vec2(0.0));
 }
 
-// Whether a hit comes before `best`: the least (t, shape, prim), in lexicographic order (model page, section 13).
+// Whether a hit comes before `best`: the least (t, shape, prim), in lexicographic order (model.md, "Order of hits").
 // Where nothing was hit yet it must come before the limit, best.t, itself.
 bool closer(float t, uint shape, uint prim, Hit best) {
     bool before = shape < best.shape || (shape == best.shape && prim < best.prim);

@@ -35,7 +35,7 @@ fn shape(kind: ShapeKind) -> &'static str {
     }
 }
 
-/// The limits are those of the model page, section 8.
+/// By the limits of model.md, "Limits".
 fn material(kind: MaterialKind) -> &'static str {
     match kind {
         MaterialKind::Black => "no shape is a light or perfectly black",

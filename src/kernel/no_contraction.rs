@@ -31,7 +31,7 @@ pub(super) fn decorate(module: &[u32]) -> Result<Vec<u32>, KernelError> {
     Ok([&module[..at], &decorations, &module[at..]].concat())
 }
 
-/// Index of the word before which decorations may stand: the end of the debug section (section 2.4).
+/// Index of the word before which decorations may stand: the end of the debug section (SPIR-V 1.3, section 2.4).
 fn annotations(module: &[u32]) -> Result<usize, KernelError> {
     let mut at = HEADER;
     for instruction in Instruction::walk(module) {

@@ -28,7 +28,7 @@ pub struct Placed {
 
 impl Placed {
     /// Shapes in the order in which they win at equal distance: opaque ones, then transmissive ones,
-    /// each in file order (model page, section 13, 1).
+    /// each in file order (model.md, "Order of hits").
     pub fn new(scene: &Scene, materials: &[Material], warnings: &mut Vec<String>) -> Self {
         let mut order: Vec<_> = scene.shapes.iter().collect();
         order.sort_by_key(|s| Prepared::is_transmissive(&materials[s.material]));

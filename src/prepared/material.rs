@@ -1,5 +1,5 @@
-//! A scene's material → [`Material`]: the kind of surface by the limits of the model page (section 8), and
-//! every constant that depends on the material alone, in f64.
+//! A scene's material → [`Material`]: the kind of surface (model.md, "Limits"), and every constant that depends on
+//! the material alone, in f64.
 
 use glam::DVec3;
 

@@ -53,7 +53,7 @@ fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
     2.0 * a.dot(b.cross(c)).atan2(denominator)
 }
 
-/// Says once that transmissive shapes which overlap are outside the model (model page, section 9).
+/// Says once that transmissive shapes which overlap are outside the model (model.md, "Media").
 pub fn warn_of_overlaps(placed: &Placed, materials: &[Material], warnings: &mut Vec<String>) {
     let rule =
         |(a, p): Bounded, (b, q): Bounded| p.common(q).min_element() > 0.0 && overlap(placed, a, b);

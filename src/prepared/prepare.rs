@@ -98,7 +98,7 @@ pub fn prepare(
     })
 }
 
-/// The scene's camera looks down −Z of its frame; rx = ry·W/H (scene page, "Reading").
+/// The scene's camera looks down −Z of its frame. `ry` is the tangent of half the vertical field of view, rx = ry·W/H.
 fn camera(camera: &scene::Camera, space: &Space, width: u32, height: u32) -> Camera {
     let rotate = |q: DQuat, v: DVec3| (q * v).normalize();
     let rx = camera.ry * f64::from(width) / f64::from(height);

@@ -6,7 +6,9 @@
 //! Throughout, unless a function says otherwise: lengths are in the scene's unit and positions in rendering space;
 //! directions have unit length; radiance is in W·sr⁻¹·m⁻² per channel of linear RGB; a `pdf` is per steradian, an
 //! `area_pdf` or density of area per unit of length squared, a `pmf` or `p_…` a probability in [0, 1]; `u`, `u_…` are
-//! uniform numbers in [0, 1), `u24` a uniform integer below 2²⁴. "Model page" is the specification of the surface model.
+//! uniform numbers in [0, 1), `u24` a uniform integer below 2²⁴.
+//!
+//! The surface model is specified in docs/model.md. Comments cite its headings, as in (model.md, "Fresnel").
 
 pub mod accel;
 pub mod bsdf;

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::names::Named;
 use crate::settings::{DistributionRule, Roulette, Settings};
 
-/// Every setting of the model page, by the name and in the words of its flag.
+/// Every setting (model.md, "Settings"), by the name and in the words of its flag.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct SettingsRecord {
     /// `scene`: each material as the scene says, `schlick` where it is silent.

@@ -1,4 +1,4 @@
-//! Whether a mesh bounds a solid: what a transmissive material asks of it (model page, section 9).
+//! Whether a mesh bounds a solid: what a transmissive material asks of it (model.md, "Media").
 
 use std::collections::HashMap;
 

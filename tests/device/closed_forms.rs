@@ -79,7 +79,8 @@ fn one_point(eye: &str, orientation: &str) -> String {
     format!("screen 24 24\ncamera {eye} 1e-6 {orientation}\n")
 }
 
-/// L = Kd r² / (r² + h²): a disc of radius r and radiance 1 at height h over a Lambert plane (model page, check 13).
+/// L = Kd r² / (r² + h²): a disc of radius r and radiance 1 at height h over a Lambert plane (model.md,
+/// "Disc of light over a plane").
 #[test]
 fn disc_light_over_a_lambert_plane() {
     let (r, h, kd) = (0.5, 0.8, 0.7);
@@ -108,8 +109,8 @@ fn disc_light_over_a_lambert_plane() {
     check(&cases);
 }
 
-/// A camera inside glass of index n sees a furnace at n² with radiance scaling, at 1 without (check 14), from
-/// inside each of the four shapes.
+/// A camera inside glass of index n sees a furnace at n² with radiance scaling, at 1 without (model.md,
+/// "Camera in glass"), from inside each of the four shapes.
 #[test]
 fn camera_inside_glass_sees_the_furnace_scaled() {
     let glass = "background 1 1 1\nfresnel exact\nbrdf 0 0 0 .04 .04 .04 0 1 1 1 1.5\n";
@@ -138,7 +139,8 @@ fn camera_inside_glass_sees_the_furnace_scaled() {
     check(&cases);
 }
 
-/// Unit sphere of smooth glass (exact Fresnel, n = 1.5) in a unit furnace: means over its disc (check 11).
+/// Unit sphere of smooth glass (exact Fresnel, n = 1.5) in a unit furnace: means over its disc (model.md,
+/// "Sphere in a furnace").
 #[test]
 fn absorbing_sphere_in_a_furnace() {
     let segment = [
@@ -175,7 +177,8 @@ fn absorbing_sphere_in_a_furnace() {
     check(&cases);
 }
 
-/// A slab of unit thickness: T and R of `slab_beer.csv` (check 10). What it transmits is red, what it reflects green.
+/// A slab of unit thickness: T and R of `slab_beer.csv` (model.md, "Slab with absorption"). What it transmits is red,
+/// what it reflects green.
 #[test]
 fn absorbing_slab() {
     let path = Path::new("../shared/spec/tables/slab_beer.csv");

@@ -1,4 +1,5 @@
-//! The scene of `../shared/oracle`, which Mitsuba 3.9 has rendered to convergence, with its standard errors.
+//! The scene of `../shared/oracle`, which Mitsuba 3.9 has rendered to convergence, with its standard errors (model.md,
+//! "Another renderer").
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! Energy: nothing is made, smooth surfaces lose nothing, no length is special (model page, section 11, check 12).
+//! Nothing is made, smooth surfaces lose nothing, no length is special (model.md, "Energy").
 //!
 //! Whole renderings by the reference in f32, which a CPU driver equals bit for bit (`tests/device/same_bits.rs`).
 
@@ -13,7 +13,7 @@ use crate::common::stats::{mean_and_error, p_of_difference, p_of_mean, sidak};
 const ALPHA: f64 = 1e-3;
 /// Of some dozen factors in f32.
 const ROUNDING: f64 = 1e-5;
-/// What Beckmann's rational G1 may be off (model page, section 3).
+/// How far Beckmann's rational G1 may be off (model.md, "Energy").
 const RATIONAL_G1: f64 = 3.2e-3;
 
 fn render(text: &str, settings: Settings, spp: u32, seed: u32) -> Film {

@@ -1,4 +1,4 @@
-//! Estimator settings do not move the mean of the picture (model page, section 1).
+//! Estimator settings do not move the mean of the picture (model.md, "Estimators agree").
 //!
 //! Each scene is rendered with the default estimator and with each other setting alone, by several seeds. For every
 //! block of the picture and for the whole, the means over the seeds are compared by Welch's t-test; Šidák over all

@@ -1,5 +1,5 @@
-//! Surfaces with |ior − 1| < 1e-7 are not there but for their absorption (model page, section 8): paths and shadow rays
-//! go straight through, attenuated by exactly Kt^t, and no bounce is counted. Both ways to absorb say the same.
+//! Null interfaces, |ior − 1| < 1e-7, are not there but for their absorption (model.md, "The null interface"): paths and
+//! shadow rays go straight through, attenuated by exactly Kt^t, and no bounce is counted. Both ways to absorb say the same.
 
 use vkpt::render::Target;
 use vkpt::settings::{Absorption, Connect, Settings};

@@ -8,6 +8,7 @@ mod common;
 mod architecture;
 mod bsdf;
 mod caustic;
+mod citations;
 mod convergence_report;
 mod corpus;
 mod energy;

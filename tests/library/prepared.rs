@@ -17,7 +17,7 @@ const GLASS: &str = "brdf 0 0 0 .04 .04 .04 .1 .5 .5 .5 1.5\n";
 const MATTE: &str = "brdf .5 .5 .5 0 0 0 10\n";
 const VIEW: &str = "screen 40 30\ncamera 0 0 0 .2\n";
 
-/// The scene page gives the official P4 camera to three digits.
+/// The camera of the course's P4 scene, whose frame is known to three digits.
 #[test]
 fn the_course_camera_looks_where_the_page_says() {
     let path = Path::new("../shared/scenes/p4-transmission.scn");

@@ -1,4 +1,4 @@
-// A path carries L/n^2, as in the hand-out (model page, section 7).
+// A path carries L/n^2, as in the hand-out (model.md, "Radiance scaling").
 // Twin of src/reference/bsdf/scaling/flux.rs. Fills the slot <scaling>.
 
 // uses:

@@ -1,5 +1,5 @@
 // Explicit connection of a vertex to a point on a light. Comes before roulette, which scales only the extension
-// (model page, section 10).
+// (model.md, "Roulette").
 // uses: math/finite, path/vertex, sampler/dimensions, sampler/unit_float, <sampler>, <self_distance>, <light_choice>, <light>, <bsdf>, <connect>, <crossing>, <medium>, <record>
 
 void connect(inout PathState s, Vertex v, uint pixel_index) {

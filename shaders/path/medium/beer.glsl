@@ -1,7 +1,7 @@
 // Beer's law.
 // uses: math/elementary/exp
 
-// A(t) = Kt^t = exp(−σt), and 1 where σ or t is 0 (model page, section 9).
+// A(t) = Kt^t = exp(−σt), and 1 where σ or t is 0 (model.md, "Absorption").
 float beer(float sigma, float t) {
     return sigma == 0.0 || t == 0.0 ? 1.0 : exp(-(sigma * t));
 }

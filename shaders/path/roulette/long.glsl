@@ -1,5 +1,5 @@
 // A lossless path (light in a smooth glass box, two mirrors) would never end: from bounce 1000 on it survives with
-// at most this probability (model page, section 10).
+// at most this probability (model.md, "Roulette").
 
 const uint LONG_PATH = 1000u;
 

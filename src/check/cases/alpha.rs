@@ -58,7 +58,7 @@ fn case(distribution: Distribution, alpha: &str) -> Case {
         Distribution::Ggx => (1.5, "1 by the lobe, ½ by the connection"),
         _ => (
             1.5 * 2.61,
-            "4/e · 1.77 by the lobe (model page, section 5), half of it by the connection",
+            r#"4/e · 1.77 by the lobe (model.md, "Visible micro-normals"), half of it by the connection"#,
         ),
     };
     let albedo = if width == 0.0 {

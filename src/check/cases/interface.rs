@@ -94,7 +94,7 @@ fn condition(width: f64, from: f64, to: f64) -> f64 {
         (true, true) => 50.0 * eta * eta,
     };
     let contrast = (1.0 - eta).abs().min((1.0 - 1.0 / eta).abs());
-    // delta, or refraction that keeps one direction (model page, section 8): no half vector
+    // delta, or refraction that keeps one direction (model.md, "Limits"): no half vector
     let straight = if width * contrast < 1e-5 {
         1.0
     } else {

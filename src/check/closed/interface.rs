@@ -81,7 +81,8 @@ pub fn fresnel(theta: f64, from: f64, to: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// GGX of width 1: ∫ 2z/(z + 1) over the upper half of directions comes to 1 − ln 2 (model page, section 11, check 5).
+    /// GGX of width 1: ∫ 2z/(z + 1) over the upper half of directions comes to 1 − ln 2 (model.md,
+    /// "Albedo of one interface").
     #[test]
     fn ggx_of_width_1_has_a_closed_form() {
         let error = mirror(Distribution::Ggx, 1.0) - (1.0 - 2f64.ln());

@@ -23,7 +23,7 @@ pub struct RoughDraw<F> {
     pub c: F,
 }
 
-/// The choice between Kd and the rest by `u_lobe`, and a micro-normal by `u_m` (model page, sections 5.1 to 5.3).
+/// The choice between Kd and the rest by `u_lobe`, and a micro-normal by `u_m` (model.md, "Sampling a direction").
 pub fn rough_draw<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,

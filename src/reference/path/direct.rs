@@ -14,7 +14,7 @@ use crate::reference::shape::{FAR, Target};
 use crate::reference::world::World;
 use crate::settings::{Connect, Settings};
 
-/// Adds the light of one connection. Comes before roulette, which scales only the extension (model page, section 10).
+/// Adds the light of one connection. Comes before roulette, which scales only the extension (model.md, "Roulette").
 pub fn connect<F: Real>(
     world: &World<F>,
     settings: &Settings,

@@ -78,7 +78,7 @@ pub fn shadow_ray<F: Real>(
     }
 }
 
-/// Whether the surface is not there: |ior − 1| < 1e-7 (model page, section 8).
+/// Whether the surface is not there: |ior − 1| < 1e-7 (model.md, "The null interface").
 fn goes_straight<F: Real>(world: &World<F>, hit: Hit<F>) -> bool {
     let material = world.shapes[hit.shape as usize].material;
     world.materials[material as usize].kind == MaterialKind::Nothing

@@ -5,7 +5,8 @@ use crate::reference::math::{Real, Vec3, vec3};
 use crate::reference::world::World;
 use crate::settings::Absorption;
 
-/// Beer's law, `sigma` = −ln Kt per unit length ≥ 0, `t` ≥ 0 a length: A(t) = Kt^t = exp(−σt), and 1 where σ or t is 0 (model page, section 9).
+/// Beer's law, `sigma` = −ln Kt per unit length ≥ 0, `t` ≥ 0 a length: A(t) = Kt^t = exp(−σt), and 1 where σ or t is 0
+/// (model.md, "Absorption").
 pub fn beer<F: Real>(sigma: F, t: F) -> F {
     if sigma == F::zero() || t == F::zero() {
         F::one()

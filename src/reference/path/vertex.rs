@@ -41,7 +41,7 @@ pub fn path_vertex<F: Real>(
     let wo = -ray.d;
     let outside = dot3(wo, surface.ng) >= F::zero();
     let facing = if outside { surface.ng } else { -surface.ng };
-    // The geometric normal decides the side; the shading normal makes only the frame (model page, section 2).
+    // The geometric normal decides the side; the shading normal makes only the frame (model.md, "Conventions").
     let frame = frame_about(if dot3(surface.ns, facing) < F::zero() {
         -surface.ns
     } else {

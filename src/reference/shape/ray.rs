@@ -96,8 +96,8 @@ pub fn no_hit<F: Real>(t_max: F) -> Hit<F> {
     }
 }
 
-/// Whether a hit comes before `best`: the least (t, shape, prim), in lexicographic order (model page,
-/// section 13). Where nothing was hit yet it must come before the limit, `best.t`, itself.
+/// Whether a hit comes before `best`: the least (t, shape, prim), in lexicographic order (model.md,
+/// "Order of hits"). Where nothing was hit yet it must come before the limit, `best.t`, itself.
 pub fn closer<F: Real>(t: F, shape: u32, prim: u32, best: Hit<F>) -> bool {
     let before = shape < best.shape || (shape == best.shape && prim < best.prim);
     t < best.t || (t == best.t && best.shape != NONE && before)

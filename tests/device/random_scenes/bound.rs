@@ -1,4 +1,4 @@
-//! The most light that a surface may return, by the model alone (model page, sections 3 to 6).
+//! The most light that a surface may return, by the model alone (model.md, "Density and value").
 //!
 //! Of the light that a micro-normal m meets, F is reflected and 1 − F refracted. So the albedo of the lobes with a
 //! micro-normal is
@@ -97,7 +97,7 @@ pub fn albedo(m: &Material, c: usize, z: f64) -> f64 {
 }
 
 /// What no albedo of the material exceeds, in any channel, whatever wo: Phong's G1 is at most 1.7675 times Smith's, Beckmann's
-/// 3.2e-3 more (model page, sections 3 and 11, check 12).
+/// 3.2e-3 more (model.md, "Distributions and shadowing"; model.md, "Energy").
 pub fn albedo_anywhere(m: &Material) -> f64 {
     let micro = match (m.kind, m.distribution) {
         (MaterialKind::Black | MaterialKind::Diffuse, _) => 0.0,

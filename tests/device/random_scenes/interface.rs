@@ -132,8 +132,8 @@ const SAMPLES: f64 = 64.0 * SPP as f64;
 const ROUNDING: f64 = 2.0 * 128.0 / 16_777_216.0;
 /// Below this single precision keeps fewer digits.
 const DENORMAL: f64 = f32::MIN_POSITIVE as f64;
-/// What recomputing a micro-normal in f32 does to D at the widths and contrasts that still have a density (model page, section
-/// 8: 1e-8/(α|n − 1|) on the median, 6 times that at 99 %), at α|n − 1| = 1e-5.
+/// What recomputing a micro-normal in f32 does to D at the widths and contrasts that still have a density (model.md,
+/// "Limits": 1e-8/(α|n − 1|) on the median, 6 times that at 99 %), at α|n − 1| = 1e-5.
 const RECOMPUTED: f64 = 6e-3;
 
 /// What is above its limit; each of the renderers' channels by a t-test of this level. Where single samples have a

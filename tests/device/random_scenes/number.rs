@@ -1,4 +1,4 @@
-//! Numbers over their whole legal range (scene page, "Reading"), with the edges made likely.
+//! Numbers over their whole legal range, with the edges made likely.
 
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -43,7 +43,7 @@ pub fn grey() -> impl Strategy<Value = [f64; 3]> {
 }
 
 /// alpha: any number from 0 on. A width to 1, across the limit of what counts as smooth; above 1 a Phong exponent, smooth
-/// above 2e8 (model page, section 8).
+/// above 2e8 (model.md, "Limits").
 pub fn alpha() -> impl Strategy<Value = f64> {
     let edges = [
         1e-300,
@@ -70,7 +70,7 @@ pub fn alpha() -> impl Strategy<Value = f64> {
 }
 
 /// An index of refraction: any number above 0 whose square, and that of its inverse, single precision holds; across the
-/// limit below which a surface is not there (model page, section 8).
+/// limit below which a surface is not there (model.md, "Limits").
 pub fn ior() -> impl Strategy<Value = f64> {
     let off = [1e-9, 0.9e-7, 1.1e-7, 2e-6, 1e-4, 0.1];
     let near_one = (select(off.to_vec()), any::<bool>());

@@ -1,4 +1,4 @@
-//! Check 5 and the tables of energies: mean weights of samples against quadratures that others made.
+//! Mean weights of samples against quadratures that others made (model.md, "Albedo of one interface").
 
 use std::f64::consts::LN_2;
 

@@ -1,4 +1,4 @@
-//! Checks 1 and 2: samples follow the density that they claim, and ∫density + P(invalid) = 1.
+//! Samples follow the density that they claim, and ∫density + P(invalid) = 1 (model.md, "Samples against density").
 
 use glam::DVec3;
 use vkpt::prepared;

@@ -1,4 +1,4 @@
-//! Check 4: `golden_bsdf.csv`, 216 rows of D, G1, F, both conventions of the value, and densities.
+//! `golden_bsdf.csv`, 216 rows of D, G1, F, both conventions of the value, and densities (model.md, "Golden values").
 
 use vkpt::reference::bsdf::distribution::{distribution_d, distribution_g1};
 use vkpt::reference::bsdf::facet::{Facet, facet};

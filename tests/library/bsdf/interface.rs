@@ -24,7 +24,8 @@ fn hemispherical(at: &Interaction<f64>) -> f64 {
     integrate([0.0, critical], 64, f) + integrate([critical, 1.0], 4096, f)
 }
 
-/// Check 7: 1 − R_in = (1 − R_out)/n², for exact Fresnel and for Schlick with the cosine on the rarer side.
+/// 1 − R_in = (1 − R_out)/n², for exact Fresnel and for Schlick with the cosine on the rarer side (model.md,
+/// "Both sides of a smooth interface").
 #[test]
 fn the_two_sides_of_a_smooth_interface_agree() {
     for (kind, n) in [
@@ -77,7 +78,7 @@ fn fresnel_is_the_same_from_both_sides() {
     }
 }
 
-/// Check 12, smooth: R + T = 1 from both sides, at any angle, by either choice of lobe.
+/// Smooth: R + T = 1 from both sides, at any angle, by either choice of lobe (model.md, "Energy").
 #[test]
 fn a_smooth_interface_keeps_all_energy() {
     for fresnel in [Fresnel::Exact, Fresnel::Schlick] {
@@ -109,7 +110,7 @@ fn a_smooth_interface_keeps_all_energy() {
     }
 }
 
-/// Check 6: E_r(a, b) = E_r(b, a), and E_t(a → b)/E_t(b → a) = n² without radiance scaling, 1/n² of … with.
+/// E_r(a, b) = E_r(b, a), and E_t(a → b)/E_t(b → a) = n² without radiance scaling (model.md, "Reciprocity").
 #[test]
 fn reflection_is_reciprocal_and_transmission_up_to_n2() {
     let mut r = Random::new(6);
@@ -148,7 +149,8 @@ fn reflection_is_reciprocal_and_transmission_up_to_n2() {
     );
 }
 
-/// Check 9: Phong and Beckmann agree about N where α_p = 2/α_b² − 2: D(N) = 1/(π α_b²).
+/// Phong and Beckmann agree about N where α_p = 2/α_b² − 2: D(N) = 1/(π α_b²) (model.md,
+/// "Phong and Beckmann at the normal").
 #[test]
 fn phong_and_beckmann_agree_at_the_normal() {
     for alpha in [0.05, 0.1, 0.3, 0.5, 1.0] {
@@ -170,7 +172,8 @@ fn phong_and_beckmann_agree_at_the_normal() {
     }
 }
 
-/// Absorption by `term`: A(t) in transmission and, at total reflection, in the place of E_r; nowhere else.
+/// Absorption by `term`: A(t) in transmission and, at total reflection, in the place of F; nowhere else (model.md,
+/// "Total internal reflection").
 #[test]
 fn term_absorption_stands_where_transmission_does() {
     let a = vec3(0.5, 0.25, 1.0);

@@ -1,4 +1,4 @@
-//! Check 8: what the model tends to for α → 0 and ior → 1, and the kinds that stand in there; check 12: energy.
+//! What the model tends to for α → 0 and ior → 1, and the kinds that stand in there; energy.
 
 use vkpt::reference::bsdf::bsdf_sample;
 use vkpt::reference::bsdf::distribution::distribution_g1;
@@ -9,7 +9,8 @@ use super::support::albedo::{Comparison, albedo, usual};
 use super::support::surface::{dielectric, direction, parameter, seen};
 use super::support::table::Table;
 
-/// Check 8, α → 0: the rough interface, and the smooth one that stands in for it below the limit.
+/// α → 0: the rough interface, and the smooth one that stands in for it below the limit (model.md,
+/// "Limits of width and index").
 #[test]
 fn alpha_to_zero() {
     let Some(table) = Table::open("alpha_to_zero.csv") else {
@@ -38,7 +39,8 @@ fn alpha_to_zero() {
     assert!(bad.is_empty(), "{}", bad.join("\n"));
 }
 
-/// Check 8, ior → 1: T goes to G1(wo), through the rough interface and the weak one alike.
+/// ior → 1: T goes to G1(wo), through the rough interface and the weak one alike (model.md,
+/// "Limits of width and index").
 #[test]
 fn ior_to_one() {
     let Some(table) = Table::open("ior_to_one.csv") else {
@@ -59,7 +61,7 @@ fn ior_to_one() {
     assert!(bad.is_empty(), "{}", bad.join("\n"));
 }
 
-/// Check 12: R + T ≤ 1 for GGX, and for Beckmann up to the 3.2e-3 of its rational G1.
+/// R + T ≤ 1 for GGX, and for Beckmann up to the 3.2e-3 of its rational G1 (model.md, "Energy").
 #[test]
 fn rough_interfaces_gain_no_energy() {
     let mut least = 1.0f64;

@@ -1,5 +1,6 @@
-//! Check 1 for the kinds with one lobe, or with lobes that have no density: what has one fits it, and every lobe is
-//! drawn as often as the model page's section 5 says, in probabilities computed here from cosines and constants alone.
+//! The kinds with one lobe, or with lobes that have no density: what has one fits it (model.md, "Samples against density"),
+//! and every lobe is drawn as often as it should be (model.md, "Choice of lobe"), in probabilities computed here from
+//! cosines and constants alone.
 
 use glam::DVec3;
 use vkpt::prepared::{Material, MaterialKind};
@@ -140,7 +141,8 @@ fn reflectance(m: &Material, outside: bool, c: f64) -> f64 {
     f0 + (1.0 - f0) * (1.0 - if eta > 1.0 { t } else { c }).powi(5)
 }
 
-/// Probabilities of the diffuse lobe, and of reflection once it is not chosen, at a smooth surface (section 5.1).
+/// Probabilities of the diffuse lobe, and of reflection once it is not chosen, at a smooth surface (model.md,
+/// "Choice of lobe").
 fn probabilities(case: &Case, choice: LobeChoice, c: f64) -> [f64; 2] {
     let m = &case.m;
     let transmits = m.kind >= MaterialKind::Dielectric;
@@ -180,7 +182,7 @@ fn frequencies(case: &Case, choice: LobeChoice, c: f64, seed: u64, factor: f64) 
 }
 
 #[test]
-fn lobes_are_drawn_as_often_as_the_page_says() {
+fn lobes_are_drawn_as_often_as_they_should_be() {
     let mut cases = cases();
     cases.retain(is_smooth);
     // 0.7 is beyond the critical angle of glass, from inside

@@ -1,4 +1,5 @@
-//! Check 1 for micro-normals alone: every distribution at every width, drawn from D(m)·(m·N) or as `wo` sees them.
+//! Micro-normals alone (model.md, "Samples against density"): every distribution at every width, drawn from D(m)·(m·N)
+//! or as `wo` sees them.
 //!
 //! The bins of `densities` are as wide as the narrowest lobes. These here are as narrow as the distribution:
 //! x = 1 − 1/√(1 + r²), r = tan θ/α, and φ stretch the lobe of a GGX of width α over the square.

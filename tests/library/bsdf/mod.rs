@@ -1,7 +1,7 @@
 //! The surface model against what this project did not compute: tables, closed forms, its own samples.
 //!
-//! Section 11 of the model page numbers the checks. Statistical ones have fixed seeds, state their
-//! significance over the whole family of a test (Šidák), and each comparator is shown to fail on a planted error.
+//! The numbers are those of model.md, "Checks". Statistical tests have fixed seeds, state their significance over the
+//! whole family of a test (Šidák), and each comparator is shown to fail on a planted error.
 
 mod albedo;
 mod densities;

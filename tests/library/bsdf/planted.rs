@@ -1,4 +1,4 @@
-//! Errors that the comparison of samples with densities must see: check 1 holds nothing otherwise.
+//! Errors that the comparison of samples with densities must notice (model.md, "Samples against density").
 
 use glam::DVec3;
 use vkpt::reference::bsdf::{Interaction, LOBE_NONE, bsdf_eval, bsdf_sample};

@@ -1,4 +1,4 @@
-//! What f32 costs: the forms that the model page chose, against the same function in f64 on the same inputs.
+//! What f32 costs: the forms in use against the same function in f64 on the same inputs.
 
 use glam::DVec3;
 use vkpt::reference::bsdf::distribution::{distribution_d, distribution_sample};
@@ -27,7 +27,7 @@ fn uniform(r: &mut Random) -> f64 {
     (r.bits() >> 40) as f64 / 16_777_216.0
 }
 
-/// Section 3's table: D and the sampled tan θ keep their digits at every width.
+/// D and the sampled tan θ keep their digits at every width (model.md, "Precision of the distributions").
 #[test]
 fn distributions_keep_their_digits() {
     let mut r = Random::new(1);
@@ -64,7 +64,7 @@ fn distributions_keep_their_digits() {
     }
 }
 
-/// Section 5.3: visible normals in the form without cancellation, at every angle.
+/// Visible normals in the form without cancellation, at every angle (model.md, "Visible micro-normals").
 #[test]
 fn visible_normals_keep_their_digits() {
     let mut r = Random::new(2);
@@ -85,7 +85,7 @@ fn visible_normals_keep_their_digits() {
     assert!(p50 < 2e-7 && p99 < 2e-6, "{p50:e} {p99:e}");
 }
 
-/// Section 4: exact Fresnel at n = 1 + 1e-6, where the usual form is 9 % off.
+/// Exact Fresnel at n = 1 + 1e-6, where the usual form is 9 % off (model.md, "Exact reflectance").
 #[test]
 fn fresnel_near_ior_one_keeps_its_digits() {
     let m = dielectric(Distribution::Ggx, 0.3, 1.0 + 1e-6);

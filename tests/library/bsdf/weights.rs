@@ -1,4 +1,4 @@
-//! Identities of weights and densities, whatever they weigh: check 3, bounds, the hand-out's own density.
+//! Identities of weights and densities, whatever they weigh; bounds; the hand-out's own density.
 
 use std::f64::consts::PI;
 
@@ -17,8 +17,8 @@ use super::support::surface::{
     DISTRIBUTIONS, ESTIMATORS, dielectric, direction, estimator, opaque, parameter, seen,
 };
 
-/// Check 3: the largest |value·cos/pdf − weight|, relative to 1 and over all channels, of samples of rough surfaces,
-/// coloured ones, with Kd and without, of either Fresnel term.
+/// The largest |value·cos/pdf − weight|, relative to 1 and over all channels, of samples of rough surfaces, coloured
+/// ones, with Kd and without, of either Fresnel term (model.md, "Weight against value and density").
 fn weight_error<F: Real>(least_width: f64) -> f64 {
     let mut r = Random::new(3);
     let mut largest = 0.0f64;
@@ -126,7 +126,9 @@ fn a_weak_interface_joins_the_rough_one() {
         }
     }
 }
-/// The density by norms is the page's p_d wi_z/π + (p_r + [TIR] p_t) pm J, in the hand-out's own probabilities.
+
+/// The density by norms is p_d wi_z/π + (p_r + [TIR] p_t) pm J, in the hand-out's own probabilities (model.md,
+/// "Density and value").
 #[test]
 fn density_by_norms_is_the_handouts() {
     let (p_d, p_r, p_t) = (0.3, 0.7 * 0.4, 0.7 * 0.6);

@@ -6,7 +6,7 @@ use glam::DVec3;
 use vkpt::reference::math::frame::{Frame, frame_about, to_local, to_world};
 use vkpt::reference::math::{Vec3, vec3};
 
-/// Bins along each side of the square; model page, section 11: each wants 40 × 40 nodes or more.
+/// Bins along each side of the square. Each wants 40 × 40 nodes or more (model.md, "Samples against density").
 pub const BINS: usize = 20;
 const NODES: usize = 50;
 

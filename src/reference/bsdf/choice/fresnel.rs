@@ -6,8 +6,8 @@ use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::math::{Real, max2, mean3, min2};
 use crate::reference::sampler::chance;
 
-/// Model page, section 5.1: p_d = K̄d/(K̄d + 1) of a transmissive material, where reflection and refraction share the 1. Opaque:
-/// K̄d/(K̄d + S), S = F̄(wo·N), kept within [0.1, 0.9] where both lobes exist.
+/// p_d = K̄d/(K̄d + 1) of a transmissive material, where reflection and refraction share the 1. Opaque: K̄d/(K̄d + S),
+/// S = F̄(wo·N), kept within [0.1, 0.9] where both lobes exist (model.md, "Choice of lobe").
 pub fn diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
     let kd = at.material.kd_mean;
     let opaque = at.material.kind < MaterialKind::Dielectric;

@@ -1,7 +1,7 @@
 //! Distributions of micro-normals and their masking, isotropic; the kernels' slot `<distribution>`.
 //!
-//! D(m) is per solid angle with ∫ D(m) (m·N) dm = 1, G1 Smith's masking of one direction. Model page,
-//! section 3: nothing here forms 1 − (m·N)², or calls a tangent.
+//! D(m) is per solid angle with ∫ D(m) (m·N) dm = 1, G1 Smith's masking of one direction. Nothing here forms
+//! 1 − (m·N)², or calls a tangent (model.md, "Distributions and shadowing").
 
 pub mod beckmann;
 pub mod ggx;

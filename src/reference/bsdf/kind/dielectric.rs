@@ -30,7 +30,7 @@ pub fn dielectric_at<F: Real>(
 }
 
 /// Kd with probability p_d; else a micro-normal m, about which light is reflected with probability R(wo·m) and
-/// refracted otherwise (model page, sections 5.1 to 5.6). Weight value·|N·wi|/density by the m that was drawn.
+/// refracted otherwise (model.md, "Sampling a direction"). Weight value·|N·wi|/density by the m that was drawn.
 pub fn dielectric_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
@@ -72,7 +72,8 @@ pub fn dielectric_sample<F: Real>(
     sample_or_none(valid, wi, value, if diffuse { LOBE_DIFFUSE } else { lobe })
 }
 
-/// Kd/π + E_r on wo's side, E_t on the other, by the half vector that joins `wo` and `wi` (model page, section 6).
+/// Kd/π + E_r on wo's side, E_t on the other, by the half vector that joins `wo` and `wi` (model.md,
+/// "Density and value").
 pub fn dielectric_eval<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,

@@ -7,7 +7,7 @@ use crate::reference::bsdf::sample::{BsdfSample, BsdfValue};
 use crate::reference::math::{Real, Vec3};
 use crate::settings::Settings;
 
-/// Kd with probability p_d, else wo mirrored about a micro-normal (model page, sections 5.1 to 5.4).
+/// Kd with probability p_d, else wo mirrored about a micro-normal (model.md, "Sampling a direction").
 pub fn opaque_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
@@ -19,7 +19,7 @@ pub fn opaque_sample<F: Real>(
     rough_reflection_sample(settings, at, rough_draw(settings, at, u_lobe, u_m), u_d)
 }
 
-/// Kd/π + E_r on wo's side, by the half vector (model page, section 6).
+/// Kd/π + E_r on wo's side, by the half vector (model.md, "Density and value").
 pub fn opaque_eval<F: Real>(settings: &Settings, at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
     rough_reflection_at(settings, at, wi, reflection_half_vector(at.wo, wi))
 }

@@ -1,4 +1,4 @@
-//! What a refracted path carries, radiance or flux; the kernels' slot `<scaling>`. Model page, section 7.
+//! What a refracted path carries, radiance or flux (model.md, "Radiance scaling"); the kernels' slot `<scaling>`.
 
 pub mod flux;
 pub mod radiance;

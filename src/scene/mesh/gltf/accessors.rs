@@ -1,4 +1,4 @@
-//! Vectors and indices out of buffers (section 3.6.2, *Accessors*): each stretch of bytes is checked before it is
+//! Vectors and indices out of buffers (glTF 2.0, section 3.6.2, *Accessors*): each stretch of bytes is checked before it is
 //! read.
 
 use std::borrow::Cow;
@@ -162,7 +162,7 @@ fn whole(kind: ComponentType, bytes: &[u8]) -> u32 {
 }
 
 /// The number at the start of `bytes`, which hold one; a normalised one lies in [0, 1] or [−1, 1]
-/// (section 3.11, *Animations*, table of normalised integers).
+/// (glTF 2.0, section 3.11, *Animations*, table of normalised integers).
 fn number(kind: ComponentType, normalized: bool, bytes: &[u8]) -> f64 {
     let bits = whole(kind, bytes);
     let (value, most) = match kind {

@@ -35,7 +35,7 @@ impl Assembly {
         let number = index.value();
         let mesh = root.get(index);
         let mesh = mesh.ok_or_else(|| format!("there is no mesh {number}"))?;
-        // A skinned mesh is placed by its joints and not by its node (section 3.7.3.3): as it was bound, it
+        // A skinned mesh is placed by its joints and not by its node (glTF 2.0, section 3.7.3.3): as it was bound, it
         // stands in the scene's space.
         let to_scene = match node.skin {
             Some(_) => DAffine3::IDENTITY,

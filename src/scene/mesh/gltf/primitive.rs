@@ -71,7 +71,7 @@ pub(super) fn asked(node: &Node, root: &Root) -> u64 {
         .fold(0, u64::saturating_add)
 }
 
-/// The triangles of a list, a strip or a fan (section 3.7.2.1); those that repeat a corner only join a strip.
+/// The triangles of a list, a strip or a fan (glTF 2.0, section 3.7.2.1); those that repeat a corner only join a strip.
 fn triangles(mode: Mode, indices: &[u32]) -> Result<Vec<[u32; 3]>, String> {
     let windows = indices.windows(3);
     let triangles: Vec<[u32; 3]> = match mode {

@@ -72,7 +72,7 @@ vec3 fresnel(Interaction at, float c) {
 }
 ";
 
-/// The two columns of the model page's settings.
+/// The two columns of settings (model.md, "Settings").
 pub fn columns() -> [Settings; 2] {
     [Settings::default(), Settings::handout()]
 }
