@@ -17,7 +17,6 @@ use vkpt::cli::{self, Task};
 fn main() -> ExitCode {
     let ending = match cli::task() {
         Ok(Task::Render(arguments)) => cli::render(&arguments),
-        Ok(Task::Trace(arguments, vertex)) => cli::trace(&arguments, vertex),
         Ok(Task::Compare(arguments)) => cli::compare(&arguments),
         Ok(Task::Converge(arguments)) => cli::converge(&arguments),
         Ok(Task::Check(arguments)) => cli::check(&arguments),

@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use miette::Severity;
 
+use crate::converge::ConvergeError;
 use crate::image::file::FileError;
 use crate::prepared::PrepareError;
 use crate::render::RenderError;
@@ -20,7 +21,8 @@ pub enum Ending {
 /// An end that did not.
 #[derive(Debug)]
 pub enum Failure {
-    Usage(clap::Error),
+    /// The command line is wrong in a way that clap does not find by itself.
+    Usage(String),
     Scene(Errors),
     Prepare(PrepareError),
     /// Warnings that `--strict` makes errors.
@@ -35,6 +37,15 @@ pub enum Failure {
     Pictures(Vec<String>),
     /// A device that gets something wrong that pictures depend on.
     Unhealthy(String),
+}
+
+impl From<ConvergeError> for Failure {
+    fn from(error: ConvergeError) -> Self {
+        match error {
+            ConvergeError::Render(error) => Self::Render(error),
+            ConvergeError::Metrics(error) => Self::Pictures(vec![error.to_string()]),
+        }
+    }
 }
 
 /// Tells a failure and gives the program's exit code.
@@ -64,7 +75,9 @@ impl Failure {
 
     fn tell(self) {
         match self {
-            Self::Usage(error) => drop(error.print()),
+            Self::Usage(message) => {
+                tell(&format!("{message}\n\nFor more information, try '--help'."))
+            }
             Self::Scene(errors) => {
                 let sum = errors.to_string();
                 point_out(errors.diagnostics);

@@ -3,7 +3,6 @@
 use std::path::Path;
 use std::time::Instant;
 
-use super::arguments::usage;
 use super::exit::{Failure, point_out, warn};
 use crate::prepared::{self, Prepared};
 use crate::render::{Job, KernelChoice, Until};
@@ -70,7 +69,7 @@ impl Ready {
             .crop
             .filter(|crop| crop[2] > width || crop[3] > height)
         {
-            return Err(usage(format!(
+            return Err(Failure::Usage(format!(
                 "--crop ends at {x1},{y1}, outside the picture of {width}x{height} pixels"
             )));
         }

@@ -3,7 +3,6 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use super::arguments::usage;
 use super::exit::Failure;
 use crate::image::file::{FileError, check_writable, write_whole};
 
@@ -15,7 +14,7 @@ pub fn check_all<'a>(paths: impl Iterator<Item = &'a Path>) -> Result<(), Failur
     places.sort();
     match places.windows(2).find(|pair| pair[0] == pair[1]) {
         None => Ok(()),
-        Some(pair) => Err(usage(format!(
+        Some(pair) => Err(Failure::Usage(format!(
             "two reports would be written to one file, {}",
             pair[0].display()
         ))),

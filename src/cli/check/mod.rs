@@ -6,7 +6,6 @@ mod outputs;
 use std::io::Write;
 
 use self::outputs::Outputs;
-use super::arguments::usage;
 use super::command::typed;
 use super::exit::{Ending, Failure, warn};
 use super::interrupt::stop_flag;
@@ -60,7 +59,7 @@ fn unknown(arguments: &CheckArguments, all: &[Case]) -> Failure {
     let mut groups: Vec<&str> = all.iter().map(Case::group).collect();
     groups.dedup();
     let name = arguments.case.as_deref().unwrap_or_default();
-    usage(format!(
+    Failure::Usage(format!(
         "--case '{name}' is no case: there are {}",
         groups.join(", ")
     ))

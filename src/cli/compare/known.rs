@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use super::arguments::PictureArguments;
-use crate::cli::arguments::usage;
 use crate::cli::exit::Failure;
 use crate::image::file::stderr_path;
 use crate::image::{self, Picture};
@@ -29,7 +28,7 @@ impl Known {
                 .collect(),
             given if given.len() == count => given.iter().cloned().map(Some).collect(),
             given => {
-                return Err(usage(format!(
+                return Err(Failure::Usage(format!(
                     "--stderr must be given once for each picture, in the order A, B, reference: {} of {}",
                     given.len(),
                     count

@@ -4,7 +4,6 @@ use std::io::Write;
 
 use super::arguments::PictureArguments;
 use super::known::Known;
-use crate::cli::arguments::usage;
 use crate::cli::exit::{Ending, Failure, warn};
 use crate::cli::values::Output;
 use crate::film::Film;
@@ -22,7 +21,7 @@ pub fn pictures(arguments: &PictureArguments) -> Result<Ending, Failure> {
     }
     let known = Known::read_all(arguments)?;
     let Some((reference, tested)) = known.split_last() else {
-        return Err(usage("two pictures are needed"));
+        return Err(Failure::Usage("two pictures are needed".to_owned()));
     };
     let comparison = compare(arguments.exposure, tested, reference).map_err(Failure::Pictures)?;
     warn_of_sobol(&known, &comparison);
@@ -161,7 +160,7 @@ fn verdict(arguments: &PictureArguments, comparison: &Comparison) -> Result<Endi
                 "{name}: {} block means differ by more than their standard errors explain (--z-test)",
                 test.rejected()
             )),
-            Err(why) => return Err(usage(format!("--z-test: {why}"))),
+            Err(why) => return Err(Failure::Usage(format!("--z-test: {why}"))),
         }
     }
     if broken.is_empty() {

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use super::vary::{Vary, vary};
-use crate::cli::arguments::usage;
 use crate::cli::exit::Failure;
 use crate::cli::job::Request;
 use crate::cli::settings::SettingArguments;
@@ -123,7 +122,7 @@ impl ConvergeArguments {
         let last = self.seed.checked_add(self.replicates - 1);
         match last.filter(|&last| last < HALVES[0]) {
             Some(last) => Ok((self.seed..=last).collect()),
-            None => Err(usage(format!(
+            None => Err(Failure::Usage(format!(
                 "--seed {} is too large: its replicates would have the seeds of the reference",
                 self.seed
             ))),

@@ -18,7 +18,7 @@ use self::variants::Variants;
 use super::exit::{Ending, Failure, warn};
 use super::interrupt::stop_flag;
 use super::progress::Display;
-use crate::converge::{ConvergeError, Measured, Plan, Variant, measure};
+use crate::converge::{Measured, Plan, Variant, measure};
 use crate::metrics::flip::Viewing;
 use crate::render::{Engine, Job};
 use crate::report::convergence::{concerns, table};
@@ -80,13 +80,5 @@ fn run(
         display.experiment(p)
     });
     display.finish();
-    measured.map_err(failure)
-}
-
-/// What a curve fails by, as the program ends by it.
-fn failure(error: ConvergeError) -> Failure {
-    match error {
-        ConvergeError::Render(error) => Failure::Render(error),
-        ConvergeError::Metrics(error) => Failure::Pictures(vec![error.to_string()]),
-    }
+    Ok(measured?)
 }

@@ -4,11 +4,10 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use super::arguments::ConvergeArguments;
-use super::failure;
 use super::kept::Kept;
 use crate::cli::exit::{Failure, warn};
 use crate::cli::progress::Display;
-use crate::converge::{Halves, Plan, halves};
+use crate::converge::{ConvergeError, Halves, Plan, halves};
 use crate::image::file::stderr_path;
 use crate::image::{self, Precision};
 use crate::metrics::convergence::Reference;
@@ -138,7 +137,7 @@ fn own(
     }
     let effort = (plan.seconds, MOST);
     let made = halves(&job, engine, effort, stop, &mut |p| display.experiment(p));
-    let Some(halves) = made.map_err(failure)? else {
+    let Some(halves) = made? else {
         return Ok(None);
     };
     kept.write(&halves);
@@ -148,7 +147,7 @@ fn own(
 fn named(halves: Halves, origin: &str, plan: &Plan) -> Result<Named, Failure> {
     let (spp, time) = (halves.spp, duration(halves.seconds));
     let [a, b] = halves.films;
-    let reference = Reference::halves(a, b, &plan.viewing).map_err(|e| failure(e.into()))?;
+    let reference = Reference::halves(a, b, &plan.viewing).map_err(ConvergeError::Metrics)?;
     let name = format!("of two halves by {spp} spp, {time}{origin}");
     Ok(Named { name, reference })
 }

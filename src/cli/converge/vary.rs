@@ -3,7 +3,6 @@
 use clap::error::ErrorKind;
 use clap::{Args, Command, FromArgMatches};
 
-use crate::cli::arguments::usage;
 use crate::cli::exit::Failure;
 use crate::cli::settings::SettingArguments;
 use crate::settings::Settings;
@@ -51,7 +50,7 @@ pub fn combinations(
 ) -> Result<Vec<Combination>, Failure> {
     for (i, v) in vary.iter().enumerate() {
         if vary[..i].iter().any(|other| other.name == v.name) {
-            return Err(usage(format!(
+            return Err(Failure::Usage(format!(
                 "--vary {} is there twice: give all of its values at once",
                 v.name
             )));
@@ -61,7 +60,9 @@ pub fn combinations(
         .iter()
         .try_fold(1usize, |n, v| n.checked_mul(v.values.len()));
     if count.is_none_or(|n| n > MOST) {
-        return Err(usage(format!("--vary: more than {MOST} combinations")));
+        return Err(Failure::Usage(format!(
+            "--vary: more than {MOST} combinations"
+        )));
     }
     let mut all: Vec<Vec<(&str, &str)>> = vec![Vec::new()];
     for v in vary {
@@ -75,7 +76,7 @@ pub fn combinations(
         let names: Vec<String> = pairs.iter().map(|(n, v)| format!("{n}={v}")).collect();
         Ok(Combination {
             name: names.join(" "),
-            settings: settings.with(&flags(pairs).map_err(usage)?),
+            settings: settings.with(&flags(pairs).map_err(Failure::Usage)?),
         })
     };
     all.iter().map(combination).collect()

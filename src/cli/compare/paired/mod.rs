@@ -7,7 +7,6 @@ use std::io::Write;
 
 use self::findings::{Findings, PAIRS};
 use super::arguments::PairedArguments;
-use crate::cli::arguments::usage;
 use crate::cli::command;
 use crate::cli::exit::{Ending, Failure, warn};
 use crate::cli::interrupt::stop_flag;
@@ -21,7 +20,7 @@ use crate::render::{self, Job, Target};
 pub fn paired(arguments: &PairedArguments) -> Result<Ending, Failure> {
     let request = arguments
         .request()
-        .ok_or_else(|| usage("a scene file is missing"))?;
+        .ok_or_else(|| Failure::Usage("a scene file is missing".to_owned()))?;
     let ready = Ready::new(&request)?;
     let job = ready.job(&request)?;
     let device = Device::open(&arguments.device()).map_err(|e| Failure::Render(e.into()))?;

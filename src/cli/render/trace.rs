@@ -2,10 +2,10 @@
 
 use std::io::Write;
 
-use super::arguments::{RenderArguments, usage};
-use super::exit::{Ending, Failure};
-use super::job::Ready;
-use super::values::SamplePath;
+use super::arguments::RenderArguments;
+use crate::cli::exit::{Ending, Failure};
+use crate::cli::job::Ready;
+use crate::cli::values::SamplePath;
 use crate::render;
 
 /// Prints the path of one sample on stdout; writes no file.
@@ -19,7 +19,7 @@ pub fn trace(arguments: &RenderArguments, path: SamplePath) -> Result<Ending, Fa
     let [x, y] = path.pixel;
     let (width, height) = (ready.prepared.width, ready.prepared.height);
     if x >= width || y >= height {
-        return Err(usage(format!(
+        return Err(Failure::Usage(format!(
             "--trace: pixel {x},{y} is outside the picture of {width}x{height} pixels"
         )));
     }

@@ -1,8 +1,8 @@
 //! What a rendering did, put on record.
 
 use super::arguments::RenderArguments;
-use super::exit::Failure;
-use super::job::Ready;
+use crate::cli::exit::Failure;
+use crate::cli::job::Ready;
 use crate::render::{self, End, Outcome, Stats};
 use crate::report::{Dropped, ErrorAt, Job, Kernel, Machine, Memory, Record, Seconds, Work};
 

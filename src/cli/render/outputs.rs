@@ -3,9 +3,9 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use super::arguments::{RenderArguments, usage};
-use super::exit::Failure;
-use super::values::Output;
+use super::arguments::RenderArguments;
+use crate::cli::exit::Failure;
+use crate::cli::values::Output;
 use crate::film::Aov;
 use crate::image::file::{FileError, check_writable, stderr_path, write_whole};
 use crate::image::{Format, Frame, Labels, encode};
@@ -79,15 +79,15 @@ pub fn write_frame(
 /// `NAME-stderr.exr` beside each picture `NAME.png` or `NAME.exr`.
 fn stderr_files(pictures: &[Output], spp: u32) -> Result<Vec<Output>, Failure> {
     if spp < 2 {
-        return Err(usage(
-            "--aov stderr needs --spp 2 or more: one sample tells nothing of its error",
+        return Err(Failure::Usage(
+            "--aov stderr needs --spp 2 or more: one sample tells nothing of its error".to_owned(),
         ));
     }
     let mut files: Vec<Output> = Vec::new();
     for picture in pictures {
         let path = stderr_path(&picture.path);
         if pictures.iter().any(|other| other.path == path) {
-            return Err(usage(format!(
+            return Err(Failure::Usage(format!(
                 "--aov stderr would write over the picture {}: give it another name",
                 path.display()
             )));
@@ -102,9 +102,9 @@ fn stderr_files(pictures: &[Output], spp: u32) -> Result<Vec<Output>, Failure> {
 
 /// The scene's name with both endings, in the working directory.
 fn default_pictures(scene: &Path) -> Result<Vec<Output>, Failure> {
-    let name = scene
-        .file_stem()
-        .ok_or_else(|| usage("the scene has no file name to call pictures by: use -o"))?;
+    let name = scene.file_stem().ok_or_else(|| {
+        Failure::Usage("the scene has no file name to call pictures by: use -o".to_owned())
+    })?;
     let picture = |ending: &str, format| {
         let mut file = name.to_os_string();
         file.push(ending);

@@ -1,25 +1,34 @@
 //! `vkpt SCENE`: renders a scene to pictures.
 
+mod arguments;
+mod outputs;
+mod record;
+mod trace;
+
 use std::io::Write;
 use std::time::Instant;
 
-use super::arguments::RenderArguments;
-use super::exit::{Ending, Failure, warn};
-use super::interrupt::stop_flag;
-use super::job::Ready;
-use super::outputs::{Outputs, write_frame};
-use super::progress::Display;
-use super::record::record;
-use super::values::Output;
+use self::outputs::{Outputs, write_frame};
+use self::record::record;
+use self::trace::trace;
+use crate::cli::exit::{Ending, Failure, warn};
+use crate::cli::interrupt::stop_flag;
+use crate::cli::job::Ready;
+use crate::cli::progress::Display;
+use crate::cli::values::Output;
 use crate::film::{Aov, Film};
 use crate::image::file::FileError;
 use crate::image::{Frame, Labels};
 use crate::render::{self, End, Outcome};
 use crate::report::{self, Record, SOFTWARE};
 use crate::settings::Sampler;
+pub use arguments::RenderArguments;
 
-/// Reads, prepares, renders, writes and reports.
+/// Reads, prepares, renders, writes and reports; or prints the path that `--trace` asks for.
 pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
+    if let Some(path) = arguments.trace {
+        return trace(arguments, path);
+    }
     let outputs = Outputs::check(arguments)?;
     let ready = Ready::new(&arguments.request()?)?;
     let outcome = develop(arguments, &ready)?;
