@@ -1,0 +1,100 @@
+//! Circles of files that need one another.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path as Folder;
+
+use super::source::{Path, Source};
+
+/// Which of the modules each needs; a child that a `use` begins with counts too.
+fn needs(sources: &[Source]) -> BTreeMap<Path, BTreeSet<Path>> {
+    let modules: BTreeSet<Path> = sources.iter().map(Source::module).collect();
+    let innermost = |path: Path| {
+        let mut path = path;
+        while path.len() > 0 && !modules.contains(&path) {
+            path = path.above();
+        }
+        (path.len() > 0).then_some(path)
+    };
+    let of = |source: &Source| {
+        let own = source.module();
+        let children = source.lines().filter_map(|(_, code)| {
+            let used = code.trim_start_matches("pub ").strip_prefix("use ")?;
+            let (name, _) = used.split_once("::")?;
+            Some(own.clone().join(&[name])).filter(|child| modules.contains(child))
+        });
+        let named = source
+            .names()
+            .into_iter()
+            .filter_map(|(_, path)| innermost(path));
+        let all = children.chain(named).filter(|other| *other != own);
+        (own.clone(), all.collect())
+    };
+    sources.iter().map(of).collect()
+}
+
+/// Modules of which each needs, by way of others, itself.
+fn in_circles(sources: &[Source]) -> Vec<String> {
+    let needs = needs(sources);
+    let reached = |start: &Path| {
+        let mut reached = BTreeSet::new();
+        let mut open: Vec<&Path> = vec![start];
+        while let Some(next) = open.pop() {
+            let new = needs[next]
+                .iter()
+                .filter(|other| reached.insert((*other).clone()));
+            open.extend(new);
+        }
+        reached
+    };
+    let circular = needs
+        .keys()
+        .filter(|module| reached(module).contains(module));
+    circular.map(ToString::to_string).collect()
+}
+
+#[test]
+fn no_two_files_of_the_command_line_need_each_other() {
+    let sources = Source::all(Folder::new("src/cli"));
+    assert!(sources.len() > 20);
+    let all = in_circles(&sources);
+    assert!(
+        all.is_empty(),
+        "these files need one another: {}",
+        all.join(", ")
+    );
+}
+
+#[test]
+fn a_planted_circle_is_found() {
+    let found = |files: &[(&str, &str)]| {
+        let sources: Vec<_> = files
+            .iter()
+            .map(|(path, text)| Source::new(path, text))
+            .collect();
+        in_circles(&sources)
+    };
+    let straight = [
+        ("cli/mod.rs", "mod a; pub use a::x;"),
+        (
+            "cli/a.rs",
+            "use super::b::{self, y}; use crate::render::Job;",
+        ),
+        (
+            "cli/b.rs",
+            "#[cfg(test)]\nmod tests {\n    use super::*;\n}",
+        ),
+    ];
+    assert!(found(&straight).is_empty(), "{:?}", found(&straight));
+    let circle = [
+        straight[0],
+        straight[1],
+        ("cli/b.rs", "use crate::cli::c;"),
+        ("cli/c.rs", "use super::a;"),
+    ];
+    assert_eq!(found(&circle), ["cli::a", "cli::b", "cli::c"]);
+    let family = [
+        ("cli/mod.rs", "mod a;\npub use a::x;"),
+        ("cli/a.rs", "use super::z;"),
+    ];
+    assert_eq!(found(&family), ["cli", "cli::a"]);
+}

@@ -1,0 +1,104 @@
+//! The table of rooms in ARCHITECTURE.md: where a room is, and what it may know.
+
+use super::source::Path;
+
+/// A row of the table.
+#[derive(Debug)]
+pub struct Row {
+    /// The room: a folder or a file of `src/`, with all that is below it.
+    pub room: Path,
+    pub may_know: Known,
+}
+
+/// The third column.
+#[derive(Debug, PartialEq)]
+pub enum Known {
+    Everything,
+    /// These modules and items, and what is below them; none where the table says "nothing".
+    These(Vec<Path>),
+}
+
+impl Known {
+    pub fn allows(&self, path: &Path) -> bool {
+        match self {
+            Self::Everything => true,
+            Self::These(all) => all.iter().any(|known| path.is_within(known)),
+        }
+    }
+}
+
+/// The rows of all rooms of `src/` in the text of ARCHITECTURE.md, or what is wrong with the first that cannot be read.
+pub fn rows(markdown: &str) -> Result<Vec<Row>, String> {
+    let lines = markdown.lines().filter(|line| line.starts_with("| `src/"));
+    let row = |line: &str| row(line).map_err(|why| format!("{why}: {line}"));
+    lines.map(row).collect()
+}
+
+fn row(line: &str) -> Result<Row, String> {
+    let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+    let &["", room, _, may_know, ""] = &cells[..] else {
+        return Err("three columns are expected".to_owned());
+    };
+    let place = quoted(room).and_then(|place| place.strip_prefix("src/"));
+    let place = place.ok_or("the first column must be one path of `src/`")?;
+    let place = place.trim_end_matches('/').trim_end_matches(".rs");
+    Ok(Row {
+        room: place.split('/').collect(),
+        may_know: known(may_know)?,
+    })
+}
+
+/// `nothing`, `everything`, or paths in backquotes between commas.
+fn known(cell: &str) -> Result<Known, String> {
+    match cell {
+        "nothing" => Ok(Known::These(Vec::new())),
+        "everything" => Ok(Known::Everything),
+        _ => {
+            let path = |item: &str| {
+                let path = quoted(item.trim()).map(|path| path.split("::").collect());
+                path.ok_or(format!(
+                    "`{item}` in the third column is no path in backquotes"
+                ))
+            };
+            let all: Result<_, String> = cell.split(',').map(path).collect();
+            Ok(Known::These(all?))
+        }
+    }
+}
+
+/// What stands between two backquotes and contains no other.
+fn quoted(text: &str) -> Option<&str> {
+    let inner = text.strip_prefix('`')?.strip_suffix('`')?;
+    (!inner.is_empty() && !inner.contains('`')).then_some(inner)
+}
+
+#[test]
+fn the_third_column_is_read_to_the_letter() {
+    let may_know = |cell: &str| known(cell);
+    let these = |all: &[&str]| Known::These(all.iter().map(|p| p.split("::").collect()).collect());
+    assert_eq!(may_know("nothing"), Ok(these(&[])));
+    assert_eq!(may_know("everything"), Ok(Known::Everything));
+    assert_eq!(
+        may_know("`scene`, `gpu::Device`"),
+        Ok(these(&["scene", "gpu::Device"]))
+    );
+    for wrong in [
+        "",
+        "–",
+        "scene",
+        "`scene` and `gpu`",
+        "`scene`; `gpu`",
+        "all of `scene`",
+    ] {
+        assert!(may_know(wrong).is_err(), "{wrong}");
+    }
+    assert!(rows("| `src/scene/` | two columns |").is_err());
+    assert!(rows("| `src/a/`, `src/b/` | two rooms | nothing |").is_err());
+    let rows = rows("| room | – | – |\n| `src/a/b.rs` | x | nothing |\n| `shaders/` | y | – |");
+    let rooms: Vec<String> = rows
+        .expect("a row")
+        .iter()
+        .map(|r| r.room.to_string())
+        .collect();
+    assert_eq!(rooms, ["a::b"]);
+}
