@@ -22,7 +22,7 @@ pub struct Address {
 pub struct Path {
     /// W·sr⁻¹·m⁻²; of a renderer in f32 exactly its numbers.
     pub radiance: [f64; 3],
-    /// The hash of the path's decisions (`reference::path::signature`): the same where two paths decided alike.
+    /// The hash of the path's decisions (`reference::integrator::path::signature`): the same where two paths decided alike.
     pub signature: u32,
 }
 

@@ -14,16 +14,16 @@ struct RoughDraw {
     float c;
 };
 
-// The choice between Kd and the rest by u_lobe, and a micro-normal by u_m (model.md, "Sampling a direction").
-RoughDraw rough_draw(Interaction at, float u_lobe, vec2 u_m) {
-    vec3 m = normals_sample(at, u_m);
-    return RoughDraw(diffuse_chosen(at, u_lobe), m, dot3(at.wo, m));
+// The choice between Kd and the rest, and a micro-normal (model.md, "Sampling a direction").
+RoughDraw rough_draw(Interaction at, BsdfRandom random) {
+    vec3 m = normals_sample(at, random.m);
+    return RoughDraw(diffuse_chosen(at, random.lobe), m, dot3(at.wo, m));
 }
 
 // Whether the drawn micro-normal reflects, with probability R(c); else it refracts.
-bool rough_reflects(Interaction at, RoughDraw draw, float u_reflect) {
+bool rough_reflects(Interaction at, RoughDraw draw, BsdfRandom random) {
     float f_mean = mean3(fresnel(at, draw.c));
-    return u_reflect < reflect_probability(at, draw.c, f_mean);
+    return random.reflect < reflect_probability(at, draw.c, f_mean);
 }
 
 // Value and density of wi on wo's side, whose micro-normal is m: Kd/pi and E_r.
@@ -32,10 +32,10 @@ BsdfValue rough_reflection_at(Interaction at, vec3 wi, vec3 m) {
     return with_diffuse(at, wi, reflection_lobe(at, wi, x));
 }
 
-// The sample on wo's side: a diffuse direction by u_d, or wo mirrored about the drawn micro-normal.
-BsdfSample rough_reflection_sample(Interaction at, RoughDraw draw, vec2 u_d) {
+// The sample on wo's side: a diffuse direction, or wo mirrored about the drawn micro-normal.
+BsdfSample rough_reflection_sample(Interaction at, RoughDraw draw, BsdfRandom random) {
     bool diffuse = draw.diffuse;
-    vec3 wi = diffuse ? diffuse_direction(u_d) : reflect_about(at.wo, draw.m, draw.c);
+    vec3 wi = diffuse ? diffuse_direction(random.d) : reflect_about(at.wo, draw.m, draw.c);
     vec3 m = diffuse ? reflection_half_vector(at.wo, wi) : draw.m;
     bool valid = (diffuse || draw.c > 0.0) && wi.z > 0.0;
     uint lobe = diffuse ? LOBE_DIFFUSE : LOBE_REFLECTION;

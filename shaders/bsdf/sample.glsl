@@ -1,4 +1,4 @@
-// What sampling and evaluation hand back.
+// What sampling and evaluation take and return.
 // Twin of src/reference/bsdf/sample.rs.
 
 // uses: math/finite
@@ -10,6 +10,18 @@ const uint LOBE_REFLECTION = 2u;
 const uint LOBE_TRANSMISSION = 3u;
 // Flag beside the lobe: the direction has no density, so no light connection could have found it.
 const uint LOBE_DELTA = 4u;
+
+// What sampling draws from, uniform in [0, 1).
+struct BsdfRandom {
+    // Between the diffuse lobe and the rest.
+    float lobe;
+    // Between reflection and refraction.
+    float reflect;
+    // The micro-normal.
+    vec2 m;
+    // The diffuse direction.
+    vec2 d;
+};
 
 struct BsdfSample {
     // In the frame of N', of unit length.

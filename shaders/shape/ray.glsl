@@ -1,5 +1,5 @@
 // Rays, hits, surfaces, and the order among hits.
-// Twin of src/reference/shape/ray.rs.
+// Twin of src/reference/shape/ray.rs; struct Ray comes with the layout of buffers.
 
 // uses:
 
@@ -12,21 +12,6 @@ const uint START_ELSEWHERE = 0u;
 const uint START_OUTSIDE = 1u;
 // The ray starts on the shape's surface and leaves to its inside.
 const uint START_INSIDE = 2u;
-
-// The half-line o + t d, t > 0, and what it starts on.
-struct Ray {
-    vec3 o;
-    // Unit length.
-    vec3 d;
-    // The shape that it starts on, or NONE.
-    uint shape;
-    // The primitive that it starts on, as in Hit, or NONE.
-    uint prim;
-    // Which side of its shape it leaves to: START_…
-    uint start;
-    // How far the origin's rounding error reaches along the ray, where it starts on a mesh; else 0.
-    float t_self;
-};
 
 // What a shadow ray leads to and must not be stopped by: a solid (prim NONE), or one triangle of a mesh.
 struct Target {

@@ -71,7 +71,7 @@ fn estimator(subject: &Subject) -> [Setting; 6] {
         Setting {
             group: "light found",
             name: "by connections".to_owned(),
-            file: "path/direct/sample",
+            file: "integrator/path/direct/sample",
             by: connect.clone(),
             absent: match settings.connect {
                 Connect::Bsdf => "--connect bsdf: paths find the light themselves",
@@ -82,9 +82,9 @@ fn estimator(subject: &Subject) -> [Setting; 6] {
             group: "light found",
             name: format!("weights: {}", names.connect),
             file: match settings.connect {
-                Connect::Mis => "path/connect/mis",
-                Connect::Light => "path/connect/light",
-                Connect::Bsdf => "path/connect/bsdf",
+                Connect::Mis => "integrator/path/connect/mis",
+                Connect::Light => "integrator/path/connect/light",
+                Connect::Bsdf => "integrator/path/connect/bsdf",
             },
             by: connect,
             absent: "there is no light",
@@ -154,7 +154,7 @@ fn beside() -> [Setting; 2] {
         Setting {
             group: "beside film",
             name: "events of paths".to_owned(),
-            file: "path/record/on",
+            file: "integrator/path/record/on",
             by: "--trace".to_owned(),
             absent: "only --trace writes them down",
         },

@@ -1,57 +1,73 @@
 //! The records that the path kernel keeps from one dispatch to the next, and what it is told at each.
 
 crate::gpu_struct! {
-    /// A path between two bounces, and the connection that its last vertex left pending.
-    pub struct PathState {
-        /// Origin of the next ray, scene units.
+    /// The half-line o + t d, 0 < t < t_max, what it starts on and what it travels in.
+    pub struct Ray {
+        /// Rendering space.
         o: vec3,
-        /// Samples begun.
-        index: uint,
-        /// Its direction, of unit length.
+        /// FAR where nothing limits it.
+        t_max: float,
+        /// Unit length.
         d: vec3,
-        /// Which side of its shape it starts on.
-        start: uint,
         /// The shape that it starts on, or NONE.
         shape: uint,
+        /// The primitive that it starts on, as in Hit, or NONE.
         prim: uint,
+        /// Which side of its shape it leaves to: START_…
+        start: uint,
+        /// How far the origin's rounding error reaches along the ray, where it starts on a mesh; else 0.
+        t_self: float,
         /// The material that it travels in, or NONE.
         medium: uint,
-        /// Bounces so far.
-        bounce: uint,
+    }
+
+    /// A connection under way to a point of a light.
+    pub struct ShadowRay {
+        /// Ends at the point.
+        ray: Ray,
+        /// What arrives if nothing stands in its way.
+        contribution: vec3,
+        /// 1: it has still to be flown.
+        pending: uint,
+        /// The light's shape, and the triangle of a mesh or NONE: they do not stop the ray.
+        target_shape: uint,
+        target_prim: uint,
+        pad0: uint,
+        pad1: uint,
+    }
+
+    /// What carries over from one vertex of a path to the next, whichever end it began at.
+    pub struct Subpath {
+        /// The next ray.
+        ray: Ray,
         throughput: vec3,
         /// Product of the eta² in `throughput`.
         eta_scale: float,
-        /// Of the sample under way, W·sr⁻¹·m⁻².
-        radiance: vec3,
-        /// Density of `d` per steradian.
+        /// Density of the ray's direction per steradian.
         pdf: float,
+        /// 1: the direction comes from the camera or from a delta lobe.
+        delta: uint,
+        /// Bounces so far.
+        bounce: uint,
         /// 1: there is a ray to extend.
         alive: uint,
+    }
+
+    /// A thread of path tracing between two bounces: the path, and the connection that its last vertex left pending.
+    pub struct PathState {
+        path: Subpath,
+        shadow: ShadowRay,
+        /// Of the sample under way, W·sr⁻¹·m⁻².
+        radiance: vec3,
+        /// Samples begun.
+        index: uint,
         /// 1: the sample is complete but for its pending connection.
         ended: uint,
-        /// 1: `d` comes from the camera or from a delta lobe.
-        delta: uint,
         /// What the slot `record` keeps: events written down so far, or the chain of the path's vertices.
         recorded: uint,
-        shadow_o: vec3,
-        shadow_start: uint,
-        shadow_d: vec3,
-        shadow_distance: float,
-        /// What the pending connection brings if nothing stands in its way.
-        contribution: vec3,
-        /// 1: a connection is pending.
-        connecting: uint,
-        shadow_shape: uint,
-        shadow_prim: uint,
-        shadow_medium: uint,
-        target_shape: uint,
-        target_prim: uint,
-        /// Hits of the same mesh up to this distance may be rounding errors of `o`.
-        t_self: float,
-        /// The same for `shadow_o`.
-        shadow_t_self: float,
         /// The same: the chain of its connections.
         connected: uint,
+        pad0: uint,
     }
 
     /// A pixel's sum of samples, Σ = sum + comp, and what was counted on the way.
@@ -115,7 +131,7 @@ crate::gpu_struct! {
     pub struct PathOutcome {
         /// W·sr⁻¹·m⁻².
         radiance: vec3,
-        /// The hash of the path's decisions, see `reference::path::signature`.
+        /// The hash of the path's decisions, see `reference::integrator::path::signature`.
         signature: uint,
     }
 

@@ -60,6 +60,11 @@ macro_rules! gpu_struct {
             );
         };
 
+        impl $crate::layout::types::GlslType for $name {
+            // A multiple of 16 in size, it has the same offsets within std140, which asks for 16, and std430.
+            const ALIGN: usize = 16;
+        }
+
         impl $crate::layout::GpuStruct for $name {
             const NAME: &'static str = stringify!($name);
             const DOC: &'static [&'static str] = &[$($doc),*];

@@ -9,7 +9,9 @@ pub mod records;
 pub mod types;
 
 pub use buffer_use::BufferUse;
-pub use kernel::{FilmMoments, FilmPixel, PathOutcome, PathState, Record, Slice};
+pub use kernel::{
+    FilmMoments, FilmPixel, PathOutcome, PathState, Ray, Record, ShadowRay, Slice, Subpath,
+};
 pub use records::{Camera, Cuboid, Cylinder, Light, Material, Shape, Sphere};
 
 /// A struct with the same bytes in Rust, in a uniform buffer (std140) and in a storage buffer (std430), alone and in an array.

@@ -1,6 +1,8 @@
-//! The GLSL types that a shared struct may have, and their alignment.
+//! The GLSL types that a shared struct may have, structs among them, and their alignment.
 
 #![allow(non_camel_case_types, reason = "a declaration reads as its GLSL does")]
+
+pub use super::kernel::{Ray, ShadowRay, Subpath};
 
 pub type float = f32;
 pub type uint = u32;
@@ -13,7 +15,7 @@ pub type uvec4 = [u32; 4];
 
 /// A type with the same size in Rust and in GLSL.
 pub trait GlslType: bytemuck::Pod {
-    /// Bytes, in std140 and in std430 alike (OpenGL 4.6, section 7.6.2.2, rules 1 to 3).
+    /// Bytes, in std140 and in std430 alike (OpenGL 4.6, section 7.6.2.2, rules 1 to 3, and 9 for structs).
     const ALIGN: usize;
 }
 

@@ -103,9 +103,9 @@ impl<F: Real> World<F> {
         }
     }
 
-    /// The least (t, shape, prim) with t < `t_max`, `skip` passed over.
-    pub fn nearest(&self, ray: Ray<F>, t_max: F, skip: Target) -> Hit<F> {
-        let mut best = no_hit(t_max);
+    /// The least (t, shape, prim) with t < `ray.t_max`, `skip` passed over.
+    pub fn nearest(&self, ray: Ray<F>, skip: Target) -> Hit<F> {
+        let mut best = no_hit(ray.t_max);
         if let Some(accel) = &self.accel {
             return accel.nearest(self.primitives(), ray, skip, best);
         }

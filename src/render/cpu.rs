@@ -15,9 +15,10 @@ use crate::film::{Aov, Film};
 use crate::reference::film::{
     FilmMoments, FilmPixel, film_half_difference, film_mean, film_moments, film_sample, film_stderr,
 };
+use crate::reference::integrator::path::record::Silent;
+use crate::reference::integrator::path::trace_path;
 use crate::reference::math::{Real, Vec3};
-use crate::reference::path::record::Silent;
-use crate::reference::path::{SampleId, trace_path};
+use crate::reference::path::SampleId;
 use crate::reference::world::World;
 pub use replicates::Replicates;
 

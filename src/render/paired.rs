@@ -9,9 +9,10 @@ use super::vulkan::Outcomes;
 use super::{Job, Progress, RenderError};
 use crate::gpu::Device;
 use crate::layout::PathOutcome;
+use crate::reference::integrator::path::signature::Signature;
+use crate::reference::integrator::path::trace_path;
 use crate::reference::math::Real;
-use crate::reference::path::signature::Signature;
-use crate::reference::path::{SampleId, trace_path};
+use crate::reference::path::SampleId;
 use crate::reference::world::World;
 use crate::sample::{Address, PairedSample, Path};
 

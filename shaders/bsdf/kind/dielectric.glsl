@@ -15,12 +15,12 @@ BsdfValue dielectric_at(Interaction at, vec3 wi, vec3 m) {
     return with_diffuse(at, wi, BsdfValue(value, pdf));
 }
 
-BsdfSample dielectric_sample(Interaction at, float u_lobe, float u_reflect, vec2 u_m, vec2 u_d) {
-    RoughDraw draw = rough_draw(at, u_lobe, u_m);
+BsdfSample dielectric_sample(Interaction at, BsdfRandom random) {
+    RoughDraw draw = rough_draw(at, random);
     bool diffuse = draw.diffuse;
-    bool reflects = rough_reflects(at, draw, u_reflect);
+    bool reflects = rough_reflects(at, draw, random);
     vec3 leaving = reflects ? reflect_about(at.wo, draw.m, draw.c) : refract_about(at, draw.m, draw.c);
-    vec3 wi = diffuse ? diffuse_direction(u_d) : leaving;
+    vec3 wi = diffuse ? diffuse_direction(random.d) : leaving;
     vec3 m = diffuse ? reflection_half_vector(at.wo, wi) : draw.m;
     bool right_side = reflects ? wi.z > 0.0 : wi.z < 0.0;
     bool valid = diffuse || (draw.c > 0.0 && right_side);

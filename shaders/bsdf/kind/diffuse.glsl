@@ -3,8 +3,8 @@
 
 // uses: bsdf/interaction, bsdf/sample, bsdf/diffuse/lambert
 
-BsdfSample diffuse_sample(Interaction at, float u_lobe, float u_reflect, vec2 u_m, vec2 u_d) {
-    vec3 wi = cosine_lobe(u_d);
+BsdfSample diffuse_sample(Interaction at, BsdfRandom random) {
+    vec3 wi = cosine_lobe(random.d);
     return sample_or_none(true, wi, lambert_lobe(at, wi), LOBE_DIFFUSE);
 }
 

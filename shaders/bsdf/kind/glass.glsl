@@ -5,12 +5,12 @@
 // uses: <fresnel>, <choice>, <scaling>, <diffuse>
 
 // The delta lobes: the micro-normal is N', F reflects, (1 - F) is refracted, times eta^2 for radiance, times A(t).
-BsdfSample glass_delta(Interaction at, float u_reflect) {
+BsdfSample glass_delta(Interaction at, BsdfRandom random) {
     float c = at.wo.z;
     vec3 f = fresnel(at, c);
     float p_m = facet_probability(at);
     float p_r = reflect_probability(at, c, mean3(f));
-    bool reflects = u_reflect < p_r;
+    bool reflects = random.reflect < p_r;
     vec3 reflected = reflected_share(at, c, f);
     vec3 refracted = (vec3(1.0) - f) * at.attenuation * transmission_scale(at.eta);
     vec3 value = reflects ? reflected : refracted;
@@ -26,13 +26,13 @@ BsdfValue glass_eval(Interaction at, vec3 wi) {
     return with_diffuse(at, wi, no_value());
 }
 
-BsdfSample glass_sample(Interaction at, float u_lobe, float u_reflect, vec2 u_m, vec2 u_d) {
+BsdfSample glass_sample(Interaction at, BsdfRandom random) {
     BsdfSample s;
-    if (diffuse_chosen(at, u_lobe)) {
-        vec3 wi = diffuse_direction(u_d);
+    if (diffuse_chosen(at, random.lobe)) {
+        vec3 wi = diffuse_direction(random.d);
         s = sample_or_none(true, wi, glass_eval(at, wi), LOBE_DIFFUSE);
     } else {
-        s = glass_delta(at, u_reflect);
+        s = glass_delta(at, random);
     }
     return s;
 }

@@ -8,9 +8,9 @@ BsdfValue mirror_eval(Interaction at, vec3 wi) {
     return with_diffuse(at, wi, no_value());
 }
 
-BsdfSample mirror_sample(Interaction at, float u_lobe, float u_reflect, vec2 u_m, vec2 u_d) {
-    bool diffuse = diffuse_chosen(at, u_lobe);
-    vec3 wi = diffuse ? diffuse_direction(u_d) : vec3(-at.wo.x, -at.wo.y, at.wo.z);
+BsdfSample mirror_sample(Interaction at, BsdfRandom random) {
+    bool diffuse = diffuse_chosen(at, random.lobe);
+    vec3 wi = diffuse ? diffuse_direction(random.d) : vec3(-at.wo.x, -at.wo.y, at.wo.z);
     BsdfValue scattered = mirror_eval(at, wi);
     vec3 value = diffuse ? scattered.value : fresnel(at, at.wo.z);
     float pdf = diffuse ? scattered.pdf : facet_probability(at);

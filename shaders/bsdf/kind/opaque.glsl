@@ -3,8 +3,8 @@
 
 // uses: bsdf/interaction, bsdf/sample, bsdf/reflection, bsdf/rough
 
-BsdfSample opaque_sample(Interaction at, float u_lobe, float u_reflect, vec2 u_m, vec2 u_d) {
-    return rough_reflection_sample(at, rough_draw(at, u_lobe, u_m), u_d);
+BsdfSample opaque_sample(Interaction at, BsdfRandom random) {
+    return rough_reflection_sample(at, rough_draw(at, random), random);
 }
 
 BsdfValue opaque_eval(Interaction at, vec3 wi) {

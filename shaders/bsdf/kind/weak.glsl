@@ -17,12 +17,12 @@ BsdfSample weak_transmission(Interaction at, vec3 wi, vec3 m) {
     return sample_or_none(valid, wi, BsdfValue(value, pdf), LOBE_TRANSMISSION | LOBE_DELTA);
 }
 
-BsdfSample weak_sample(Interaction at, float u_lobe, float u_reflect, vec2 u_m, vec2 u_d) {
-    RoughDraw draw = rough_draw(at, u_lobe, u_m);
-    bool reflects = rough_reflects(at, draw, u_reflect);
+BsdfSample weak_sample(Interaction at, BsdfRandom random) {
+    RoughDraw draw = rough_draw(at, random);
+    bool reflects = rough_reflects(at, draw, random);
     BsdfSample s;
     if (draw.diffuse || reflects) {
-        s = rough_reflection_sample(at, draw, u_d);
+        s = rough_reflection_sample(at, draw, random);
     } else {
         s = weak_transmission(at, refract_about(at, draw.m, draw.c), draw.m);
     }

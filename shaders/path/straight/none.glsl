@@ -1,10 +1,7 @@
 // Every surface of this scene is there.
 
 struct Passage {
-    vec3 o;
-    uint start;
-    float t_self;
-    uint medium;
+    Ray ray;
     vec3 factor;
 };
 
@@ -13,5 +10,5 @@ bool goes_straight(Hit hit) {
 }
 
 Passage pass(Ray ray, Hit hit) {
-    return Passage(ray.o, ray.start, ray.t_self, NONE, vec3(1.0));
+    return Passage(ray, vec3(1.0));
 }

@@ -4,10 +4,7 @@
 
 // The ray beyond the surface, and what `term` takes off on leaving.
 struct Passage {
-    vec3 o;
-    uint start;
-    float t_self;
-    uint medium;
+    Ray ray;
     vec3 factor;
 };
 
@@ -23,11 +20,7 @@ Passage pass(Ray ray, Hit hit) {
     Surface surface = hit_surface(ray, hit);
     uint material = shapes[hit.shape].material;
     bool outside = dot3(ray.d, surface.ng) <= 0.0;
-    Passage passage;
-    passage.o = surface.p;
-    passage.start = outside ? START_INSIDE : START_OUTSIDE;
-    passage.t_self = self_distance(hit.shape, surface.p, surface.ng, ray.d);
-    passage.medium = outside ? material : NONE;
-    passage.factor = term_attenuation(material, outside, hit.t);
-    return passage;
+    Ray beyond = Ray(surface.p, ray.t_max - hit.t, ray.d, hit.shape, hit.prim, outside ? START_INSIDE : START_OUTSIDE,
+                     self_distance(hit.shape, surface.p, surface.ng, ray.d), outside ? material : NONE);
+    return Passage(beyond, term_attenuation(material, outside, hit.t));
 }

@@ -147,7 +147,12 @@ fn constants(parameters: &Parameters) -> String {
 /// Only the records that the kernel reads.
 fn structs(features: &Features) -> String {
     let has = |kind| features.shapes.contains(&kind);
-    let mut text = layout::Camera::glsl() + &layout::Material::glsl() + &layout::Shape::glsl();
+    let mut text = layout::Camera::glsl()
+        + &layout::Material::glsl()
+        + &layout::Shape::glsl()
+        + &layout::Ray::glsl()
+        + &layout::ShadowRay::glsl()
+        + &layout::Subpath::glsl();
     let optional = [
         (has(ShapeKind::Sphere), layout::Sphere::glsl()),
         (has(ShapeKind::Box), layout::Cuboid::glsl()),

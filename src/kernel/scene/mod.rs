@@ -51,7 +51,7 @@ pub enum Recording {
 /// # Errors
 /// If a file or slot is missing, which would be a mistake in this program; if a file of one's own is not used.
 pub fn compose(features: &Features, parameters: &Parameters) -> Result<Composed, KernelError> {
-    let kernel = composer(features, parameters).compose(&["path_trace.comp"])?;
+    let kernel = composer(features, parameters).compose(&["integrator/path/path_trace.comp"])?;
     let unused = |own: &&OwnFile| !kernel.files().any(|file| file == own.name);
     match parameters.own_files.iter().find(unused) {
         Some(OwnFile { name, .. }) => Err(KernelError::Unused {
@@ -155,31 +155,31 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
         (
             "connect",
             match features.connect {
-                Connect::Mis => "path/connect/mis",
-                Connect::Light => "path/connect/light",
-                Connect::Bsdf => "path/connect/bsdf",
+                Connect::Mis => "integrator/path/connect/mis",
+                Connect::Light => "integrator/path/connect/light",
+                Connect::Bsdf => "integrator/path/connect/bsdf",
             },
         ),
         (
             "direct",
             if connects {
-                "path/direct/sample"
+                "integrator/path/direct/sample"
             } else {
-                "path/direct/none"
+                "integrator/path/direct/none"
             },
         ),
         (
             "emission",
             match shine(&features.lights) {
-                true => "path/emission/shapes",
-                false => "path/emission/none",
+                true => "integrator/path/emission/shapes",
+                false => "integrator/path/emission/none",
             },
         ),
         (
             "background",
             match features.lights.contains(&LightKind::Background) {
-                true => "path/background/constant",
-                false => "path/background/black",
+                true => "integrator/path/background/constant",
+                false => "integrator/path/background/black",
             },
         ),
         (
@@ -213,9 +213,9 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
         (
             "record",
             match parameters.recording {
-                Recording::Nothing => "path/record/off",
-                Recording::Events(_) => "path/record/on",
-                Recording::Outcomes(_) => "path/record/signature",
+                Recording::Nothing => "integrator/path/record/off",
+                Recording::Events(_) => "integrator/path/record/on",
+                Recording::Outcomes(_) => "integrator/path/record/signature",
             },
         ),
     ]

@@ -2,7 +2,7 @@
 
 use crate::sample::Address;
 
-/// Radiance that counts as none, W·sr⁻¹·m⁻²: 2⁻⁶⁴, as in the signatures of paths (`reference::path::signature`).
+/// Radiance that counts as none, W·sr⁻¹·m⁻²: 2⁻⁶⁴, as in the signatures of paths (`reference::integrator::path::signature`).
 pub const DARK: f64 = 5.421010862427522e-20;
 
 /// The most, over the channels, of |a − b| / max(|a|, |b|, [`DARK`]): in [0, 1] for radiances of one sign.

@@ -37,6 +37,7 @@ pub use interaction::{Interaction, interaction};
 pub use kind::{bsdf_eval, bsdf_sample};
 pub use material::Material;
 pub use sample::{
-    BsdfSample, BsdfValue, LOBE_DELTA, LOBE_DIFFUSE, LOBE_NONE, LOBE_REFLECTION, LOBE_TRANSMISSION,
+    BsdfRandom, BsdfSample, BsdfValue, LOBE_DELTA, LOBE_DIFFUSE, LOBE_NONE, LOBE_REFLECTION,
+    LOBE_TRANSMISSION,
 };
 pub use scaling::transmission_scale;

@@ -8,7 +8,9 @@ use super::fresnel::fresnel;
 use super::interaction::Interaction;
 use super::normals::normals_sample;
 use super::reflection::{reflect_about, reflection_half_vector, reflection_lobe};
-use super::sample::{BsdfSample, BsdfValue, LOBE_DIFFUSE, LOBE_REFLECTION, sample_or_none};
+use super::sample::{
+    BsdfRandom, BsdfSample, BsdfValue, LOBE_DIFFUSE, LOBE_REFLECTION, sample_or_none,
+};
 use crate::reference::math::{Real, Vec3, dot3, mean3};
 use crate::settings::Settings;
 
@@ -23,16 +25,15 @@ pub struct RoughDraw<F> {
     pub c: F,
 }
 
-/// The choice between Kd and the rest by `u_lobe`, and a micro-normal by `u_m` (model.md, "Sampling a direction").
+/// The choice between Kd and the rest, and a micro-normal (model.md, "Sampling a direction").
 pub fn rough_draw<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
-    u_lobe: F,
-    u_m: [F; 2],
+    random: BsdfRandom<F>,
 ) -> RoughDraw<F> {
-    let m = normals_sample(settings, at, u_m);
+    let m = normals_sample(settings, at, random.m);
     RoughDraw {
-        diffuse: diffuse_chosen(settings, at, u_lobe),
+        diffuse: diffuse_chosen(settings, at, random.lobe),
         m,
         c: dot3(at.wo, m),
     }
@@ -43,10 +44,10 @@ pub fn rough_reflects<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
     draw: RoughDraw<F>,
-    u_reflect: F,
+    random: BsdfRandom<F>,
 ) -> bool {
     let f_mean = mean3(fresnel(at, draw.c));
-    u_reflect < reflect_probability(settings, at, draw.c, f_mean)
+    random.reflect < reflect_probability(settings, at, draw.c, f_mean)
 }
 
 /// Value and density of `wi` on wo's side, whose micro-normal is `m`: Kd/π and E_r.
@@ -60,16 +61,16 @@ pub fn rough_reflection_at<F: Real>(
     with_diffuse(settings, at, wi, reflection_lobe(at, wi, x))
 }
 
-/// The sample on wo's side: a diffuse direction by `u_d`, or wo mirrored about the drawn micro-normal.
+/// The sample on wo's side: a diffuse direction, or wo mirrored about the drawn micro-normal.
 pub fn rough_reflection_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
     draw: RoughDraw<F>,
-    u_d: [F; 2],
+    random: BsdfRandom<F>,
 ) -> BsdfSample<F> {
     let diffuse = draw.diffuse;
     let wi = if diffuse {
-        diffuse_direction(u_d)
+        diffuse_direction(random.d)
     } else {
         reflect_about(at.wo, draw.m, draw.c)
     };

@@ -1,4 +1,4 @@
-//! What sampling and evaluation hand back; twin of `shaders/bsdf/sample.glsl`.
+//! What sampling and evaluation take and return; twin of `shaders/bsdf/sample.glsl`.
 
 use crate::reference::math::finite::is_finite;
 use crate::reference::math::{Real, Vec3, vec3};
@@ -10,6 +10,19 @@ pub const LOBE_REFLECTION: u32 = 2;
 pub const LOBE_TRANSMISSION: u32 = 3;
 /// Flag beside the lobe: the direction has no density, so no light connection could have found it.
 pub const LOBE_DELTA: u32 = 4;
+
+/// What sampling draws from, uniform in [0, 1).
+#[derive(Clone, Copy, Debug)]
+pub struct BsdfRandom<F> {
+    /// Between the diffuse lobe and the rest.
+    pub lobe: F,
+    /// Between reflection and refraction.
+    pub reflect: F,
+    /// The micro-normal.
+    pub m: [F; 2],
+    /// The diffuse direction.
+    pub d: [F; 2],
+}
 
 /// A sampled direction.
 #[derive(Clone, Copy, Debug)]

@@ -1,68 +1,74 @@
-//! Where a path goes on from a vertex; twin of `extend` in `shaders/path/shade.glsl`.
+//! Where a path goes on from a vertex; twin of `shaders/path/extend.glsl`.
 
-use super::record::Recorder;
 use super::roulette::roulette_survival;
+use super::spawn::spawn_ray;
 use super::throughput::underflows;
-use super::vertex::{Vertex, medium_beyond, same_sides, spawn_ray};
-use super::{PathState, SampleId};
-use crate::reference::bsdf::{LOBE_DELTA, LOBE_NONE, bsdf_sample, transmission_scale};
+use super::vertex::{Vertex, same_sides};
+use super::{SampleId, Subpath};
+use crate::reference::bsdf::{BsdfRandom, LOBE_DELTA, LOBE_NONE, bsdf_sample, transmission_scale};
 use crate::reference::math::Real;
 use crate::reference::math::finite::{is_black, is_finite3};
 use crate::reference::math::frame::to_world;
 use crate::reference::sampler::{bsdf_block, chance, roulette_block, unit_float};
 use crate::settings::Settings;
 
-/// Draws the next direction and moves the path onto it; false where the path ends.
+/// What came of the attempt.
+#[derive(Clone, Copy, Debug)]
+pub struct Extension {
+    pub alive: bool,
+    /// Less throughput is left than the scalar holds.
+    pub underflow: bool,
+    /// The throughput is NaN or infinite.
+    pub broken: bool,
+    /// `LOBE_…` of the direction.
+    pub lobe: u32,
+}
+
+/// Draws the next direction and moves the path onto it, where there is one.
 pub fn extend<F: Real>(
     settings: &Settings,
-    s: &mut PathState<F>,
+    path: &mut Subpath<F>,
     v: &Vertex<F>,
     id: SampleId,
-    recorder: &mut impl Recorder<F>,
-) -> bool {
+) -> Extension {
     let numbers = |block| id.words(settings, block).map(unit_float::<F>);
-    let u = numbers(bsdf_block(s.bounce));
-    let w = numbers(roulette_block(s.bounce));
-    let b = bsdf_sample(
-        settings,
-        &v.interaction,
-        u[0],
-        u[1],
-        [u[2], u[3]],
-        [w[1], w[2]],
-    );
+    let u = numbers(bsdf_block(path.bounce));
+    let w = numbers(roulette_block(path.bounce));
+    let random = BsdfRandom {
+        lobe: u[0],
+        reflect: u[1],
+        m: [u[2], u[3]],
+        d: [w[1], w[2]],
+    };
+    let b = bsdf_sample(settings, &v.interaction, random);
     let wi = to_world(v.frame, b.wi);
     let found = b.lobe != LOBE_NONE && same_sides(v, wi, b.wi);
-    let faint = underflows(s.throughput, b.weight);
-    s.throughput *= b.weight;
+    let faint = underflows(path.throughput, b.weight);
+    path.throughput *= b.weight;
     let through = b.wi.z < F::zero();
     if through {
-        s.eta_scale *= transmission_scale(settings, v.interaction.eta);
+        path.eta_scale *= transmission_scale(settings, v.interaction.eta);
     }
-    s.underflow = found && faint;
-    let survival = chance(roulette_survival(
-        settings.estimator.roulette,
-        s.throughput,
-        s.eta_scale,
-        s.bounce,
-    ));
+    let roulette = settings.estimator.roulette;
+    let survival = roulette_survival(roulette, path.throughput, path.eta_scale, path.bounce);
+    let survival = chance(survival);
     let survives = w[0] < survival;
-    let mut alive = found && survives && !(faint || is_black(s.throughput));
+    let mut alive = found && survives && !(faint || is_black(path.throughput));
     if alive {
-        s.throughput = s.throughput * (F::one() / survival);
+        path.throughput = path.throughput * (F::one() / survival);
     }
-    // A broken throughput breaks the sample, which the film then drops and counts.
-    if !is_finite3(s.throughput) {
-        s.radiance += s.throughput;
-        alive = false;
-    }
+    let broken = !is_finite3(path.throughput);
+    alive = alive && !broken;
     if alive {
-        s.medium = if through { medium_beyond(v) } else { s.medium };
-        s.ray = spawn_ray(v, wi, through);
-        s.pdf = b.pdf;
-        s.delta = b.lobe >= LOBE_DELTA;
-        s.bounce += 1;
+        path.ray = spawn_ray(v, wi, through, path.ray.medium);
+        path.pdf = b.pdf;
+        path.delta = b.lobe >= LOBE_DELTA;
+        path.bounce += 1;
     }
-    recorder.vertex(s, v, b.lobe);
-    alive
+    Extension {
+        alive,
+        underflow: found && faint,
+        broken,
+        lobe: b.lobe,
+    }
 }

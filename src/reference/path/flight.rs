@@ -1,11 +1,11 @@
 //! The rays of a path, through surfaces that are not there; twin of `shaders/path/flight.glsl`.
 
-use super::PathState;
+use super::Subpath;
 use super::medium::{stretch_transmittance, term_attenuation};
 use super::vertex::self_distance;
 use crate::prepared::{MaterialKind, NONE};
 use crate::reference::math::{Real, Vec3, dot3};
-use crate::reference::shape::{FAR, Hit, Ray, START_INSIDE, START_OUTSIDE, Target};
+use crate::reference::shape::{Hit, Ray, START_INSIDE, START_OUTSIDE, Target};
 use crate::reference::world::World;
 use crate::settings::Settings;
 
@@ -14,19 +14,15 @@ use crate::settings::Settings;
 pub fn extend_ray<F: Real>(
     world: &World<F>,
     settings: &Settings,
-    s: &mut PathState<F>,
+    path: &mut Subpath<F>,
+    rays: &mut u64,
 ) -> (Option<Hit<F>>, F) {
     let absorption = settings.model.absorption;
     let mut distance = F::zero();
     loop {
-        let hit = world.nearest(s.ray, F::new(FAR), Target::none());
-        s.rays += 1;
-        let t = if hit.shape == NONE {
-            F::new(FAR)
-        } else {
-            hit.t
-        };
-        s.throughput *= stretch_transmittance(world, absorption, s.medium, t);
+        let hit = world.nearest(path.ray, Target::none());
+        *rays += 1;
+        path.throughput *= stretch_transmittance(world, absorption, path.ray.medium, hit.t);
         if hit.shape == NONE {
             return (None, distance);
         }
@@ -34,20 +30,20 @@ pub fn extend_ray<F: Real>(
         if !goes_straight(world, hit) {
             return (Some(hit), distance);
         }
-        let passage = pass(world, settings, s.ray, hit);
-        s.throughput *= passage.factor;
-        s.ray = passage.ray;
-        s.medium = passage.medium;
+        let passage = pass(world, settings, path.ray, hit);
+        path.throughput *= passage.factor;
+        path.ray = passage.ray;
     }
 }
 
-/// A connection under way to a light.
+/// A connection under way to a point of a light.
 #[derive(Clone, Copy, Debug)]
 pub struct ShadowRay<F> {
+    /// Ends at the point.
     pub ray: Ray<F>,
-    pub distance: F,
+    /// Does not stop the ray.
     pub target: Target,
-    pub medium: u32,
+    /// What arrives if nothing stands in its way.
     pub contribution: Vec3<F>,
 }
 
@@ -60,10 +56,9 @@ pub fn shadow_ray<F: Real>(
 ) -> Option<Vec3<F>> {
     let absorption = settings.model.absorption;
     loop {
-        let hit = world.nearest(c.ray, c.distance, c.target);
+        let hit = world.nearest(c.ray, c.target);
         *rays += 1;
-        let t = if hit.shape == NONE { c.distance } else { hit.t };
-        let transmittance = stretch_transmittance(world, absorption, c.medium, t);
+        let transmittance = stretch_transmittance(world, absorption, c.ray.medium, hit.t);
         if hit.shape == NONE {
             return Some(c.contribution * transmittance);
         }
@@ -73,8 +68,6 @@ pub fn shadow_ray<F: Real>(
         let passage = pass(world, settings, c.ray, hit);
         c.contribution *= transmittance * passage.factor;
         c.ray = passage.ray;
-        c.distance -= hit.t;
-        c.medium = passage.medium;
     }
 }
 
@@ -87,7 +80,6 @@ fn goes_straight<F: Real>(world: &World<F>, hit: Hit<F>) -> bool {
 /// The ray beyond a surface that is not there, and what `term` takes off on leaving.
 struct Passage<F> {
     ray: Ray<F>,
-    medium: u32,
     factor: Vec3<F>,
 }
 
@@ -98,13 +90,14 @@ fn pass<F: Real>(world: &World<F>, settings: &Settings, ray: Ray<F>, hit: Hit<F>
     Passage {
         ray: Ray {
             o: surface.p,
+            t_max: ray.t_max - hit.t,
             d: ray.d,
             shape: hit.shape,
             prim: hit.prim,
             start: if outside { START_INSIDE } else { START_OUTSIDE },
             t_self: self_distance(shape.kind, surface.p, surface.ng, ray.d),
+            medium: if outside { shape.material } else { NONE },
         },
-        medium: if outside { shape.material } else { NONE },
         factor: term_attenuation(
             world,
             settings.model.absorption,

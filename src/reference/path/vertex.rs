@@ -6,7 +6,7 @@ use crate::prepared::{NONE, ShapeKind};
 use crate::reference::bsdf::{Interaction, interaction};
 use crate::reference::math::frame::{Frame, frame_about, to_local};
 use crate::reference::math::{Real, Vec3, dot3};
-use crate::reference::shape::{Hit, Ray, START_INSIDE, START_OUTSIDE, triangle_self_distance};
+use crate::reference::shape::{Hit, Ray, triangle_self_distance};
 use crate::reference::world::World;
 use crate::settings::Settings;
 
@@ -73,23 +73,6 @@ pub fn path_vertex<F: Real>(
 /// Whether a direction lies on the same side of the geometric and of the shading normal; elsewhere the BSDF is 0.
 pub fn same_sides<F: Real>(v: &Vertex<F>, wi: Vec3<F>, wi_local: Vec3<F>) -> bool {
     (dot3(wi, v.facing) > F::zero()) == (wi_local.z > F::zero())
-}
-
-/// The ray that leaves a vertex along `wi`, through the surface or not.
-pub fn spawn_ray<F: Real>(v: &Vertex<F>, wi: Vec3<F>, through: bool) -> Ray<F> {
-    let goes_outside = v.outside != through;
-    Ray {
-        o: v.p,
-        d: wi,
-        shape: v.shape,
-        prim: v.prim,
-        start: if goes_outside {
-            START_OUTSIDE
-        } else {
-            START_INSIDE
-        },
-        t_self: self_distance(v.kind, v.p, v.ng, wi),
-    }
 }
 
 /// How far along a ray from a mesh its origin's rounding error reaches; solids tell theirs by the side that the

@@ -13,10 +13,12 @@ pub const START_OUTSIDE: u32 = 1;
 /// The ray starts on the shape's surface and leaves to its inside.
 pub const START_INSIDE: u32 = 2;
 
-/// The half-line o + t d, t > 0, and what it starts on.
+/// The half-line o + t d, 0 < t < t_max, what it starts on and what it travels in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray<F> {
     pub o: Vec3<F>,
+    /// [`FAR`] where nothing limits it.
+    pub t_max: F,
     /// Unit length.
     pub d: Vec3<F>,
     /// The shape that it starts on, or [`NONE`].
@@ -28,18 +30,22 @@ pub struct Ray<F> {
     /// How far the origin's rounding error reaches along the ray, where it starts on a mesh; else 0. See
     /// [`triangle_self_distance`](super::triangle_self_distance).
     pub t_self: F,
+    /// The material that it travels in, or [`NONE`].
+    pub medium: u32,
 }
 
 impl<F: Real> Ray<F> {
-    /// A ray that starts on no surface.
+    /// A ray without end that starts on no surface, in air.
     pub fn new(o: Vec3<F>, d: Vec3<F>) -> Self {
         Self {
             o,
+            t_max: F::new(FAR),
             d,
             shape: NONE,
             prim: NONE,
             start: START_ELSEWHERE,
             t_self: F::zero(),
+            medium: NONE,
         }
     }
 }

@@ -7,11 +7,11 @@ use glam::DVec3;
 use crate::layout::Record;
 use crate::prepared::{Prepared, ShapeKind};
 use crate::reference::bsdf::{LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION};
+use crate::reference::integrator::path::PathState;
+use crate::reference::integrator::path::record::Recorder;
 use crate::reference::math::finite::is_finite3;
 use crate::reference::math::{Real, Vec3};
-use crate::reference::path::PathState;
 use crate::reference::path::flight::ShadowRay;
-use crate::reference::path::record::Recorder;
 use crate::reference::path::vertex::Vertex;
 
 /// What happened to a path, in words and numbers.
@@ -77,7 +77,7 @@ impl<F: Real> Recorder<F> for Events<'_> {
             None => (None, after.clone()),
         };
         // a broken throughput is added to the radiance at the vertex itself
-        let seen = if is_finite3(s.throughput) {
+        let seen = if is_finite3(s.path.throughput) {
             before
         } else {
             after.clone()
@@ -85,8 +85,8 @@ impl<F: Real> Recorder<F> for Events<'_> {
         let on = self.names.of(v.shape);
         let numbers = [
             self.names.place(v.p.f64()),
-            vec![s.pdf.f64()],
-            xyz(s.throughput),
+            vec![s.path.pdf.f64()],
+            xyz(s.path.throughput),
             seen,
         ];
         self.told.push(vertex(lobe, &on, v.prim, numbers));
@@ -103,12 +103,12 @@ impl<F: Real> Recorder<F> for Events<'_> {
     }
 
     fn escape(&mut self, s: &PathState<F>) {
-        let numbers = [xyz(s.ray.d), xyz(s.throughput), xyz(s.radiance)];
+        let numbers = [xyz(s.path.ray.d), xyz(s.path.throughput), xyz(s.radiance)];
         self.told.push(escape(numbers));
     }
 }
 
-/// `event` of a vertex and of a connection in `shaders/path/record/`; anything else is an escape.
+/// `event` of a vertex and of a connection in `shaders/integrator/path/record/`; anything else is an escape.
 const VERTEX: u32 = 1;
 const CONNECTION: u32 = 2;
 

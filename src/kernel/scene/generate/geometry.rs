@@ -38,7 +38,7 @@ pub fn nearest(features: &Features, parameters: &Parameters) -> String {
     }
     format!(
         "{head}{copies}void read_primitives() {{\n{read}}}\n\
-         Hit nearest(Ray ray, float t_max, Target skip) {{\n    Hit best = no_hit(t_max);\n{test}    return best;\n}}\n"
+         Hit nearest(Ray ray, Target skip) {{\n    Hit best = no_hit(ray.t_max);\n{test}    return best;\n}}\n"
     )
 }
 

@@ -34,13 +34,7 @@ pub fn bsdf(features: &Features) -> String {
     let sample = Dispatch {
         result: "BsdfSample",
         name: "bsdf_sample",
-        arguments: &[
-            ("Interaction", "at"),
-            ("float", "u_lobe"),
-            ("float", "u_reflect"),
-            ("vec2", "u_m"),
-            ("vec2", "u_d"),
-        ],
+        arguments: &[("Interaction", "at"), ("BsdfRandom", "random")],
         selector: "at.material.kind",
     };
     let eval = Dispatch {
@@ -50,10 +44,7 @@ pub fn bsdf(features: &Features) -> String {
         selector: "at.material.kind",
     };
     uses("bsdf/sample", "bsdf/kind", kinds.iter().map(|k| k.1))
-        + &sample.text(
-            &members("sample(at, u_lobe, u_reflect, u_m, u_d)"),
-            "no_sample()",
-        )
+        + &sample.text(&members("sample(at, random)"), "no_sample()")
         + &eval.text(&members("eval(at, wi)"), "no_value()")
 }
 

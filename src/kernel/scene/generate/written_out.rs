@@ -1,7 +1,7 @@
 //! Primitives that are tried one by one, without a loop.
 //!
 //! On a CPU each is read into a variable of its own before any branch: lavapipe of Mesa 22.3 reads a uniform behind a
-//! branch lane by lane, whatever its index (`shaders/path_trace.comp`). A GPU reads it into scalar registers anywhere, and
+//! branch lane by lane, whatever its index (`shaders/integrator/path/path_trace.comp`). A GPU reads it into scalar registers anywhere, and
 //! would run out of them if all were read at once: radv spills 436 on `scenes/glass-table.txt`.
 
 use crate::prepared::ShapeKind;

@@ -7,7 +7,8 @@ use crate::reference::bsdf::reflection::{reflect_about, reflection_half_vector, 
 use crate::reference::bsdf::refraction::refract_about;
 use crate::reference::bsdf::rough::{rough_draw, rough_reflects};
 use crate::reference::bsdf::sample::{
-    BsdfSample, BsdfValue, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION, sample_or_none,
+    BsdfRandom, BsdfSample, BsdfValue, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION,
+    sample_or_none,
 };
 use crate::reference::bsdf::transmission::{transmission_half_vector, transmission_lobe};
 use crate::reference::math::{Real, Vec3};
@@ -34,21 +35,18 @@ pub fn dielectric_at<F: Real>(
 pub fn dielectric_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
-    u_lobe: F,
-    u_reflect: F,
-    u_m: [F; 2],
-    u_d: [F; 2],
+    random: BsdfRandom<F>,
 ) -> BsdfSample<F> {
-    let draw = rough_draw(settings, at, u_lobe, u_m);
+    let draw = rough_draw(settings, at, random);
     let diffuse = draw.diffuse;
-    let reflects = rough_reflects(settings, at, draw, u_reflect);
+    let reflects = rough_reflects(settings, at, draw, random);
     let leaving = if reflects {
         reflect_about(at.wo, draw.m, draw.c)
     } else {
         refract_about(at, draw.m, draw.c)
     };
     let wi = if diffuse {
-        diffuse_direction(u_d)
+        diffuse_direction(random.d)
     } else {
         leaving
     };

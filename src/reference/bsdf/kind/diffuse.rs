@@ -2,7 +2,9 @@
 
 use crate::reference::bsdf::diffuse::lambert::{cosine_lobe, lambert_lobe};
 use crate::reference::bsdf::interaction::Interaction;
-use crate::reference::bsdf::sample::{BsdfSample, BsdfValue, LOBE_DIFFUSE, sample_or_none};
+use crate::reference::bsdf::sample::{
+    BsdfRandom, BsdfSample, BsdfValue, LOBE_DIFFUSE, sample_or_none,
+};
 use crate::reference::math::{Real, Vec3};
 use crate::settings::Settings;
 
@@ -10,12 +12,9 @@ use crate::settings::Settings;
 pub fn diffuse_sample<F: Real>(
     _settings: &Settings,
     at: &Interaction<F>,
-    _u_lobe: F,
-    _u_reflect: F,
-    _u_m: [F; 2],
-    u_d: [F; 2],
+    random: BsdfRandom<F>,
 ) -> BsdfSample<F> {
-    let wi = cosine_lobe(u_d);
+    let wi = cosine_lobe(random.d);
     sample_or_none(true, wi, lambert_lobe(at, wi), LOBE_DIFFUSE)
 }
 

@@ -8,8 +8,8 @@ use crate::reference::bsdf::fresnel::fresnel;
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::bsdf::refraction::refract_about_normal;
 use crate::reference::bsdf::sample::{
-    BsdfSample, BsdfValue, LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION, no_value,
-    sample_or_none,
+    BsdfRandom, BsdfSample, BsdfValue, LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION,
+    LOBE_TRANSMISSION, no_value, sample_or_none,
 };
 use crate::reference::bsdf::scaling::transmission_scale;
 use crate::reference::bsdf::snell::reflected_share;
@@ -20,7 +20,7 @@ use crate::settings::Settings;
 pub fn glass_delta<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
-    u_reflect: F,
+    random: BsdfRandom<F>,
 ) -> BsdfSample<F> {
     let (zero, one) = (F::zero(), F::one());
     let c = at.wo.z;
@@ -28,7 +28,7 @@ pub fn glass_delta<F: Real>(
     let p_m = facet_probability(settings, at);
     let p_r = reflect_probability(settings, at, c, mean3(f));
     let scale = transmission_scale(settings, at.eta);
-    if u_reflect < p_r {
+    if random.reflect < p_r {
         let value = BsdfValue {
             value: reflected_share(at, c, f),
             pdf: p_m * p_r,
@@ -50,16 +50,13 @@ pub fn glass_delta<F: Real>(
 pub fn glass_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
-    u_lobe: F,
-    u_reflect: F,
-    _u_m: [F; 2],
-    u_d: [F; 2],
+    random: BsdfRandom<F>,
 ) -> BsdfSample<F> {
-    if diffuse_chosen(settings, at, u_lobe) {
-        let wi = diffuse_direction(u_d);
+    if diffuse_chosen(settings, at, random.lobe) {
+        let wi = diffuse_direction(random.d);
         sample_or_none(true, wi, glass_eval(settings, at, wi), LOBE_DIFFUSE)
     } else {
-        glass_delta(settings, at, u_reflect)
+        glass_delta(settings, at, random)
     }
 }
 

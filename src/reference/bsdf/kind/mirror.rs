@@ -6,7 +6,8 @@ use crate::reference::bsdf::diffuse::mixed::{
 use crate::reference::bsdf::fresnel::fresnel;
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::bsdf::sample::{
-    BsdfSample, BsdfValue, LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION, no_value, sample_or_none,
+    BsdfRandom, BsdfSample, BsdfValue, LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION, no_value,
+    sample_or_none,
 };
 use crate::reference::math::{Real, Vec3, vec3};
 use crate::settings::Settings;
@@ -15,14 +16,11 @@ use crate::settings::Settings;
 pub fn mirror_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
-    u_lobe: F,
-    _u_reflect: F,
-    _u_m: [F; 2],
-    u_d: [F; 2],
+    random: BsdfRandom<F>,
 ) -> BsdfSample<F> {
-    let diffuse = diffuse_chosen(settings, at, u_lobe);
+    let diffuse = diffuse_chosen(settings, at, random.lobe);
     let wi = if diffuse {
-        diffuse_direction(u_d)
+        diffuse_direction(random.d)
     } else {
         vec3(-at.wo.x, -at.wo.y, at.wo.z)
     };

@@ -12,31 +12,25 @@ pub mod opaque;
 pub mod weak;
 
 use super::interaction::Interaction;
-use super::sample::{BsdfSample, BsdfValue, no_sample, no_value};
+use super::sample::{BsdfRandom, BsdfSample, BsdfValue, no_sample, no_value};
 use crate::prepared::MaterialKind;
 use crate::reference::math::{Real, Vec3};
 use crate::settings::Settings;
 
-/// Draws `wi`. `u_lobe` decides between diffuse and the rest, `u_reflect` between reflection and refraction,
-/// `u_m` draws the micro-normal, `u_d` the diffuse direction; all uniform in [0, 1).
+/// Draws `wi`.
 pub fn bsdf_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
-    u_lobe: F,
-    u_reflect: F,
-    u_m: [F; 2],
-    u_d: [F; 2],
+    random: BsdfRandom<F>,
 ) -> BsdfSample<F> {
     match at.material.kind {
         MaterialKind::Black | MaterialKind::Nothing => no_sample(),
-        MaterialKind::Diffuse => diffuse::diffuse_sample(settings, at, u_lobe, u_reflect, u_m, u_d),
-        MaterialKind::Opaque => opaque::opaque_sample(settings, at, u_lobe, u_reflect, u_m, u_d),
-        MaterialKind::Mirror => mirror::mirror_sample(settings, at, u_lobe, u_reflect, u_m, u_d),
-        MaterialKind::Dielectric => {
-            dielectric::dielectric_sample(settings, at, u_lobe, u_reflect, u_m, u_d)
-        }
-        MaterialKind::Glass => glass::glass_sample(settings, at, u_lobe, u_reflect, u_m, u_d),
-        MaterialKind::Weak => weak::weak_sample(settings, at, u_lobe, u_reflect, u_m, u_d),
+        MaterialKind::Diffuse => diffuse::diffuse_sample(settings, at, random),
+        MaterialKind::Opaque => opaque::opaque_sample(settings, at, random),
+        MaterialKind::Mirror => mirror::mirror_sample(settings, at, random),
+        MaterialKind::Dielectric => dielectric::dielectric_sample(settings, at, random),
+        MaterialKind::Glass => glass::glass_sample(settings, at, random),
+        MaterialKind::Weak => weak::weak_sample(settings, at, random),
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::bsdf::reflection::reflection_half_vector;
 use crate::reference::bsdf::rough::{rough_draw, rough_reflection_at, rough_reflection_sample};
-use crate::reference::bsdf::sample::{BsdfSample, BsdfValue};
+use crate::reference::bsdf::sample::{BsdfRandom, BsdfSample, BsdfValue};
 use crate::reference::math::{Real, Vec3};
 use crate::settings::Settings;
 
@@ -11,12 +11,9 @@ use crate::settings::Settings;
 pub fn opaque_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
-    u_lobe: F,
-    _u_reflect: F,
-    u_m: [F; 2],
-    u_d: [F; 2],
+    random: BsdfRandom<F>,
 ) -> BsdfSample<F> {
-    rough_reflection_sample(settings, at, rough_draw(settings, at, u_lobe, u_m), u_d)
+    rough_reflection_sample(settings, at, rough_draw(settings, at, random), random)
 }
 
 /// Kd/π + E_r on wo's side, by the half vector (model.md, "Density and value").

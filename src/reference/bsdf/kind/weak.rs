@@ -13,7 +13,7 @@ use crate::reference::bsdf::rough::{
     rough_draw, rough_reflection_at, rough_reflection_sample, rough_reflects,
 };
 use crate::reference::bsdf::sample::{
-    BsdfSample, BsdfValue, LOBE_DELTA, LOBE_TRANSMISSION, sample_or_none,
+    BsdfRandom, BsdfSample, BsdfValue, LOBE_DELTA, LOBE_TRANSMISSION, sample_or_none,
 };
 use crate::reference::bsdf::scaling::transmission_scale;
 use crate::reference::bsdf::transmission::transmitted;
@@ -41,14 +41,11 @@ pub fn weak_transmission<F: Real>(
 pub fn weak_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
-    u_lobe: F,
-    u_reflect: F,
-    u_m: [F; 2],
-    u_d: [F; 2],
+    random: BsdfRandom<F>,
 ) -> BsdfSample<F> {
-    let draw = rough_draw(settings, at, u_lobe, u_m);
-    if draw.diffuse || rough_reflects(settings, at, draw, u_reflect) {
-        rough_reflection_sample(settings, at, draw, u_d)
+    let draw = rough_draw(settings, at, random);
+    if draw.diffuse || rough_reflects(settings, at, draw, random) {
+        rough_reflection_sample(settings, at, draw, random)
     } else {
         weak_transmission(settings, at, refract_about(at, draw.m, draw.c), draw.m)
     }

@@ -1,4 +1,4 @@
-//! Weights of light that is found in two ways; twin of `shaders/path/connect/`.
+//! Weights of light that is found in two ways; twin of `shaders/integrator/path/connect/`.
 
 use crate::reference::math::Real;
 use crate::settings::Connect;

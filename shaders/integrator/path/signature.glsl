@@ -1,5 +1,5 @@
 // The decisions of a path as one word: two paths that decided alike have the same.
-// Twin of src/reference/path/signature.rs.
+// Twin of src/reference/integrator/path/signature.rs.
 // uses: math/vec, sampler/pcg4d
 
 const uint DECISION_SHAPE = 1u;

@@ -1,9 +1,9 @@
 //! What is written down of a path: for `--trace` all of it, for `compare --paired` its [`signature`](super::signature).
 
 use super::PathState;
-use super::flight::ShadowRay;
-use super::vertex::Vertex;
 use crate::reference::math::{Real, Vec3};
+use crate::reference::path::flight::ShadowRay;
+use crate::reference::path::vertex::Vertex;
 
 /// Told of each event of a path, in order; the renderer uses [`Silent`].
 pub trait Recorder<F: Real> {

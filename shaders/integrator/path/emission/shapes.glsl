@@ -2,13 +2,13 @@
 // uses: math/vec, path/vertex, <light>, <light_choice>, <connect>
 
 // Radiance · weight. The density runs from the last real vertex, `origin`, `distance` away.
-vec3 emission_seen(PathState s, Vertex v, vec3 origin, float distance) {
+vec3 emission_seen(Subpath path, Vertex v, vec3 origin, float distance) {
     vec3 seen = vec3(0.0);
     uint light = shapes[v.shape].light;
     if (light != NONE) {
-        float cosine = abs(dot3(s.d, v.ng));
+        float cosine = abs(dot3(path.ray.d, v.ng));
         float q = light_pmf(light) * light_pdf(light, origin, v.prim, cosine, distance);
-        seen = lights[light].radiance * hit_weight(s.delta != 0u, s.pdf, q);
+        seen = lights[light].radiance * hit_weight(path.delta != 0u, path.pdf, q);
     }
     return seen;
 }

@@ -1,5 +1,5 @@
 // Nothing shines from outside.
 
-vec3 background_seen(PathState s) {
+vec3 background_seen(Subpath path) {
     return vec3(0.0);
 }

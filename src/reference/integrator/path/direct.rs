@@ -1,16 +1,18 @@
-//! Explicit connection of a vertex to a point on a light; twin of `shaders/path/direct/`.
+//! Explicit connection of a vertex to a point on a light; twin of `shaders/integrator/path/direct/`.
 
+use super::PathState;
 use super::connect::connection_weight;
-use super::flight::{ShadowRay, shadow_ray};
 use super::record::Recorder;
-use super::vertex::{Vertex, medium_beyond, same_sides, spawn_ray};
-use super::{PathState, SampleId};
 use crate::reference::bsdf::bsdf_eval;
 use crate::reference::math::Real;
 use crate::reference::math::finite::{is_black, is_finite};
 use crate::reference::math::frame::to_local;
+use crate::reference::path::SampleId;
+use crate::reference::path::flight::{ShadowRay, shadow_ray};
+use crate::reference::path::spawn::spawn_ray;
+use crate::reference::path::vertex::{Vertex, same_sides};
 use crate::reference::sampler::{light_block, unit_float};
-use crate::reference::shape::{FAR, Target};
+use crate::reference::shape::{FAR, Ray, Target};
 use crate::reference::world::World;
 use crate::settings::{Connect, Settings};
 
@@ -44,7 +46,7 @@ fn shadow_to_light<F: Real>(
     id: SampleId,
     recorder: &mut impl Recorder<F>,
 ) -> Option<ShadowRay<F>> {
-    let u = id.words(settings, light_block(s.bounce));
+    let u = id.words(settings, light_block(s.path.bounce));
     let light = world.light_choice(u[0] >> 8);
     recorder.light(s, light);
     let l = world.light_sample(light, v.p, u[1] >> 8, [unit_float(u[2]), unit_float(u[3])]);
@@ -57,20 +59,21 @@ fn shadow_to_light<F: Real>(
     }
     let f = bsdf_eval(settings, &v.interaction, wi);
     let weight = connection_weight(settings.estimator.connect, p, f.pdf);
-    let contribution = s.throughput * f.value * world.lights[light].radiance * (weight / p);
-    let through = wi.z < F::zero();
+    let contribution = s.path.throughput * f.value * world.lights[light].radiance * (weight / p);
+    let ray = spawn_ray(v, l.wi, wi.z < F::zero(), s.path.ray.medium);
     (!is_black(contribution)).then(|| ShadowRay {
-        ray: spawn_ray(v, l.wi, through),
-        distance: if l.distance < F::zero() {
-            F::new(FAR)
-        } else {
-            l.distance
+        ray: Ray {
+            t_max: if l.distance < F::zero() {
+                F::new(FAR)
+            } else {
+                l.distance
+            },
+            ..ray
         },
         target: Target {
             shape: world.lights[light].shape,
             prim: l.prim,
         },
-        medium: if through { medium_beyond(v) } else { s.medium },
         contribution,
     })
 }

@@ -1,4 +1,4 @@
-// vkpt's kernel. Read this first: pixel → camera ray → path loop → film.
+// Path tracing: pixel → camera ray → path loop → film. Read this first.
 //
 // A thread owns a pixel and follows its samples one after the other. A turn of the loop is a bounce: begin a path if
 // none is alive, fly the shadow ray that the last vertex left pending and then the extension ray (through one call
@@ -8,25 +8,33 @@
 // Between two bounces the thread may stop, its state kept in `paths`, and go on in the next dispatch: no driver's
 // watchdog and no limit on loops (Mesa 22: 65,535 iterations a subgroup and dispatch) can touch the picture.
 //
-// Twin: src/reference/path/, which takes the same decisions in the same order, one sample at a time.
-// uses: math/steps, film/film_pixel, <moments>, path/begin, path/flight, path/shade, <record>
+// Twin: src/reference/integrator/path/, which takes the same decisions in the same order, one sample at a time.
+// uses: math/steps, film/film_pixel, <moments>, integrator/path/begin, path/flight, integrator/path/shade, <record>
 layout(local_size_x = 64) in;
 
-bool unfinished(PathState s) {
-    return s.alive != 0u || s.ended != 0u || s.index < job.sample_end;
+bool unfinished(PathState s, Subpath path) {
+    return path.alive != 0u || s.ended != 0u || s.index < job.sample_end;
 }
 
 void trace_pixel(uint lane) {
     uint column = job.tile_x + lane % job.tile_width;
     uint row = job.tile_y + lane / job.tile_width;
     PathState s = paths[lane];
+    Subpath path = s.path;
+    ShadowRay shadow = s.shadow;
     FilmPixel pixel = film[lane];
-    while (unfinished(s) && loop_steps < job.budget) {
+    while (unfinished(s, path) && loop_steps < job.budget) {
         loop_steps += 1u;
-        if (s.alive == 0u && s.index < job.sample_end) {
-            begin_path(s, column, row);
+        if (path.alive == 0u && s.index < job.sample_end) {
+            path = begin_path(column, row, job.sample_begin + s.index);
+            s.index += 1u;
         }
-        Flight flight = fly(s, pixel);
+        Flight flight = fly(path, shadow);
+        pixel.rays += flight.rays;
+        if (flight.connected) {
+            s.radiance += flight.visible ? shadow.contribution : vec3(0.0);
+            record_connection(s, shadow, flight.visible);
+        }
         if (s.ended != 0u) {
             record_sample(s, lane, pixel.samples);
             film_sample(pixel, s.radiance);
@@ -34,14 +42,16 @@ void trace_pixel(uint lane) {
             s.radiance = vec3(0.0);
             s.ended = 0u;
         }
-        if (s.alive != 0u) {
-            shade(s, flight, pixel, row * camera.width + column);
+        if (path.alive != 0u) {
+            shade(s, path, shadow, flight, pixel, row * camera.width + column);
         }
     }
     // A driver that ends loops by itself (Mesa 22) leaves their end conditions unmet: the picture would be wrong.
-    if (loop_failed || (unfinished(s) && loop_steps < job.budget)) {
+    if (loop_failed || (unfinished(s, path) && loop_steps < job.budget)) {
         pixel.loops += 1u;
     }
+    s.path = path;
+    s.shadow = shadow;
     paths[lane] = s;
     film[lane] = pixel;
 }

@@ -1,5 +1,5 @@
 //! The decisions of a path as one word: two paths that decided alike have the same. Twin of
-//! `shaders/path/signature.glsl` and `shaders/path/record/signature.glsl`.
+//! `shaders/integrator/path/signature.glsl` and `shaders/integrator/path/record/signature.glsl`.
 //!
 //! Decided are, at each vertex, the shape that was hit, the light that was chosen, whether light arrived from it, the
 //! lobe, and by roulette whether the path goes on: the next shape or the escape is there or not. Not decided, and not
@@ -12,10 +12,10 @@
 //! Two paths that decided otherwise have the same signature with a probability of 2⁻³².
 
 use super::PathState;
-use super::flight::ShadowRay;
 use super::record::Recorder;
-use super::vertex::Vertex;
 use crate::reference::math::{Real, Vec3, max_component};
+use crate::reference::path::flight::ShadowRay;
+use crate::reference::path::vertex::Vertex;
 use crate::reference::sampler::pcg4d::pcg4d;
 
 const DECISION_SHAPE: u32 = 1;
@@ -62,7 +62,7 @@ impl<F: Real> Recorder<F> for Signature {
     fn hit(&mut self, s: &PathState<F>, v: &Vertex<F>) {
         self.vertices = decide(
             self.vertices,
-            is_light(s.throughput),
+            is_light(s.path.throughput),
             DECISION_SHAPE,
             v.shape,
         );
@@ -71,14 +71,19 @@ impl<F: Real> Recorder<F> for Signature {
     fn light(&mut self, s: &PathState<F>, light: usize) {
         self.connections = decide(
             self.connections,
-            is_light(s.throughput),
+            is_light(s.path.throughput),
             DECISION_LIGHT,
             light as u32,
         );
     }
 
     fn vertex(&mut self, s: &PathState<F>, _: &Vertex<F>, lobe: u32) {
-        self.vertices = decide(self.vertices, is_light(s.throughput), DECISION_LOBE, lobe);
+        self.vertices = decide(
+            self.vertices,
+            is_light(s.path.throughput),
+            DECISION_LOBE,
+            lobe,
+        );
     }
 
     fn connection(&mut self, _: &PathState<F>, _: &ShadowRay<F>, arrived: Option<Vec3<F>>) {
@@ -87,6 +92,11 @@ impl<F: Real> Recorder<F> for Signature {
     }
 
     fn escape(&mut self, s: &PathState<F>) {
-        self.vertices = decide(self.vertices, is_light(s.throughput), DECISION_ESCAPE, 0);
+        self.vertices = decide(
+            self.vertices,
+            is_light(s.path.throughput),
+            DECISION_ESCAPE,
+            0,
+        );
     }
 }

@@ -1,0 +1,44 @@
+// A vertex of the path: what it emits, its connection to a light, and where the path goes on.
+// uses: math/finite, path/vertex, path/flight, path/extend, sampler/dimensions, sampler/unit_float, <sampler>, <background>, <emission>, <direct>, <depth>, <record>
+
+void end_path(inout PathState s, inout Subpath path) {
+    path.alive = 0u;
+    s.ended = 1u;
+}
+
+// Goes on to the next direction; ends the path where there is none.
+void go_on(inout PathState s, inout Subpath path, Vertex v, inout FilmPixel pixel, uint pixel_index) {
+    Extension e = extend(path, v, pixel_index, job.sample_begin + s.index - 1u);
+    pixel.underflows += e.underflow ? 1u : 0u;
+    // A broken throughput breaks the sample, which the film then drops and counts.
+    s.radiance += e.broken ? path.throughput : vec3(0.0);
+    pixel.long_paths += e.alive && path.bounce == LONG_PATH ? 1u : 0u;
+    if (!e.alive) {
+        end_path(s, path);
+    }
+    record_vertex(s, path, v, e.lobe);
+}
+
+void shade(inout PathState s, inout Subpath path, inout ShadowRay shadow, Flight flight, inout FilmPixel pixel,
+           uint pixel_index) {
+    shadow.pending = 0u;
+    if (flight.hit.shape == NONE) {
+        s.radiance += path.throughput * background_seen(path);
+        record_escape(s, path);
+        end_path(s, path);
+    } else {
+        Vertex v = path_vertex(flight.ray, flight.hit, flight.distance);
+        record_hit(s, path, v);
+        s.radiance += path.throughput * emission_seen(path, v, flight.origin, flight.distance);
+        // A path sets out with some light: what has none has lost it to absorption.
+        bool absorbed = is_black(path.throughput);
+        pixel.underflows += absorbed ? 1u : 0u;
+        if (materials[v.material].kind == KIND_BLACK || depth_reached(path.bounce) || absorbed) {
+            record_vertex(s, path, v, LOBE_NONE);
+            end_path(s, path);
+        } else {
+            shadow = connect(s, path, v, pixel_index);
+            go_on(s, path, v, pixel, pixel_index);
+        }
+    }
+}

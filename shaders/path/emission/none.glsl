@@ -1,5 +1,0 @@
-// No shape of this scene shines.
-
-vec3 emission_seen(PathState s, Vertex v, vec3 origin, float distance) {
-    return vec3(0.0);
-}

@@ -1,0 +1,167 @@
+//! Path tracing: camera ray → path loop → radiance. Twin of `shaders/integrator/path/`.
+//!
+//! The kernel flies a vertex's shadow ray one turn later, together with the extension ray; decisions, random
+//! numbers and the order of every sum are the same.
+
+pub mod connect;
+pub mod direct;
+pub mod record;
+pub mod signature;
+
+use crate::prepared::MaterialKind;
+use crate::reference::bsdf::LOBE_NONE;
+use crate::reference::camera::camera_direction;
+use crate::reference::light::background_light_pdf;
+use crate::reference::math::finite::is_black;
+use crate::reference::math::{Real, Vec3, dot3};
+use crate::reference::path::extend::extend;
+use crate::reference::path::flight::extend_ray;
+use crate::reference::path::roulette::LONG_PATH;
+use crate::reference::path::vertex::{Vertex, path_vertex};
+use crate::reference::path::{SampleId, Subpath, depth_reached};
+use crate::reference::sampler::{camera_block, unit_float};
+use crate::reference::shape::Ray;
+use crate::reference::world::World;
+use crate::settings::Settings;
+use connect::hit_weight;
+use record::Recorder;
+
+/// A sample under way.
+#[derive(Clone, Copy, Debug)]
+pub struct PathState<F> {
+    pub path: Subpath<F>,
+    pub radiance: Vec3<F>,
+    /// Rays flown so far.
+    pub rays: u64,
+    /// Less is left of the throughput than the scalar can hold: the path ends.
+    pub underflow: bool,
+}
+
+/// Radiance that one path brought back, and what it took.
+#[derive(Clone, Copy, Debug)]
+pub struct PathResult<F> {
+    pub radiance: Vec3<F>,
+    pub rays: u64,
+    /// It reached [`LONG_PATH`] bounces.
+    pub long: bool,
+    /// It ended for an underflow.
+    pub underflow: bool,
+}
+
+/// Follows one path from the camera to its end.
+pub fn trace_path<F: Real>(
+    world: &World<F>,
+    settings: &Settings,
+    id: SampleId,
+    recorder: &mut impl Recorder<F>,
+) -> PathResult<F> {
+    let mut s = begin_path(world, settings, id);
+    let mut alive = true;
+    while alive {
+        let origin = s.path.ray.o;
+        let (hit, distance) = extend_ray(world, settings, &mut s.path, &mut s.rays);
+        let Some(hit) = hit else {
+            s.radiance += s.path.throughput * background_seen(world, settings, &s.path);
+            recorder.escape(&s);
+            break;
+        };
+        let v = path_vertex(world, settings, s.path.ray, hit, distance);
+        recorder.hit(&s, &v);
+        s.radiance +=
+            s.path.throughput * emission_seen(world, settings, &s.path, &v, origin, distance);
+        let black = world.materials[v.material as usize].kind == MaterialKind::Black;
+        // A path sets out with some light: what has none has lost it to absorption.
+        s.underflow = is_black(s.path.throughput);
+        if black || depth_reached(settings, s.path.bounce) || s.underflow {
+            recorder.vertex(&s, &v, LOBE_NONE);
+            break;
+        }
+        direct::connect(world, settings, &mut s, &v, id, recorder);
+        alive = go_on(settings, &mut s, &v, id, recorder);
+    }
+    PathResult {
+        radiance: s.radiance,
+        rays: s.rays,
+        long: s.path.bounce >= LONG_PATH,
+        underflow: s.underflow,
+    }
+}
+
+/// Goes on to the next direction; false where the path ends.
+fn go_on<F: Real>(
+    settings: &Settings,
+    s: &mut PathState<F>,
+    v: &Vertex<F>,
+    id: SampleId,
+    recorder: &mut impl Recorder<F>,
+) -> bool {
+    let e = extend(settings, &mut s.path, v, id);
+    s.underflow = e.underflow;
+    // A broken throughput breaks the sample, which the film then drops and counts.
+    if e.broken {
+        s.radiance += s.path.throughput;
+    }
+    recorder.vertex(s, v, e.lobe);
+    e.alive
+}
+
+fn begin_path<F: Real>(world: &World<F>, settings: &Settings, id: SampleId) -> PathState<F> {
+    let u = id.words(settings, camera_block());
+    let d = camera_direction(
+        &world.camera,
+        id.column,
+        id.row,
+        unit_float(u[0]),
+        unit_float(u[1]),
+    );
+    PathState {
+        path: Subpath {
+            ray: Ray {
+                medium: world.eye_medium,
+                ..Ray::new(world.camera.eye, d)
+            },
+            throughput: Vec3::one(),
+            eta_scale: F::one(),
+            pdf: F::zero(),
+            delta: true,
+            bounce: 0,
+        },
+        radiance: Vec3::zero(),
+        rays: 0,
+        underflow: false,
+    }
+}
+
+/// Weighted radiance of an emitter that the path has hit; the density runs from the last real vertex,
+/// `origin`, `distance` away.
+fn emission_seen<F: Real>(
+    world: &World<F>,
+    settings: &Settings,
+    path: &Subpath<F>,
+    v: &Vertex<F>,
+    origin: Vec3<F>,
+    distance: F,
+) -> Vec3<F> {
+    match world.light_of(v.shape) {
+        None => Vec3::zero(),
+        Some(light) => {
+            let cosine = dot3(path.ray.d, v.ng).abs();
+            let q =
+                world.light_pmf(light) * world.light_pdf(light, origin, v.prim, cosine, distance);
+            let connect = settings.estimator.connect;
+            world.lights[light].radiance * hit_weight(connect, path.delta, path.pdf, q)
+        }
+    }
+}
+
+/// Weighted radiance of everything outside.
+fn background_seen<F: Real>(world: &World<F>, settings: &Settings, path: &Subpath<F>) -> Vec3<F> {
+    match world.background_light {
+        None => Vec3::zero(),
+        Some(light) => {
+            let q = world.light_pmf(light) * background_light_pdf();
+            let connect = settings.estimator.connect;
+            world.lights[light].radiance * hit_weight(connect, path.delta, path.pdf, q)
+        }
+    }
+}
