@@ -155,7 +155,7 @@ fn what_is_broken_is_counted_by_its_cause_wherever_it_comes_from() {
         (rough.as_str(), "bsdf/fresnel/exact", fresnel),
         (rough.as_str(), ggx, d),
         (metal, ggx, d),
-        (lit, "path/direct/sample", light),
+        (lit, "integrator/path/direct/sample", light),
         (chalk, "bsdf/diffuse/lambert", kd),
     ];
     for (material, name, change) in cases {

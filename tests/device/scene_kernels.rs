@@ -188,23 +188,23 @@ fn a_kernel_holds_files_of_ones_own() {
     };
     let none = text(&[]).expect("a kernel");
     let own = |name, text| OwnFile { name, text };
-    let same = file("path/connect/mis").expect("a shader");
+    let same = file("integrator/path/connect/mis").expect("a shader");
     assert_eq!(
-        text(&[own("path/connect/mis", same)]).expect("a kernel"),
+        text(&[own("integrator/path/connect/mis", same)]).expect("a kernel"),
         none
     );
     let half = "// uses: half\nfloat connection_weight(float light_pdf, float bsdf_pdf) { return HALF; }\n\
                 float hit_weight(bool delta, float bsdf_pdf, float light_pdf) { return delta ? 1.0 : HALF; }\n";
     let files = [
-        own("path/connect/mis", half),
+        own("integrator/path/connect/mis", half),
         own("half", "const float HALF = 0.5;\n"),
     ];
     let with = text(&files).expect("a kernel");
     assert!(with.contains("return HALF") && !with.contains("power_heuristic"));
-    let unused = text(&[own("path/connect/light", half)]);
+    let unused = text(&[own("integrator/path/connect/light", half)]);
     let Err(RenderError::Kernel { error, .. }) = unused else {
         panic!("{unused:?}");
     };
-    let name = "path/connect/light".to_owned();
+    let name = "integrator/path/connect/light".to_owned();
     assert_eq!(error, KernelError::Unused { name });
 }

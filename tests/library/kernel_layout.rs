@@ -3,7 +3,7 @@
 use vkpt::kernel::{Composer, Member, StructLayout, struct_layouts};
 use vkpt::layout::{
     Camera, Cuboid, Cylinder, Field, FilmMoments, FilmPixel, GpuStruct, Light, Material,
-    PathOutcome, PathState, Record, Shape, Slice, Sphere,
+    PathOutcome, PathState, Ray, Record, ShadowRay, Shape, Slice, Sphere, Subpath,
 };
 
 /// Name, size and member offsets, as Rust has them.
@@ -20,16 +20,29 @@ fn ours<T: GpuStruct>() -> StructLayout {
     }
 }
 
+/// Structs within other structs, in the order in which GLSL wants them.
+const NESTED: [&str; 3] = [Ray::NAME, ShadowRay::NAME, Subpath::NAME];
+
 /// The same, as naga has them in a uniform buffer (std140) and in a storage buffer (std430).
 fn nagas<T: GpuStruct>(glsl: &str) -> [StructLayout; 2] {
+    // Any scalar will do: what a kernel does not use naga leaves out.
     let first = T::FIELDS[0];
-    let component = if first.ty.contains("vec") { ".x" } else { "" };
+    let component = match first.ty {
+        "Ray" => ".t_max",
+        "Subpath" => ".pdf",
+        ty if ty.contains("vec") => ".x",
+        _ => "",
+    };
     ["std140) uniform", "std430) readonly buffer"].map(|kind| {
         let text = format!(
-            "{glsl}
+            "{ray}{shadow}{subpath}{rest}
 layout(set = 0, binding = 0, {kind} Items {{ {name} items[4]; }} source;
 layout(set = 0, binding = 1, std430) buffer Out {{ float x; }} result;
 void main() {{ result.x = float(source.items[1].{field}{component}); }}\n",
+            ray = Ray::glsl(),
+            shadow = ShadowRay::glsl(),
+            subpath = Subpath::glsl(),
+            rest = if NESTED.contains(&T::NAME) { "" } else { glsl },
             name = T::NAME,
             field = first.name,
         );
@@ -59,6 +72,9 @@ fn naga_lays_out_every_struct_as_rust_does() {
     check::<Shape>();
     check::<Light>();
     check::<Camera>();
+    check::<Ray>();
+    check::<ShadowRay>();
+    check::<Subpath>();
     check::<PathState>();
     check::<FilmPixel>();
     check::<FilmMoments>();

@@ -100,7 +100,10 @@ fn the_glsl_has_a_heading_a_file_and_nothing_else_beside_it() {
     let run = run(folder.path(), &["explain", "scene.scn", "--glsl"]);
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""));
     assert!(run.out.starts_with("#version 450\n"));
-    assert!(run.out.contains("\n// ──── shaders/path_trace.comp ────\n"));
+    assert!(
+        run.out
+            .contains("\n// ──── shaders/integrator/path/path_trace.comp ────\n")
+    );
     assert!(
         run.out
             .contains("\n// ──── shaders/shape/sphere.glsl ────\n")

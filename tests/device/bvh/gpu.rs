@@ -26,7 +26,8 @@ void main() {
     uvec4 a = queries[4u * i];
     uvec4 b = queries[4u * i + 1u];
     uvec4 c = queries[4u * i + 2u];
-    Ray ray = Ray(uintBitsToFloat(a.xyz), uintBitsToFloat(uvec3(a.w, b.x, b.y)), b.z, b.w, c.x, uintBitsToFloat(c.y));
+    Ray ray = Ray(uintBitsToFloat(a.xyz), FAR, uintBitsToFloat(uvec3(a.w, b.x, b.y)), b.z, b.w, c.x, uintBitsToFloat(c.y),
+                  NONE);
     Hit hit = nearest_bvh(ray, Target(c.w, queries[4u * i + 3u].x), no_hit(uintBitsToFloat(c.z)));
     hits[2u * i] = uvec4(floatBitsToUint(hit.t), hit.shape, hit.prim, loop_failed ? 1u : 0u);
     hits[2u * i + 1u] = uvec4(floatBitsToUint(hit.uv), loop_steps, 0u);
@@ -136,6 +137,7 @@ fn compose(
         prepared.triangles.len()
     );
     let structs = [
+        layout::Ray::glsl(),
         layout::Sphere::glsl(),
         layout::Cuboid::glsl(),
         layout::Cylinder::glsl(),

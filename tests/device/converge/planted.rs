@@ -13,7 +13,7 @@ use super::{LIT, RUNNING, measured, plan};
 use crate::common::device;
 use crate::common::render::{job, prepared};
 
-const CONNECTION: &str = "path/direct/sample";
+const CONNECTION: &str = "integrator/path/direct/sample";
 
 /// The connection with |cos θ| of the light's direction once more, which the BSDF's value has in it already.
 fn one_cosine_too_many() -> String {

@@ -4,9 +4,10 @@ use std::sync::atomic::AtomicBool;
 
 use vkpt::gpu::DeviceKind;
 use vkpt::prepared::Prepared;
+use vkpt::reference::integrator::path::record::Silent;
+use vkpt::reference::integrator::path::trace_path;
 use vkpt::reference::math::Real;
-use vkpt::reference::path::record::Silent;
-use vkpt::reference::path::{SampleId, trace_path};
+use vkpt::reference::path::SampleId;
 use vkpt::reference::world::World;
 use vkpt::render::{Job, KernelChoice, paired};
 

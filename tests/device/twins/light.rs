@@ -17,7 +17,7 @@ use vkpt::reference::math::{Vec3, vec3};
 use vkpt::reference::shape::Triangle;
 
 use super::harness::{In, Out, Rng, Row, Twin};
-use super::shape::{CYLINDER, PRELUDE, cylinder, read_cylinder};
+use super::shape::{CYLINDER, cylinder, prelude, read_cylinder};
 
 pub fn twins() -> Vec<Twin> {
     [
@@ -47,7 +47,7 @@ fn out_sample(s: LightSample<f32>, o: &mut Out) {
 }
 
 fn light(name: &'static str, file: &'static str) -> Twin {
-    Twin::new(name, file).prelude(PRELUDE)
+    Twin::new(name, file).prelude(prelude())
 }
 
 /// Two numbers of the sampler, one in eight of them at an end.

@@ -1,9 +1,9 @@
 //! Twins of those functions of `shaders/path/` that need no scene: weights, Beer's law, roulette, signatures.
 
-use vkpt::reference::path::connect::{connection_weight, hit_weight, power_heuristic};
+use vkpt::reference::integrator::path::connect::{connection_weight, hit_weight, power_heuristic};
+use vkpt::reference::integrator::path::signature::{decide, is_light, path_signature};
 use vkpt::reference::path::medium::{beer, beer3};
 use vkpt::reference::path::roulette::roulette_survival;
-use vkpt::reference::path::signature::{decide, is_light, path_signature};
 use vkpt::reference::path::throughput::underflows;
 use vkpt::settings::{Connect, Roulette};
 
@@ -30,9 +30,9 @@ pub fn twins() -> Vec<Twin> {
 }
 
 const CONNECT: [(Connect, &str); 3] = [
-    (Connect::Mis, "path/connect/mis"),
-    (Connect::Light, "path/connect/light"),
-    (Connect::Bsdf, "path/connect/bsdf"),
+    (Connect::Mis, "integrator/path/connect/mis"),
+    (Connect::Light, "integrator/path/connect/light"),
+    (Connect::Bsdf, "integrator/path/connect/bsdf"),
 ];
 
 /// Two densities; from next to nothing to near a delta.
@@ -55,7 +55,7 @@ const DENSITIES: [[f32; 2]; 8] = [
 ];
 
 fn heuristic() -> Twin {
-    Twin::new("power_heuristic", "path/connect/mis")
+    Twin::new("power_heuristic", "integrator/path/connect/mis")
         .glsl("float p = in_f(); out_f(power_heuristic(p, in_f()));")
         .rust(|i, o| {
             let p = i.f();
@@ -195,7 +195,7 @@ fn underflow() -> Twin {
 }
 
 fn decision() -> Twin {
-    Twin::new("decide", "path/signature")
+    Twin::new("decide", "integrator/path/signature")
         .glsl("uint chain = in_u(); bool matters = in_b(); uint decision = in_u(); out_u(decide(chain, matters, decision, in_u()));")
         .rust(|i, o| {
             let (chain, matters, decision) = (i.u(), i.b(), i.u());
@@ -214,7 +214,7 @@ fn decision() -> Twin {
 }
 
 fn signature() -> Twin {
-    Twin::new("path_signature", "path/signature")
+    Twin::new("path_signature", "integrator/path/signature")
         .glsl("uint vertices = in_u(); out_u(path_signature(vertices, in_u()));")
         .rust(|i, o| {
             let vertices = i.u();
@@ -226,7 +226,7 @@ fn signature() -> Twin {
 
 fn light() -> Twin {
     let dark = 2f32.powi(-64);
-    Twin::new("is_light", "path/signature")
+    Twin::new("is_light", "integrator/path/signature")
         .glsl("out_b(is_light(in_vec3()));")
         .rust(|i, o| {
             let radiance = i.vec3();

@@ -6,7 +6,7 @@ use vkpt::reference::bsdf::{Interaction, LOBE_NONE, bsdf_eval, bsdf_sample};
 use vkpt::settings::{Distribution, Fresnel, Settings};
 
 use super::support::chi_square::{Verdict, compare, expectation, histogram};
-use super::support::random::Random;
+use super::support::random::{Random, random};
 use super::support::statistics::sidak;
 use super::support::surface::{
     DISTRIBUTIONS, ESTIMATORS, dielectric, direction, estimator, opaque, parameter, seen,
@@ -81,7 +81,7 @@ fn verdict(case: &Case, samples: u64, seed: u64) -> Verdict {
     let mut r = Random::new(seed);
     let found = histogram(samples, || {
         let (lobe, reflect, m, d) = (r.unit(), r.unit(), r.pair(), r.pair());
-        let s = bsdf_sample(&case.settings, &case.at, lobe, reflect, m, d);
+        let s = bsdf_sample(&case.settings, &case.at, random(lobe, reflect, m, d));
         (s.lobe != LOBE_NONE).then_some(s.wi)
     });
     let density = |wi| bsdf_eval(&case.settings, &case.at, wi).pdf;

@@ -9,6 +9,7 @@ use vkpt::reference::bsdf::{
 use vkpt::reference::math::{Real, Vec3};
 use vkpt::settings::{Distribution, Settings};
 
+use super::support::random::random;
 use super::support::surface::{
     DISTRIBUTIONS, ESTIMATORS, dielectric, direction, estimator, opaque, parameter, seen,
 };
@@ -86,10 +87,7 @@ fn draw_all<F: Real>(
         let s = bsdf_sample(
             settings,
             at,
-            digit(0),
-            digit(1),
-            [digit(2), digit(3)],
-            [u[j], u[3 - j]],
+            random(digit(0), digit(1), [digit(2), digit(3)], [u[j], u[3 - j]]),
         );
         if let Some(what) = complaint(&s, tolerance) {
             found.push(format!("{what}: {s:?} at {at:?}, numbers {i} {j}"));
@@ -178,7 +176,11 @@ fn from_the_horizon_and_below_it_samples_are_sound() {
 fn unsound_samples_are_seen() {
     let m = dielectric(Distribution::Ggx, 0.3, 1.5);
     let at = seen(&m, true, direction(0.5, 0.0));
-    let good = bsdf_sample(&Settings::default(), &at, 0.9, 0.9, [0.2, 0.3], [0.0, 0.0]);
+    let good = bsdf_sample(
+        &Settings::default(),
+        &at,
+        random(0.9, 0.9, [0.2, 0.3], [0.0, 0.0]),
+    );
     assert_eq!(good.lobe, LOBE_TRANSMISSION);
     assert_eq!(complaint(&good, 1e-14), None);
     let planted: [fn(&mut BsdfSample<f64>); 6] = [

@@ -11,7 +11,7 @@ use vkpt::reference::math::{Vec3, dot3, vec3};
 use vkpt::settings::{Distribution, Fresnel, LobeChoice, Normals, Settings};
 
 use super::support::quadrature::integrate;
-use super::support::random::Random;
+use super::support::random::{Random, random};
 use super::support::surface::{
     DISTRIBUTIONS, dielectric, direction, estimator, opaque, parameter, seen,
 };
@@ -92,7 +92,7 @@ fn a_smooth_interface_keeps_all_energy() {
                 let mut m = dielectric(Distribution::Ggx, 0.0, 1.5);
                 m.fresnel = fresnel;
                 let at = seen(&m, i % 2 == 0, direction(c, 0.3));
-                let sample = |u| bsdf_sample(&settings, &at, 0.5, u, [0.5; 2], [0.5; 2]);
+                let sample = |u| bsdf_sample(&settings, &at, random(0.5, u, [0.5; 2], [0.5; 2]));
                 let (a, b) = (sample(0.0), sample(1.0 - f64::EPSILON));
                 assert!(a.lobe & LOBE_DELTA != 0 && b.lobe & LOBE_DELTA != 0);
                 let mut sum = a.weight.x * a.pdf;
@@ -186,8 +186,8 @@ fn term_absorption_stands_where_transmission_does() {
         let mut tinted = clear;
         tinted.attenuation = a;
         let (lobe, reflect, um, ud) = (r.unit(), r.unit(), r.pair(), r.pair());
-        let s = bsdf_sample(&settings, &clear, lobe, reflect, um, ud);
-        let t = bsdf_sample(&settings, &tinted, lobe, reflect, um, ud);
+        let s = bsdf_sample(&settings, &clear, random(lobe, reflect, um, ud));
+        let t = bsdf_sample(&settings, &tinted, random(lobe, reflect, um, ud));
         if s.lobe == LOBE_NONE {
             continue;
         }

@@ -6,6 +6,7 @@ use vkpt::reference::bsdf::fresnel::fresnel;
 use vkpt::settings::Distribution;
 
 use super::support::albedo::{Comparison, albedo, usual};
+use super::support::random::random;
 use super::support::surface::{dielectric, direction, parameter, seen};
 use super::support::table::Table;
 
@@ -25,7 +26,7 @@ fn alpha_to_zero() {
         let smooth = at(0.0);
         for (name, rough, reflect) in [("R", r, 0.0), ("T", t, 1.0 - f64::EPSILON)] {
             all.add(format!("{name}, row {i}"), rough, row.number(name));
-            let s = bsdf_sample(&usual(), &smooth, 0.5, reflect, [0.5; 2], [0.5; 2]);
+            let s = bsdf_sample(&usual(), &smooth, random(0.5, reflect, [0.5; 2], [0.5; 2]));
             let f = fresnel(&smooth, wo.z).x;
             let share = if name == "R" { f } else { 1.0 - f };
             let expected = row.number(&format!("{name}_smooth"));

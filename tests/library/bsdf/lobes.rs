@@ -12,7 +12,7 @@ use vkpt::reference::math::Vec3;
 use vkpt::settings::{Distribution, Fresnel, LobeChoice, Normals, Settings};
 
 use super::support::chi_square::{Verdict, compare, expectation, histogram};
-use super::support::random::Random;
+use super::support::random::{Random, random};
 use super::support::statistics::{binomial_p, sidak};
 use super::support::surface::{ESTIMATORS, dielectric, direction, estimator, opaque, seen};
 
@@ -79,7 +79,7 @@ fn with_norms(mut m: Material, kd: DVec3) -> Material {
 }
 
 fn draw(settings: &Settings, at: &Interaction<f64>, r: &mut Random) -> (u32, Vec3<f64>) {
-    let s = bsdf_sample(settings, at, r.unit(), r.unit(), r.pair(), r.pair());
+    let s = bsdf_sample(settings, at, random(r.unit(), r.unit(), r.pair(), r.pair()));
     (s.lobe, s.wi)
 }
 

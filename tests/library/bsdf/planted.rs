@@ -6,7 +6,7 @@ use vkpt::reference::math::{Vec3, dot3};
 use vkpt::settings::{Distribution, LobeChoice, Normals, Settings};
 
 use super::support::chi_square::{Verdict, compare, expectation, histogram};
-use super::support::random::Random;
+use super::support::random::{Random, random};
 use super::support::surface::{dielectric, direction, estimator, opaque, seen};
 
 /// The verdict on `density` for a rough glass with ior 1/1.5, or on `sample`.
@@ -29,10 +29,7 @@ impl Planted {
             let s = bsdf_sample(
                 &self.settings,
                 &self.at,
-                r.unit(),
-                r.unit(),
-                r.pair(),
-                r.pair(),
+                random(r.unit(), r.unit(), r.pair(), r.pair()),
             );
             (s.lobe != LOBE_NONE).then_some(s.wi)
         });

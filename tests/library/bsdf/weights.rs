@@ -12,7 +12,7 @@ use vkpt::reference::bsdf::{LOBE_DELTA, LOBE_NONE, LOBE_TRANSMISSION, bsdf_eval,
 use vkpt::reference::math::{Real, Vec3, dot3};
 use vkpt::settings::{Distribution, Fresnel, Settings};
 
-use super::support::random::Random;
+use super::support::random::{Random, random};
 use super::support::surface::{
     DISTRIBUTIONS, ESTIMATORS, dielectric, direction, estimator, opaque, parameter, seen,
 };
@@ -43,7 +43,7 @@ fn weight_error<F: Real>(least_width: f64) -> f64 {
         let wo = Vec3::<F>::new(direction(1.0 - 0.95 * r.unit(), 6.0 * r.unit()).f64());
         let at = seen(&m, r.unit() < 0.5, wo);
         let mut u = || F::new(r.unit());
-        let s = bsdf_sample(&settings, &at, u(), u(), [u(), u()], [u(), u()]);
+        let s = bsdf_sample(&settings, &at, random(u(), u(), [u(), u()], [u(), u()]));
         let e = bsdf_eval(&settings, &at, s.wi);
         if s.lobe != LOBE_NONE && e.pdf > F::zero() {
             let (ratio, weight) = (e.value.f64() / e.pdf.f64(), s.weight.f64());
@@ -74,7 +74,11 @@ fn weights_of_visible_ggx_are_g1() {
     for i in 0..20_000 {
         let m = dielectric(Distribution::Ggx, [0.05, 0.3, 1.0][i % 3], 1.5);
         let at = seen(&m, i % 2 == 0, direction(r.unit(), 6.0 * r.unit()));
-        let s = bsdf_sample(&settings, &at, r.unit(), r.unit(), r.pair(), r.pair());
+        let s = bsdf_sample(
+            &settings,
+            &at,
+            random(r.unit(), r.unit(), r.pair(), r.pair()),
+        );
         if s.lobe != LOBE_NONE {
             let g1 = ggx_g1(s.wi, m.alpha);
             assert!((s.weight.x - g1).abs() < 1e-12, "{s:?}");
@@ -94,7 +98,11 @@ fn weights_of_the_proposal_are_bounded() {
         let d = [Distribution::Phong, Distribution::Beckmann][i % 2];
         let m = opaque(d, parameter(d, r.unit()), DVec3::ZERO, DVec3::ONE);
         let at = seen(&m, true, direction(r.unit().powi(3), 0.0));
-        let s = bsdf_sample(&settings, &at, r.unit(), r.unit(), r.pair(), r.pair());
+        let s = bsdf_sample(
+            &settings,
+            &at,
+            random(r.unit(), r.unit(), r.pair(), r.pair()),
+        );
         largest = largest.max(s.weight.x);
     }
     assert!(largest < bound && largest > 1.5, "{largest}");
@@ -114,8 +122,8 @@ fn a_weak_interface_joins_the_rough_one() {
         rough.material.kind = MaterialKind::Dielectric;
         let (lobe, reflect, um, ud) = (r.unit(), r.unit() * 1e-9, r.pair(), r.pair());
         for u_reflect in [reflect, 0.5] {
-            let s = bsdf_sample(&settings, &weak, lobe, u_reflect, um, ud);
-            let t = bsdf_sample(&settings, &rough, lobe, u_reflect, um, ud);
+            let s = bsdf_sample(&settings, &weak, random(lobe, u_reflect, um, ud));
+            let t = bsdf_sample(&settings, &rough, random(lobe, u_reflect, um, ud));
             assert_eq!((s.wi, s.lobe & !LOBE_DELTA), (t.wi, t.lobe));
             let off = (s.weight - t.weight).f64().abs().max_element();
             assert!(off < 1e-9 * (1.0 + t.weight.x), "{s:?} {t:?}");

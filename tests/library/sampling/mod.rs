@@ -8,11 +8,12 @@ mod lights;
 mod pixel;
 mod roulette;
 
+use vkpt::reference::integrator::path::record::Recorder;
+use vkpt::reference::integrator::path::{PathState, trace_path};
 use vkpt::reference::math::Vec3;
+use vkpt::reference::path::SampleId;
 use vkpt::reference::path::flight::ShadowRay;
-use vkpt::reference::path::record::Recorder;
 use vkpt::reference::path::vertex::Vertex;
-use vkpt::reference::path::{PathState, SampleId, trace_path};
 use vkpt::reference::world::World;
 use vkpt::settings::Settings;
 
@@ -36,7 +37,7 @@ impl Recorder<f64> for Story {
     }
     fn connection(&mut self, _: &PathState<f64>, _: &ShadowRay<f64>, _: Option<Vec3<f64>>) {}
     fn escape(&mut self, s: &PathState<f64>) {
-        self.escaped = Some(s.ray.d);
+        self.escaped = Some(s.path.ray.d);
     }
 }
 

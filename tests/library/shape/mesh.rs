@@ -209,6 +209,7 @@ fn departures(triangles: &[Triangle<f32>], n: usize, seed: u64) -> impl Iterator
             prim: hit.prim,
             start,
             t_self,
+            ..Ray::new(vec3(0.0, 0.0, 0.0), d)
         }
     })
 }
@@ -303,6 +304,7 @@ fn a_wall_in_a_corner_is_met_however_near() {
             prim: floor.map_or(NONE, |i| i as u32),
             start: START_INSIDE,
             t_self: triangle_self_distance(p, up, d),
+            ..Ray::new(vec3(0.0, 0.0, 0.0), d)
         };
         let hit = nearest(&triangles, ray);
         assert!(

@@ -87,6 +87,7 @@ fn inside_always_finds_a_way_out_and_outside_never_returns() {
                         prim: hit.prim,
                         start,
                         t_self: 0.0,
+                        ..Ray::new(vec3(0.0, 0.0, 0.0), d)
                     };
                     hit = solid.nearest(ray);
                     assert_eq!(hit.shape == 0, !out, "{ray:?} → {hit:?}");

@@ -12,12 +12,13 @@ pub const HOMES: &[(&str, &str)] = &[
     ("generated", "world"),
     // the tables of the scene
     ("light/choice/", "world"),
-    ("path/background/", "path"),
+    ("integrator/path/background/", "integrator/path"),
     ("path/crossing/", "path/vertex"),
     ("path/depth/", "path"),
-    ("path/emission/", "path"),
+    ("integrator/path/emission/", "integrator/path"),
     ("path/self_distance/", "path/vertex"),
-    ("path/shade", "path/extend"),
+    ("integrator/path/begin", "integrator/path"),
+    ("integrator/path/shade", "integrator/path"),
     ("path/straight/", "path/flight"),
 ];
 
@@ -30,13 +31,13 @@ pub const KERNEL_ONLY: &[(&str, &str)] = &[
     ),
     ("leads_through", "wi.z < 0"),
     ("crossing_scale", "an `if` in extend"),
-    ("medium_after", "an `if` in extend and in direct"),
+    ("medium_after", "an `if` in spawn_ray"),
     (
         "path/flight",
         "flies a vertex's shadow ray one turn late, in one loop with the extension ray",
     ),
-    ("path/record/", "the reference tells a Recorder"),
-    ("path/shade", "a turn of the loop in trace_path"),
+    ("integrator/path/record/", "the reference tells a Recorder"),
+    ("integrator/path/shade", "a turn of the loop in trace_path"),
     ("shape/bvh/", "each renderer has a hierarchy of its own"),
     (
         "shape/normal/",
@@ -50,6 +51,15 @@ pub const ARGUMENTS: &[(&str, &str)] = &[
     (
         "begin_path",
         "the kernel uses the state of the pixel's last path again",
+    ),
+    (
+        "connect",
+        "the kernel keeps the path apart from its state: naga takes no `inout` of a member",
+    ),
+    ("extend", "the kernel has the sample's index in no SampleId"),
+    (
+        "go_on",
+        "the kernel keeps the path apart from its state: naga takes no `inout` of a member",
     ),
     (
         "is_origin",
@@ -80,13 +90,12 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
         "light_choice, light_pmf, triangle_choice and triangle_pmf, each over its part of a buffer",
     ),
     (
-        "path/direct",
+        "integrator/path/direct",
         "the first half of connect, which the kernel has in one piece",
     ),
     ("math/ulps", "measures errors; renders nothing"),
     ("path/flight", "the two halves of fly"),
     ("shape/linear", "the loops that a kernel has written out"),
-    ("spawn_ray", "the kernel sets the fields of its state"),
     ("trace_path", "the loop of path_trace.comp"),
     ("vec3", "a constructor"),
 ];

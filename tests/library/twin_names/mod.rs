@@ -27,7 +27,8 @@ fn kernel_functions() -> Vec<Function> {
     let mut all: Vec<Function> = written.collect();
     let known: BTreeSet<String> = all.iter().map(|f| f.name.clone()).collect();
     let generated = glsl_functions("generated", &generated());
-    let of_file = |f: &Function| file("path_trace.comp").is_some_and(|t| t.contains(&f.name));
+    let of_file =
+        |f: &Function| file("integrator/path/path_trace.comp").is_some_and(|t| t.contains(&f.name));
     all.extend((generated.into_iter()).filter(|f| !known.contains(&f.name) && !of_file(f)));
     all
 }

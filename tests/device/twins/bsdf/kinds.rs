@@ -7,7 +7,7 @@ use vkpt::reference::bsdf::normals::normals_sample;
 use vkpt::reference::bsdf::rough::{
     rough_draw, rough_reflection_at, rough_reflection_sample, rough_reflects,
 };
-use vkpt::reference::bsdf::{bsdf_eval, bsdf_sample};
+use vkpt::reference::bsdf::{BsdfRandom, bsdf_eval, bsdf_sample};
 use vkpt::settings::Settings;
 
 use super::inputs::{
@@ -75,11 +75,17 @@ pub fn twins() -> Vec<Twin> {
 /// A surface of the kind, the random numbers of a sample, and a `wi`: any, or the one that they draw.
 fn scattering(r: &mut Rng, settings: &Settings, kd: bool, kind: MaterialKind) -> Row {
     let (outside, at) = surface_of(r, kd, &[kind]);
-    let (u_lobe, u_reflect, u_m, u_d) = (uniform(r), uniform(r), uniform2(r), uniform2(r));
-    let drawn = bsdf_sample(settings, &at, u_lobe, u_reflect, u_m, u_d).wi;
+    let random = BsdfRandom {
+        lobe: uniform(r),
+        reflect: uniform(r),
+        m: uniform2(r),
+        d: uniform2(r),
+    };
+    let drawn = bsdf_sample(settings, &at, random).wi;
     let wi = if r.bool() { drawn } else { r.direction() };
-    let row = put(Row::new(), outside, &at).f(u_lobe).f(u_reflect);
-    row.vec2(u_m).vec2(u_d).vec3(wi)
+    let row = put(Row::new(), outside, &at);
+    let row = row.f(random.lobe).f(random.reflect);
+    row.vec2(random.m).vec2(random.d).vec3(wi)
 }
 
 fn scatters(
@@ -92,8 +98,8 @@ fn scatters(
 ) -> Twin {
     let glsl = format!(
         "Interaction at = in_interaction();
-        float u_lobe = in_f(); float u_reflect = in_f(); vec2 u_m = in_vec2(); vec2 u_d = in_vec2();
-        BsdfSample s = {sample}(at, u_lobe, u_reflect, u_m, u_d); {OUT_SAMPLE}
+        BsdfRandom random; random.lobe = in_f(); random.reflect = in_f(); random.m = in_vec2(); random.d = in_vec2();
+        BsdfSample s = {sample}(at, random); {OUT_SAMPLE}
         BsdfValue v = {eval}(at, in_vec3()); {OUT_VALUE}"
     );
     twin(sample, file, &settings)
@@ -101,8 +107,13 @@ fn scatters(
         .glsl(&glsl)
         .rust(move |i, o| {
             let at = take(i);
-            let (u_lobe, u_reflect, u_m, u_d) = (i.f(), i.f(), i.vec2(), i.vec2());
-            out_sample(o, bsdf_sample(&settings, &at, u_lobe, u_reflect, u_m, u_d));
+            let random = BsdfRandom {
+                lobe: i.f(),
+                reflect: i.f(),
+                m: i.vec2(),
+                d: i.vec2(),
+            };
+            out_sample(o, bsdf_sample(&settings, &at, random));
             out_value(o, bsdf_eval(&settings, &at, i.vec3()));
         })
         .seeded(2000, move |r| scattering(r, &settings, kd, kind))
@@ -116,10 +127,11 @@ fn parts(settings: Settings) -> Twin {
         BsdfValue v = rough_reflection_at(at, wi, m); {OUT_VALUE}
         v = dielectric_at(at, wi, m); {OUT_VALUE}
         BsdfSample s = weak_transmission(at, wi, m); {OUT_SAMPLE}
-        s = glass_delta(at, u.x); {OUT_SAMPLE}
-        RoughDraw draw = rough_draw(at, u.y, u);
-        out_b(draw.diffuse); out_vec3(draw.m); out_f(draw.c); out_b(rough_reflects(at, draw, u.x));
-        s = rough_reflection_sample(at, draw, u); {OUT_SAMPLE}"
+        BsdfRandom random = BsdfRandom(u.y, u.x, u, u);
+        s = glass_delta(at, random); {OUT_SAMPLE}
+        RoughDraw draw = rough_draw(at, random);
+        out_b(draw.diffuse); out_vec3(draw.m); out_f(draw.c); out_b(rough_reflects(at, draw, random));
+        s = rough_reflection_sample(at, draw, random); {OUT_SAMPLE}"
     );
     twin("dielectric_at", "bsdf/kind/dielectric", &settings)
         .also(&["weak_transmission", "glass_delta"])
@@ -138,13 +150,19 @@ fn parts(settings: Settings) -> Twin {
             out_value(o, rough_reflection_at(&settings, &at, wi, m));
             out_value(o, dielectric::dielectric_at(&settings, &at, wi, m));
             out_sample(o, weak::weak_transmission(&settings, &at, wi, m));
-            out_sample(o, glass::glass_delta(&settings, &at, u[0]));
-            let draw = rough_draw(&settings, &at, u[1], u);
+            let random = BsdfRandom {
+                lobe: u[1],
+                reflect: u[0],
+                m: u,
+                d: u,
+            };
+            out_sample(o, glass::glass_delta(&settings, &at, random));
+            let draw = rough_draw(&settings, &at, random);
             o.b(draw.diffuse);
             o.vec3(draw.m);
             o.f(draw.c);
-            o.b(rough_reflects(&settings, &at, draw, u[0]));
-            out_sample(o, rough_reflection_sample(&settings, &at, draw, u));
+            o.b(rough_reflects(&settings, &at, draw, random));
+            out_sample(o, rough_reflection_sample(&settings, &at, draw, random));
         })
         .seeded(1000, |r| {
             let kinds = [

@@ -12,7 +12,7 @@ use vkpt::reference::shape::{
 use super::super::harness::{In, Rng, Row, Twin};
 use super::solids::{CYLINDER, cylinder, read_cylinder};
 use super::triangles::{read_triangles, triangles_slot};
-use super::{OUT_HIT, PRELUDE, READ_HIT, READ_RAY, aimed, out_hit, read_hit, read_ray, some_shape};
+use super::{OUT_HIT, READ_HIT, READ_RAY, aimed, out_hit, prelude, read_hit, read_ray, some_shape};
 
 const READ_SEARCH: &str = "Target skip = Target(in_u(), in_u()); float t_max = in_f();";
 
@@ -56,7 +56,7 @@ fn scene(
         .map(|call| format!("found = {name}({call}); "))
         .collect();
     Twin::new(name, file)
-        .prelude(format!("{PRELUDE}{declare}"))
+        .prelude(prelude() + &declare)
         .glsl(&format!(
             "{fill} {READ_RAY} {READ_SEARCH} Hit found = no_hit(t_max); {calls} {OUT_HIT}"
         ))
@@ -68,7 +68,7 @@ pub fn twins() -> Vec<Twin> {
 
 fn solid() -> Twin {
     Twin::new("nearer_solid", "shape/linear/solid")
-        .prelude(PRELUDE)
+        .prelude(prelude())
         .glsl(&format!(
             "float t = in_f(); uint shape = in_u(); uint prim = in_u(); Target skip = Target(in_u(), in_u());
              {READ_HIT} Hit found = nearer_solid(t, shape, prim, skip, hit); {OUT_HIT}"

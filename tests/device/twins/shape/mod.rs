@@ -5,6 +5,7 @@ mod ray;
 mod solids;
 mod triangles;
 
+use vkpt::layout::{self, GpuStruct};
 use vkpt::prepared::NONE;
 use vkpt::reference::math::{Real, Vec3};
 use vkpt::reference::shape::{Hit, Ray, Surface};
@@ -26,22 +27,29 @@ pub fn twins() -> Vec<Twin> {
 }
 
 /// What every kernel declares.
-pub const PRELUDE: &str = "const uint NONE = 0xffffffffu;\n";
+pub fn prelude() -> String {
+    "const uint NONE = 0xffffffffu;
+"
+    .to_owned()
+        + &layout::Ray::glsl()
+}
 
 /// Reads a ray, writes a hit, writes a surface.
-const READ_RAY: &str = "Ray ray = Ray(in_vec3(), in_vec3(), in_u(), in_u(), in_u(), in_f());";
+const READ_RAY: &str =
+    "Ray ray = Ray(in_vec3(), FAR, in_vec3(), in_u(), in_u(), in_u(), in_f(), NONE);";
 const READ_HIT: &str = "Hit hit = Hit(in_f(), in_u(), in_u(), in_vec2());";
 const OUT_HIT: &str = "out_f(found.t); out_u(found.shape); out_u(found.prim); out_vec2(found.uv);";
 const OUT_SURFACE: &str = "out_vec3(at.p); out_vec3(at.ng); out_vec3(at.ns);";
 
 fn read_ray(i: &mut In) -> Ray<f32> {
+    let o = i.vec3();
+    let ray = Ray::new(o, i.vec3());
     Ray {
-        o: i.vec3(),
-        d: i.vec3(),
         shape: i.u(),
         prim: i.u(),
         start: i.u(),
         t_self: i.f(),
+        ..ray
     }
 }
 

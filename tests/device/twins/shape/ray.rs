@@ -6,7 +6,7 @@ use vkpt::reference::shape::slab::{Slab, enters, first_of, slab};
 use vkpt::reference::shape::{closer, no_hit, start_on};
 
 use super::super::harness::{Row, Twin};
-use super::{OUT_HIT, PRELUDE, READ_HIT, READ_RAY, out_hit, read_hit, read_ray, some_shape};
+use super::{OUT_HIT, READ_HIT, READ_RAY, out_hit, prelude, read_hit, read_ray, some_shape};
 use crate::twins::math::SPECIAL;
 
 pub fn twins() -> Vec<Twin> {
@@ -19,12 +19,12 @@ fn order() -> Vec<Twin> {
     let x = vec3(1.0, 0.0, 0.0);
     vec![
         Twin::new("no_hit", "shape/ray")
-            .prelude(PRELUDE)
+            .prelude(prelude())
             .glsl(&format!("Hit found = no_hit(in_f()); {OUT_HIT}"))
             .rust(|i, o| out_hit(no_hit(i.f()), o))
             .edges(SPECIAL.map(|x| Row::from([x]))),
         Twin::new("closer", "shape/ray")
-            .prelude(PRELUDE)
+            .prelude(prelude())
             .glsl(&format!(
                 "float t = in_f(); uint shape = in_u(); uint prim = in_u(); {READ_HIT} out_b(closer(t, shape, prim, hit));"
             ))
@@ -41,7 +41,7 @@ fn order() -> Vec<Twin> {
                 row.hit(t, some_shape(r), some_shape(r), [0.0; 2])
             }),
         Twin::new("start_on", "shape/ray")
-            .prelude(PRELUDE)
+            .prelude(prelude())
             .glsl(&format!("{READ_RAY} out_u(start_on(ray, in_u()));"))
             .rust(|i, o| {
                 let ray = read_ray(i);
@@ -64,7 +64,7 @@ fn ends(r: &mut super::Rng) -> Row {
 fn stretches() -> Vec<Twin> {
     vec![
         Twin::new("slab", "shape/slab")
-            .prelude(PRELUDE)
+            .prelude(prelude())
             .glsl(
                 "float o = in_f(); float d = in_f(); float lo = in_f(); float hi = in_f();
                  Slab s = slab(o, d, lo, hi, in_u()); out_f(s.near); out_f(s.far);",
@@ -91,7 +91,7 @@ fn stretches() -> Vec<Twin> {
                 row.f(-(r.below(2) as f32)).f(r.unit() + 1.0).u(r.below(3))
             }),
         Twin::new("enters", "shape/slab")
-            .prelude(PRELUDE)
+            .prelude(prelude())
             .glsl("vec2 s = in_vec2(); out_b(enters(Slab(s.x, s.y), in_u()));")
             .rust(|i, o| {
                 let [near, far] = i.vec2();
@@ -99,7 +99,7 @@ fn stretches() -> Vec<Twin> {
             })
             .seeded(500, |r| ends(r).u(r.below(3))),
         Twin::new("first_of", "shape/slab")
-            .prelude(PRELUDE)
+            .prelude(prelude())
             .glsl("vec2 s = in_vec2(); out_f(first_of(Slab(s.x, s.y), in_u()));")
             .rust(|i, o| {
                 let [near, far] = i.vec2();

@@ -11,7 +11,7 @@ use vkpt::reference::shape::{
 
 use super::super::harness::{In, Rng, Row, Twin};
 use super::{
-    OUT_SURFACE, PRELUDE, READ_HIT, READ_RAY, aimed, out_surface, read_hit, read_ray, scale,
+    OUT_SURFACE, READ_HIT, READ_RAY, aimed, out_surface, prelude, read_hit, read_ray, scale,
 };
 
 /// Reads a cylinder.
@@ -32,7 +32,7 @@ pub fn twins() -> Vec<Twin> {
 }
 
 fn spheres() -> Vec<Twin> {
-    let prelude = format!("{PRELUDE}{}", layout::Sphere::glsl());
+    let prelude = format!("{}{}", prelude(), layout::Sphere::glsl());
     let one = |o: Vec3<f32>, d: Vec3<f32>, start: u32| {
         Row::new()
             .vec3(o)
@@ -109,7 +109,7 @@ fn box_and_ray(r: &mut Rng) -> (Row, Vec3<f32>, Vec3<f32>) {
 }
 
 fn boxes() -> Vec<Twin> {
-    let prelude = format!("{PRELUDE}{}", layout::Cuboid::glsl());
+    let prelude = format!("{}{}", prelude(), layout::Cuboid::glsl());
     let unit = || Row::new().vec3(Vec3::zero()).vec3(Vec3::one());
     let edge = |o: [f32; 3], d: [f32; 3], start: u32| {
         unit()
@@ -174,7 +174,7 @@ fn boxes() -> Vec<Twin> {
 }
 
 fn box_parts() -> Vec<Twin> {
-    let prelude = format!("{PRELUDE}{}", layout::Cuboid::glsl());
+    let prelude = format!("{}{}", prelude(), layout::Cuboid::glsl());
     vec![
         Twin::new("box_face", "shape/box")
             .prelude(&*prelude)
@@ -246,7 +246,7 @@ fn upright() -> Row {
 }
 
 fn cylinders() -> Vec<Twin> {
-    let prelude = format!("{PRELUDE}{}", layout::Cylinder::glsl());
+    let prelude = format!("{}{}", prelude(), layout::Cylinder::glsl());
     let edge = |o: [f32; 3], d: [f32; 3], start: u32, part: u32| {
         let row = upright()
             .vec3(vec3(o[0], o[1], o[2]))
@@ -305,7 +305,7 @@ fn cylinders() -> Vec<Twin> {
 }
 
 fn cylinder_parts() -> Vec<Twin> {
-    let prelude = format!("{PRELUDE}{}", layout::Cylinder::glsl());
+    let prelude = format!("{}{}", prelude(), layout::Cylinder::glsl());
     vec![
         Twin::new("cylinder_frame", "shape/cylinder")
             .prelude(&*prelude)

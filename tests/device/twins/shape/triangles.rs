@@ -14,7 +14,7 @@ use vkpt::reference::shape::{
 
 use super::super::harness::{In, Rng, Row, Twin};
 use super::{
-    OUT_HIT, OUT_SURFACE, PRELUDE, READ_HIT, READ_RAY, aimed, narrow, out_hit, out_surface,
+    OUT_HIT, OUT_SURFACE, READ_HIT, READ_RAY, aimed, narrow, out_hit, out_surface, prelude,
     read_hit, read_ray, scale,
 };
 
@@ -204,7 +204,7 @@ fn departure(r: &mut Rng) -> Row {
 fn origins() -> Vec<Twin> {
     let scene = |name: &'static str, file: &'static str| {
         Twin::new(name, file)
-            .prelude(PRELUDE)
+            .prelude(prelude())
             .slot("triangles", triangles_slot())
             .slot("shading_normal", Slot::File("shape/normal/flat".into()))
             .file("shape/triangle/nearer")
@@ -212,7 +212,7 @@ fn origins() -> Vec<Twin> {
     let t = 4.0;
     vec![
         Twin::new("triangle_self_distance", "shape/triangle/origin")
-            .prelude(PRELUDE)
+            .prelude(prelude())
             .glsl("vec3 p = in_vec3(); vec3 ng = in_vec3(); out_f(triangle_self_distance(p, ng, in_vec3()));")
             .rust(|i, o| {
                 let (p, ng) = (i.vec3(), i.vec3());
@@ -269,7 +269,7 @@ fn surfaces() -> Vec<Twin> {
     vec![
         Twin::new("triangle_surface", "shape/triangle")
             .also(&["shading_normal"])
-            .prelude(PRELUDE)
+            .prelude(prelude())
             .slot("triangles", triangles_slot())
             .slot("shading_normal", Slot::File("shape/normal/smooth".into()))
             .glsl(&format!(
@@ -296,7 +296,7 @@ fn surfaces() -> Vec<Twin> {
                 row.hit(1.0, 0, r.below(2), weights(r))
             }),
         Twin::new("interpolated_normal", "shape/normal/smooth")
-            .prelude(PRELUDE)
+            .prelude(prelude())
             .slot("triangles", triangles_slot())
             .glsl(
                 "vec3 a = in_vec3(); vec3 b = in_vec3(); vec3 c = in_vec3(); vec2 uv = in_vec2();

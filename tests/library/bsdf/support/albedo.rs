@@ -7,6 +7,7 @@ use vkpt::reference::bsdf::{Interaction, bsdf_sample};
 use vkpt::reference::math::{dot3, mean3};
 use vkpt::settings::{LobeChoice, Normals, Settings};
 
+use super::random::random;
 use super::rqmc::{Estimate, estimate};
 use super::statistics::sidak;
 use super::surface::estimator;
@@ -33,7 +34,7 @@ pub fn usual() -> Settings {
 pub fn split(settings: &Settings, at: &Interaction<f64>, u: [f64; 2]) -> [f64; 2] {
     let c = dot3(at.wo, normals_sample(settings, at, u));
     let reflect = reflect_probability(settings, at, c, mean3(fresnel(at, c)));
-    let sample = |u_reflect| bsdf_sample(settings, at, 0.5, u_reflect, u, [0.5; 2]);
+    let sample = |u_reflect| bsdf_sample(settings, at, random(0.5, u_reflect, u, [0.5; 2]));
     // below R, whatever it is, and above
     let (near, far) = (sample(0.0), sample(1.0 - f64::EPSILON));
     let transmitted = if far.wi.z < 0.0 { far.weight.x } else { 0.0 };

@@ -1,5 +1,7 @@
 //! Seeded random numbers in f64.
 
+use vkpt::reference::bsdf::BsdfRandom;
+
 /// splitmix64 (Steele, Lea & Flood 2014).
 pub struct Random(u64);
 
@@ -19,5 +21,15 @@ impl Random {
     }
     pub fn pair(&mut self) -> [f64; 2] {
         [self.unit(), self.unit()]
+    }
+}
+
+/// The numbers that a sample of a BSDF draws from.
+pub fn random<F>(lobe: F, reflect: F, m: [F; 2], d: [F; 2]) -> BsdfRandom<F> {
+    BsdfRandom {
+        lobe,
+        reflect,
+        m,
+        d,
     }
 }
