@@ -14,7 +14,7 @@ use crate::render::plan::{PlanLimits, ScenePlan, StatePlan, compiled, composed, 
 use crate::render::tiles::{Tile, tiles};
 use crate::render::{Job, RenderError, SetUp};
 
-/// Threads of a workgroup; `local_size_x` of `shaders/path_trace.comp`.
+/// Threads of a workgroup; `local_size_x` of `shaders/integrator/path/path_trace.comp`.
 const WORKGROUP: u32 = 64;
 
 /// A scene's kernel, its buffers, and the films of all tiles.

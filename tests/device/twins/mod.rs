@@ -90,6 +90,7 @@ const EXCUSED: &[(&str, &str)] = &[
     ),
     ("integrator/path/direct/", READS_THE_SCENE),
     ("integrator/path/emission/", READS_THE_SCENE),
+    ("path/extend", READS_THE_SCENE),
     ("path/flight", READS_THE_SCENE),
     ("path/medium/none", "a constant"),
     ("path/medium/segment", READS_THE_SCENE),
@@ -97,6 +98,7 @@ const EXCUSED: &[(&str, &str)] = &[
     ("integrator/path/record/", READS_THE_SCENE),
     ("path/self_distance/", READS_THE_SCENE),
     ("integrator/path/shade", READS_THE_SCENE),
+    ("path/spawn", READS_THE_SCENE),
     ("path/straight/", READS_THE_SCENE),
     ("path/vertex", READS_THE_SCENE),
     (
