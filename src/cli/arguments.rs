@@ -17,7 +17,7 @@ Exit codes:
     2  the command line is wrong
     3  the scene or one of its meshes is wrong; nothing was written
     4  there is no such Vulkan device, or none at all
-    5  a file could not be written
+    5  a file or stdout could not be written
   130  interrupted by ctrl-c; the pictures hold the samples done by then";
 
 /// A headless path tracer on Vulkan: a scene file goes in, pictures come out

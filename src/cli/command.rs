@@ -16,10 +16,7 @@ pub fn typed(words: impl Iterator<Item = OsString>) -> String {
 
 /// `vkpt SCENE …` with all that a path depends on, to be followed by `--trace X,Y,I`.
 pub fn show(request: &Request, target: &Target) -> String {
-    let mut words = vec![
-        "vkpt".to_owned(),
-        quoted(&request.scene.display().to_string()),
-    ];
+    let mut words = vec!["vkpt".to_owned(), quoted(&request.scene.word())];
     words.extend(request.size.map(|[w, h]| format!("--size {w}x{h}")));
     words.extend((request.seed != 0).then(|| format!("--seed {}", request.seed)));
     words.extend(settings(&request.settings));
@@ -72,16 +69,16 @@ fn quoted(word: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
-
     use super::*;
+    use crate::cli::source::Source;
 
     #[test]
     fn what_is_not_the_default_is_in_the_command() {
         let mut settings = Settings::handout();
         settings.model.max_depth = Some(3);
+        let scene = Source::File("it's a.txt".into());
         let mut request = Request {
-            scene: Path::new("it's a.txt"),
+            scene: &scene,
             settings,
             size: Some([40, 30]),
             crop: Some([1, 2, 3, 4]),
@@ -96,14 +93,14 @@ mod tests {
         assert_eq!(device, format!("{common} --device 1"));
         assert_eq!(references, format!("{common} --device cpu-f64"));
         request = Request {
-            scene: Path::new("a/b.txt"),
+            scene: &Source::Stdin,
             settings: Settings::default(),
             size: None,
             seed: 0,
             ..request
         };
         let best = Target::Vulkan(Selector::Best);
-        assert_eq!(show(&request, &best), "vkpt a/b.txt");
+        assert_eq!(show(&request, &best), "vkpt -");
     }
 
     #[test]

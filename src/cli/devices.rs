@@ -1,8 +1,8 @@
 //! `vkpt devices`: what can render here, and what can't and why.
 
-use std::io::Write;
-
+use super::destination::all_written;
 use super::exit::{Ending, Failure};
+use super::streams::put;
 use crate::gpu::{self, DeviceInfo, GpuError};
 
 /// Prints a table on stdout: what `--device` takes, then what it is. The reference renderer is always there.
@@ -11,8 +11,7 @@ pub fn devices() -> Result<Ending, Failure> {
         Ok(vulkan) => (vulkan, None),
         Err(error) => (Vec::new(), Some(error)),
     };
-    // A reader that has gone away is no reason to fail.
-    let _ = write!(std::io::stdout(), "{}", table(&rows(&vulkan)));
+    all_written([put(table(&rows(&vulkan)).as_bytes())])?;
     let usable = vulkan.iter().any(|device| device.unusable.is_none());
     match failure {
         None if usable => Ok(Ending::Complete),

@@ -1,14 +1,12 @@
 //! `vkpt doctor`: what a device is like, and whether its pictures can be trusted.
 
-use std::io::Write;
-use std::path::PathBuf;
-
+use super::console::Console;
+use super::destination::{self, Destination, all_written, json, whole};
 use super::exit::{Ending, Failure};
 use super::values;
 use crate::doctor::Examiner;
 use crate::gpu::{Device, Selector};
-use crate::image::file::{check_writable, write_whole};
-use crate::report::doctor::{Examination, page};
+use crate::report::doctor::page;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -16,7 +14,7 @@ Exit codes:
     1  something failed that pictures depend on, or the device gave up
     2  the command line is wrong
     4  there is no such Vulkan device, or none at all
-    5  the report could not be written";
+    5  the report or stdout could not be written";
 
 /// How a device is examined.
 #[derive(clap::Args, Debug)]
@@ -31,17 +29,14 @@ pub struct DoctorArguments {
     #[arg(long)]
     exhaustive: bool,
 
-    /// Write all findings
+    /// Write all findings; - for stdout
     #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
+    json: Option<Destination>,
 }
 
 /// Prints the page, writes the record where it is asked for.
 pub fn doctor(arguments: &DoctorArguments) -> Result<Ending, Failure> {
-    let files = |error| Failure::Files(vec![error]);
-    if let Some(path) = &arguments.json {
-        check_writable(path).map_err(files)?;
-    }
+    destination::check(&arguments.json)?;
     let selector = arguments.device.as_ref().unwrap_or(&Selector::Best);
     let examiner = Examiner {
         exhaustive: arguments.exhaustive,
@@ -49,18 +44,12 @@ pub fn doctor(arguments: &DoctorArguments) -> Result<Ending, Failure> {
     };
     let examined = Device::open(selector).and_then(|device| examiner.examine(&device));
     let examination = examined.map_err(|error| Failure::Render(error.into()))?;
-    // A reader that has gone away is no reason to fail.
-    let _ = write!(std::io::stdout(), "{}", page(&examination));
-    if let Some(path) = &arguments.json {
-        write_whole(path, |out| json(&examination, out)).map_err(files)?;
-    }
+    all_written([
+        Console::beside(&arguments.json).print(&page(&examination)),
+        whole(&arguments.json, || json(&examination)),
+    ])?;
     match examination.verdict.healthy {
         true => Ok(Ending::Complete),
         false => Err(Failure::Unhealthy(examination.device.name)),
     }
-}
-
-fn json(examination: &Examination, out: &mut dyn Write) -> std::io::Result<()> {
-    serde_json::to_writer_pretty(&mut *out, examination)?;
-    writeln!(out)
 }

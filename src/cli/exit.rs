@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use miette::Severity;
 
+use super::streams::tell;
 use crate::converge::ConvergeError;
 use crate::image::file::FileError;
 use crate::prepared::PrepareError;
@@ -76,40 +77,40 @@ impl Failure {
     fn tell(self) {
         match self {
             Self::Usage(message) => {
-                tell(&format!("{message}\n\nFor more information, try '--help'."))
+                error(&format!("{message}\n\nFor more information, try '--help'."))
             }
             Self::Scene(errors) => {
                 let sum = errors.to_string();
                 point_out(errors.diagnostics);
-                tell(&sum);
+                error(&sum);
             }
-            Self::Prepare(error) => tell(&error),
+            Self::Prepare(e) => error(&e),
             Self::Strict(warnings) => {
                 warnings
                     .iter()
-                    .for_each(|warning| tell(&format!("{warning} (--strict)")));
+                    .for_each(|warning| error(&format!("{warning} (--strict)")));
             }
-            Self::Render(error) => tell(&error),
-            Self::Comparison(differences) => differences.iter().for_each(|d| tell(d)),
-            Self::NoDevice(message) => tell(&message),
-            Self::Unhealthy(device) => tell(&format!("{device} is not healthy")),
-            Self::Pictures(messages) => messages.iter().for_each(|message| tell(message)),
+            Self::Render(e) => error(&e),
+            Self::Comparison(differences) => differences.iter().for_each(|d| error(d)),
+            Self::NoDevice(message) => error(&message),
+            Self::Unhealthy(device) => error(&format!("{device} is not healthy")),
+            Self::Pictures(messages) => messages.iter().for_each(|message| error(message)),
             Self::Files(errors) => {
                 errors
                     .iter()
-                    .for_each(|error| tell(&format!("cannot write {error}")));
+                    .for_each(|e| error(&format!("cannot write {e}")));
             }
         }
     }
 }
 
-fn tell(message: &dyn std::fmt::Display) {
-    eprintln!("error: {message}");
+fn error(message: &dyn std::fmt::Display) {
+    tell(format!("error: {message}"));
 }
 
 /// Tells a warning.
 pub fn warn(message: &str) {
-    eprintln!("warning: {message}");
+    tell(format!("warning: {message}"));
 }
 
 /// As many errors as are worth reading before some are mended. Each is drawn by going through the whole file.
@@ -124,9 +125,9 @@ pub fn point_out(mut diagnostics: Vec<Diagnostic>) {
         diagnostics.truncate(MOST);
     }
     for diagnostic in diagnostics {
-        eprintln!("{:?}", miette::Report::new(diagnostic));
+        tell(format!("{:?}", miette::Report::new(diagnostic)));
     }
     if all > MOST {
-        eprintln!("… and {} more\n", all - MOST);
+        tell(format!("… and {} more\n", all - MOST));
     }
 }

@@ -1,17 +1,17 @@
 //! From a command line to a scene that is ready to be rendered.
 
-use std::path::Path;
 use std::time::Instant;
 
 use super::exit::{Failure, point_out, warn};
+use super::source::Source;
 use crate::prepared::{self, Prepared};
 use crate::render::{Job, KernelChoice, Until};
-use crate::scene;
+use crate::scene::Scene;
 use crate::settings::Settings;
 
 /// What a command line asks to be rendered.
 pub struct Request<'a> {
-    pub scene: &'a Path,
+    pub scene: &'a Source,
     pub settings: Settings,
     pub size: Option<[u32; 2]>,
     pub crop: Option<[u32; 4]>,
@@ -20,46 +20,70 @@ pub struct Request<'a> {
     pub strict: bool,
 }
 
-/// A scene read, checked and prepared, its warnings told.
+/// A scene read, its warnings told.
+pub struct Loaded {
+    scene: Scene,
+    /// What was read, line by line.
+    pub text: String,
+    warnings: Vec<String>,
+    read_s: f64,
+}
+
+/// A scene prepared, its warnings told.
 pub struct Ready {
     pub prepared: Prepared,
     pub settings: Settings,
+    /// Those of reading it, too.
     pub warnings: Vec<String>,
     pub read_s: f64,
     pub prepare_s: f64,
 }
 
-impl Ready {
-    /// Reads and prepares the scene that the command line names.
+impl Loaded {
+    /// Reads the scene that the command line names.
     pub fn new(request: &Request) -> Result<Self, Failure> {
-        Self::with_text(request).map(|(ready, _)| ready)
+        let start = Instant::now();
+        let read = request.scene.read(request.strict);
+        let read = read.map_err(Failure::Scene)?;
+        let read_s = start.elapsed().as_secs_f64();
+        let warnings = read.warnings.iter().map(ToString::to_string).collect();
+        point_out(read.warnings);
+        Ok(Self {
+            scene: read.scene,
+            text: read.text,
+            warnings,
+            read_s,
+        })
     }
 
-    /// The same, with the text of the scene file.
-    pub fn with_text(request: &Request) -> Result<(Self, String), Failure> {
-        let settings = request.settings;
+    /// The scene by the settings of the request.
+    pub fn prepare(&self, request: &Request) -> Result<Ready, Failure> {
         let start = Instant::now();
-        let read = scene::read(request.scene, request.strict).map_err(Failure::Scene)?;
-        let read_s = start.elapsed().as_secs_f64();
-        let mut warnings: Vec<String> = read.warnings.iter().map(ToString::to_string).collect();
-        point_out(read.warnings);
-        let start = Instant::now();
-        let prepared =
-            prepared::prepare(&read.scene, &settings, request.size).map_err(Failure::Prepare)?;
+        let prepared = self.prepare_in_silence(request)?;
         let prepare_s = start.elapsed().as_secs_f64();
         if request.strict && !prepared.warnings.is_empty() {
             return Err(Failure::Strict(prepared.warnings));
         }
         prepared.warnings.iter().for_each(|warning| warn(warning));
-        warnings.extend(prepared.warnings.iter().cloned());
-        let ready = Self {
-            prepared,
-            settings,
-            warnings,
-            read_s,
+        Ok(Ready {
+            settings: request.settings,
+            warnings: [&self.warnings[..], &prepared.warnings].concat(),
+            read_s: self.read_s,
             prepare_s,
-        };
-        Ok((ready, read.text))
+            prepared,
+        })
+    }
+
+    /// The same, without a word about its warnings.
+    pub fn prepare_in_silence(&self, request: &Request) -> Result<Prepared, Failure> {
+        prepared::prepare(&self.scene, &request.settings, request.size).map_err(Failure::Prepare)
+    }
+}
+
+impl Ready {
+    /// Reads and prepares the scene that the command line names.
+    pub fn new(request: &Request) -> Result<Self, Failure> {
+        Loaded::new(request)?.prepare(request)
     }
 
     /// The job that the command line describes.

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::streams::tell;
 use crate::converge::{self, Part};
 use crate::render::Progress;
 use crate::report::human::duration;
@@ -67,7 +68,7 @@ impl Display {
             }
             Form::Lines { last } if last.elapsed() >= PAUSE => {
                 *last = Instant::now();
-                eprintln!("{:.0} %, {}", (100.0 * fraction).floor(), words());
+                tell(format!("{:.0} %, {}", (100.0 * fraction).floor(), words()));
             }
             Form::Lines { .. } => {}
         }

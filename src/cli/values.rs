@@ -1,22 +1,16 @@
 //! The values that flags take.
 
-use std::path::{Path, PathBuf};
+use std::ffi::OsString;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
+use super::destination::Destination;
 use crate::gpu::Selector;
 use crate::image::Format;
 use crate::render::{KernelChoice, Target};
 use crate::report::names::Named;
 use crate::scene::LARGEST_SIDE;
 use crate::settings::{Distribution, DistributionRule, Roulette};
-
-/// A picture to be written.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Output {
-    pub path: PathBuf,
-    pub format: Format,
-}
 
 /// A named set of settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,6 +33,11 @@ impl Named for Preset {
 impl Named for KernelChoice<'static> {
     const ALL: &'static [(Self, &'static str)] =
         &[(Self::Composed, "composed"), (Self::Full, "full")];
+}
+
+impl Named for Format {
+    const ALL: &'static [(Self, &'static str)] =
+        &[(Self::Png, "png"), (Self::Hdr, "hdr"), (Self::Exr, "exr")];
 }
 
 /// One of few, by name.
@@ -74,24 +73,11 @@ fn named<T: Copy + Send + Sync + 'static>(
     })
 }
 
-/// A file whose ending names a format.
-pub fn output(text: &str) -> Result<Output, String> {
-    match Format::of(Path::new(text)) {
-        Some(format) => Ok(Output {
-            path: text.into(),
-            format,
-        }),
-        None => Err("the ending must be .png, .hdr or .exr".to_owned()),
-    }
-}
-
-/// A file whose ending is .png.
-pub fn png(text: &str) -> Result<Output, String> {
-    match Format::of(Path::new(text)) {
-        Some(format @ Format::Png) => Ok(Output {
-            path: text.into(),
-            format,
-        }),
+/// A file whose ending is .png, or stdout.
+pub fn png(text: &str) -> Result<Destination, String> {
+    let to = Destination::from(OsString::from(text));
+    match to.path().map(Format::of) {
+        None | Some(Some(Format::Png)) => Ok(to),
         _ => Err("the ending must be .png".to_owned()),
     }
 }
@@ -259,14 +245,10 @@ mod tests {
     }
 
     #[test]
-    fn outputs_and_exposures() {
-        assert_eq!(output("a/b.png").map(|o| o.format), Ok(Format::Png));
-        assert_eq!(output("b.exr").map(|o| o.format), Ok(Format::Exr));
-        assert!(
-            ["a.jpg", "png", "a"]
-                .iter()
-                .all(|name| output(name).is_err())
-        );
+    fn pngs_and_exposures() {
+        assert_eq!(png("-"), Ok(Destination::Stdout));
+        assert_eq!(png("a/b.PNG"), Ok(Destination::File("a/b.PNG".into())));
+        assert!(["a.exr", "png", "a"].iter().all(|name| png(name).is_err()));
         assert_eq!(exposure("-1.5"), Ok(-1.5));
         assert!(
             ["NaN", "inf", "x", ""]

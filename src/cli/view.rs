@@ -1,8 +1,7 @@
 //! The flags of what is looked at in a scene, which every command that reads one takes.
 
-use std::path::Path;
-
 use super::job::Request;
+use super::source::Source;
 use super::values;
 use crate::settings::Settings;
 
@@ -26,7 +25,7 @@ impl ViewArguments {
     /// What is to be rendered of `scene`.
     pub fn request<'a>(
         &self,
-        scene: &'a Path,
+        scene: &'a Source,
         settings: Settings,
         spp: u32,
         seed: u32,

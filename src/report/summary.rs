@@ -18,9 +18,12 @@ pub fn summary(record: &Record) -> String {
             record.job.seed
         ),
         format!("  on      {}", machine(record)),
-        format!("  time    {}", stages(record)),
-        format!("  work    {}", work(record)),
     ];
+    let stages = stages(record);
+    if !stages.is_empty() {
+        lines.push(format!("  time    {stages}"));
+    }
+    lines.push(format!("  work    {}", work(record)));
     if !record.files.is_empty() {
         lines.push(format!("  wrote   {}", record.files.join(", ")));
     }

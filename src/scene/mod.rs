@@ -21,7 +21,7 @@ mod types;
 mod view;
 
 use std::fs::File;
-use std::io::Read as _;
+use std::io::{self, Read as _};
 use std::path::Path;
 
 pub use diagnostic::{Diagnostic, Errors, Place};
@@ -51,24 +51,39 @@ const LONGEST_FILE: u64 = 256 << 20;
 /// Everything that is wrong with the file, in file order, its warnings among them; with `strict` a warning is
 /// an error too.
 pub fn read(path: &Path, strict: bool) -> Result<Read, Errors> {
+    match File::open(path) {
+        Ok(file) => read_from(file, path, strict),
+        Err(reason) => Err(unreadable(path, &reason)),
+    }
+}
+
+/// Reads a scene from a stream; `path` is as for [`parse`].
+///
+/// # Errors
+/// As [`read`].
+pub fn read_from(source: impl io::Read, path: &Path, strict: bool) -> Result<Read, Errors> {
     let mut bytes = Vec::new();
     let name = path.display();
-    let unreadable = |reason: String| Log::new(path, String::new()).fail(reason);
-    File::open(path)
-        .and_then(|file| file.take(LONGEST_FILE + 1).read_to_end(&mut bytes))
-        .map_err(|reason| unreadable(format!("cannot read {name}: {reason}")))?;
+    let refused = |why: String| Log::new(path, String::new()).fail(why);
+    let mut source = source.take(LONGEST_FILE + 1);
+    source
+        .read_to_end(&mut bytes)
+        .map_err(|reason| unreadable(path, &reason))?;
     if bytes.len() as u64 > LONGEST_FILE {
-        return Err(unreadable(format!(
+        return Err(refused(format!(
             "{name} is longer than 256 MiB: this is no scene file"
         )));
     }
     if bytes.contains(&0) {
-        return Err(unreadable(format!(
-            "{name} is not text: it holds a zero byte"
-        )));
+        return Err(refused(format!("{name} is not text: it holds a zero byte")));
     }
     // Old files have comments in Latin-1: a byte that is not UTF-8 is no reason to refuse them.
     parse(&String::from_utf8_lossy(&bytes), path, strict)
+}
+
+fn unreadable(path: &Path, reason: &io::Error) -> Errors {
+    let message = format!("cannot read {}: {reason}", path.display());
+    Log::new(path, String::new()).fail(message)
 }
 
 /// Reads a scene from `text`; `path` gives the name in messages and the folder that meshes are looked for in.

@@ -1,7 +1,6 @@
 //! Every flag of `vkpt check`, with its help.
 
-use std::path::PathBuf;
-
+use crate::cli::destination::Destination;
 use crate::cli::values;
 use crate::gpu::Selector;
 
@@ -11,7 +10,7 @@ Exit codes:
     1  a case fails, or could not be run
     2  the command line is wrong
     4  there is no such Vulkan device, or none at all
-    5  a report could not be written
+    5  a report or stdout could not be written
   130  interrupted by ctrl-c; the cases done by then are told";
 
 /// Which cases run where.
@@ -30,14 +29,14 @@ pub struct CheckArguments {
     #[arg(long, value_name = "DEVICE", value_parser = values::vulkan_device)]
     pub device: Option<Selector>,
 
-    /// Write every figure and bound of each case
+    /// Write every figure and bound of each case; - for stdout
     #[arg(long, value_name = "FILE")]
-    pub json: Option<PathBuf>,
+    pub json: Option<Destination>,
 
     /// Write a page with the table, coloured by margin, and the pictures of each case: one file that
-    /// needs no network
+    /// needs no network; - for stdout
     #[arg(long, value_name = "FILE")]
-    pub html: Option<PathBuf>,
+    pub html: Option<Destination>,
 
     /// No progress and no table, only what fails
     #[arg(long)]

@@ -3,10 +3,9 @@
 mod arguments;
 mod outputs;
 
-use std::io::Write;
-
-use self::outputs::Outputs;
 use super::command::typed;
+use super::console::Console;
+use super::destination::{self, all_written};
 use super::exit::{Ending, Failure, warn};
 use super::interrupt::stop_flag;
 use super::progress::Display;
@@ -25,7 +24,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
     if selected.is_empty() {
         return Err(unknown(arguments, &all));
     }
-    let outputs = Outputs::check(arguments)?;
+    destination::check(outputs::files(arguments))?;
     let selector = arguments.device.clone().unwrap_or(Selector::Best);
     let device = Device::open(&selector).map_err(|e| Failure::Render(e.into()))?;
     let stop = stop_flag();
@@ -42,15 +41,16 @@ pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
     display.finish();
     let ran = ran.map_err(|e| Failure::Comparison(vec![e.to_string()]))?;
     let record = &ran.record;
-    if !arguments.quiet {
-        // A reader that has gone away is no reason to fail.
-        let _ = write!(std::io::stdout(), "{}", text(record));
-    }
-    outputs.write(&Sheet {
+    let told = match arguments.quiet {
+        true => Ok(()),
+        false => Console::beside(outputs::files(arguments)).print(&text(record)),
+    };
+    let sheet = Sheet {
         record,
         command: typed(std::env::args_os()),
         shown: &ran.shown,
-    })?;
+    };
+    all_written(outputs::write(arguments, &sheet).into_iter().chain([told]))?;
     ending(record)
 }
 

@@ -5,9 +5,11 @@ use std::path::PathBuf;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Id};
 
+use crate::cli::destination::Destination;
 use crate::cli::job::Request;
 use crate::cli::settings::SettingArguments;
-use crate::cli::values::{self, Output};
+use crate::cli::source::Source;
+use crate::cli::values;
 use crate::cli::view::ViewArguments;
 use crate::gpu::Selector;
 
@@ -19,7 +21,7 @@ Exit codes:
     2  the command line is wrong
     3  a picture can't be read or compared; the scene or one of its meshes is wrong
     4  there is no such Vulkan device, or none at all
-    5  the heat map could not be written
+    5  the heat map or stdout could not be written
   130  interrupted by ctrl-c";
 
 /// What is to be compared.
@@ -87,10 +89,10 @@ pub struct PictureArguments {
     pub exposure: f64,
 
     /// Write the relative squared error of each pixel as a colour; with --reference both maps, side
-    /// by side
+    /// by side; - for stdout
     #[arg(long, value_name = "FILE.png", help_heading = PICTURES)]
     #[arg(value_parser = values::png)]
-    pub heatmap: Option<Output>,
+    pub heatmap: Option<Destination>,
 
     /// Fail (exit code 1) if a relMSE is above X
     #[arg(long, value_name = "X", help_heading = PICTURES)]
@@ -106,10 +108,10 @@ pub struct PictureArguments {
 /// A comparison of renderers, path by path.
 #[derive(clap::Args, Debug)]
 pub struct PairedArguments {
-    /// Render this scene on the Vulkan device, by cpu-f32 and by cpu-f64, with the same random
+    /// Render this scene (- for stdin) on the Vulkan device, by cpu-f32 and by cpu-f64, with the same random
     /// numbers, and tell which paths stay together, how close they are, and which part
     #[arg(long = "paired", value_name = "SCENE", help_heading = PAIRED)]
-    scene: Option<PathBuf>,
+    scene: Option<Source>,
 
     /// Samples per pixel
     #[arg(long, value_name = "N", help_heading = PAIRED, default_value = "16")]
@@ -141,7 +143,7 @@ const PAIRED: &str = "Same paths";
 impl PairedArguments {
     /// The scene and what is to be rendered of it; `None` where no scene is to be rendered.
     pub fn request(&self) -> Option<Request<'_>> {
-        let (scene, settings) = (self.scene.as_deref()?, self.settings.settings());
+        let (scene, settings) = (self.scene.as_ref()?, self.settings.settings());
         Some(self.view.request(scene, settings, self.spp, self.seed))
     }
 

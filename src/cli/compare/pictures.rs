@@ -1,14 +1,12 @@
 //! `vkpt compare A B`: how far pictures are from one another, and whether that is chance.
 
-use std::io::Write;
-
 use super::arguments::PictureArguments;
 use super::known::Known;
+use crate::cli::console::Console;
+use crate::cli::destination::{self, Destination, Written, all_written};
 use crate::cli::exit::{Ending, Failure, warn};
-use crate::cli::values::Output;
 use crate::film::Film;
-use crate::image::file::{check_writable, write_whole};
-use crate::image::{Frame, Labels, encode};
+use crate::image::{Format, Frame, Labels, encode};
 use crate::metrics::blocks::{ALPHA, BlockTest, z_test};
 use crate::metrics::flip::{Viewing, flip};
 use crate::metrics::{self, Errors, HEATMAP_RANGE, MetricsError, Pair, trimmed};
@@ -16,20 +14,21 @@ use crate::report::{self, Comparison, Tested};
 
 /// Compares A with B, or both with the reference. The flags decide which differences are a failure.
 pub fn pictures(arguments: &PictureArguments) -> Result<Ending, Failure> {
-    if let Some(Output { path, .. }) = &arguments.heatmap {
-        check_writable(path).map_err(|error| Failure::Files(vec![error]))?;
-    }
+    destination::check(&arguments.heatmap)?;
     let known = Known::read_all(arguments)?;
     let Some((reference, tested)) = known.split_last() else {
         return Err(Failure::Usage("two pictures are needed".to_owned()));
     };
     let comparison = compare(arguments.exposure, tested, reference).map_err(Failure::Pictures)?;
     warn_of_sobol(&known, &comparison);
-    // A reader that has gone away is no reason to fail.
-    let _ = write!(std::io::stdout(), "{}", report::comparison(&comparison));
-    if let Some(output) = &arguments.heatmap {
-        write_heatmap(output, tested, reference)?;
-    }
+    let console = Console::beside(&arguments.heatmap);
+    let told = console.print(&report::comparison(&comparison));
+    let written = match &arguments.heatmap {
+        None => Ok(()),
+        Some(to) => write_heatmap(&heatmap(tested, reference)?, to)
+            .and_then(|()| console.print(&legend(to))),
+    };
+    all_written([told, written])?;
     verdict(arguments, &comparison)
 }
 
@@ -88,17 +87,20 @@ fn block_test(a: &Known, b: &Known) -> Result<Result<BlockTest, String>, Metrics
     })
 }
 
-/// Writes the heat maps of all `tested`, side by side.
-fn write_heatmap(output: &Output, tested: &[Known], reference: &Known) -> Result<(), Failure> {
+/// The heat maps of all `tested`, side by side.
+fn heatmap(tested: &[Known], reference: &Known) -> Result<Film, Failure> {
     let told = |error: MetricsError| Failure::Pictures(vec![error.to_string()]);
     let mut maps = Vec::new();
     for known in tested {
         let pair = Pair::new(&known.picture.film, &reference.picture.film).map_err(told)?;
         maps.push(metrics::heatmap(&pair));
     }
-    let film = side_by_side(&maps);
+    Ok(side_by_side(&maps))
+}
+
+fn write_heatmap(film: &Film, to: &Destination) -> Written {
     let frame = Frame {
-        film: &film,
+        film,
         origin: [0, 0],
         full: [film.width, film.height],
     };
@@ -107,17 +109,15 @@ fn write_heatmap(output: &Output, tested: &[Known], reference: &Known) -> Result
         software: report::SOFTWARE,
         notes: &[],
     };
-    write_whole(&output.path, |out| {
-        encode(&frame, output.format, &labels, out)
-    })
-    .map_err(|error| Failure::Files(vec![error]))?;
+    to.write(|mut out| encode(&frame, Format::Png, &labels, &mut out))
+}
+
+/// What the colours of a heat map mean.
+fn legend(written: &Destination) -> String {
     let [low, high] = HEATMAP_RANGE;
-    let path = output.path.display();
-    let _ = writeln!(
-        std::io::stdout(),
-        "\nwrote {path}: relMSE of each pixel, from black ({low:e} and less) over violet and orange to pale yellow ({high} and more)"
-    );
-    Ok(())
+    format!(
+        "\nwrote {written}: relMSE of each pixel, from black ({low:e} and less) over violet and orange to pale yellow ({high} and more)\n"
+    )
 }
 
 /// Pictures of one size as one, from left to right.

@@ -3,9 +3,11 @@
 use std::path::PathBuf;
 
 use super::vary::{Vary, vary};
+use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
 use crate::cli::job::Request;
 use crate::cli::settings::SettingArguments;
+use crate::cli::source::Source;
 use crate::cli::values;
 use crate::cli::view::ViewArguments;
 use crate::converge::HALVES;
@@ -20,15 +22,15 @@ Exit codes:
     2  the command line is wrong
     3  the scene, one of its meshes or the reference is wrong; nothing was written
     4  there is no such Vulkan device, or none at all
-    5  a file could not be written
+    5  a file or stdout could not be written
   130  interrupted by ctrl-c; what was measured by then is told";
 
 /// What is to be measured.
 #[derive(clap::Args, Debug)]
 #[command(after_help = EXIT_CODES, max_term_width = 100)]
 pub struct ConvergeArguments {
-    /// The scene file
-    pub scene: PathBuf,
+    /// The scene file, or - for stdin
+    pub scene: Source,
 
     /// The most seconds of sampling, of all replicates and variants together; a step that would not
     /// fit is not begun, which may leave up to half. Compiling, judging and the reference come on top
@@ -75,21 +77,22 @@ pub struct ConvergeArguments {
     #[arg(long, value_name = "DEVICE", help_heading = EXPERIMENT, value_parser = values::device)]
     device: Option<Target>,
 
-    /// Write every figure, with those of each replicate
+    /// Write every figure, with those of each replicate; - for stdout
     #[arg(long, value_name = "FILE", help_heading = REPORTS)]
-    pub json: Option<PathBuf>,
+    pub json: Option<Destination>,
 
-    /// Write a line for each variant and step
+    /// Write a line for each variant and step; - for stdout
     #[arg(long, value_name = "FILE", help_heading = REPORTS)]
-    pub csv: Option<PathBuf>,
+    pub csv: Option<Destination>,
 
-    /// Write a plot of error over seconds, log–log, with intervals
+    /// Write a plot of error over seconds, log–log, with intervals; - for stdout
     #[arg(long, value_name = "FILE", help_heading = REPORTS)]
-    pub svg: Option<PathBuf>,
+    pub svg: Option<Destination>,
 
-    /// Write a page with all of it, and the pictures: one file that needs no network
+    /// Write a page with all of it, and the pictures: one file that needs no network; - for
+    /// stdout
     #[arg(long, value_name = "FILE", help_heading = REPORTS)]
-    pub html: Option<PathBuf>,
+    pub html: Option<Destination>,
 
     /// No progress and no table, only warnings and errors
     #[arg(long, help_heading = REPORTS)]

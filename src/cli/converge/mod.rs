@@ -9,12 +9,12 @@ mod reference;
 mod variants;
 mod vary;
 
-use std::io::Write;
 use std::sync::atomic::AtomicBool;
 
-use self::outputs::Outputs;
 use self::reference::References;
 use self::variants::Variants;
+use super::console::Console;
+use super::destination::{self, all_written};
 use super::exit::{Ending, Failure, warn};
 use super::interrupt::stop_flag;
 use super::progress::Display;
@@ -26,7 +26,7 @@ pub use arguments::ConvergeArguments;
 
 /// Renders replicates of every variant, judges them and tells what came out.
 pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
-    let outputs = Outputs::check(arguments)?;
+    destination::check(outputs::files(arguments))?;
     let plan = Plan {
         seeds: arguments.seeds()?,
         seconds: arguments.time,
@@ -48,13 +48,14 @@ pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
     };
     let measured = run(&jobs, &references, &engine, &plan, &stop, arguments.quiet)?;
     let record = record::record(arguments, &variants, &references, &engine, &measured);
-    if !arguments.quiet {
-        // A reader that has gone away is no reason to fail.
-        let _ = write!(std::io::stdout(), "{}", table(&record));
-    }
+    let told = match arguments.quiet {
+        true => Ok(()),
+        false => Console::beside(outputs::files(arguments)).print(&table(&record)),
+    };
     concerns(&record).iter().for_each(|concern| warn(concern));
     let parts = page::parts(arguments, &variants, &references, &measured);
-    outputs.write(&parts.sheet(&record))?;
+    let written = outputs::write(arguments, &parts.sheet(&record));
+    all_written(written.into_iter().chain([told]))?;
     if measured.interrupted {
         warn("interrupted: the step under way is not told");
         return Ok(Ending::Interrupted);

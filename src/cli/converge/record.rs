@@ -30,7 +30,7 @@ pub fn record(
     };
     Convergence {
         version: env!("CARGO_PKG_VERSION"),
-        scene: arguments.scene.display().to_string(),
+        scene: arguments.scene.name(),
         size: variants.full_size(),
         crop: arguments.view.crop,
         seed: arguments.seed,

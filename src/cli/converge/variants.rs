@@ -3,10 +3,9 @@
 use super::arguments::ConvergeArguments;
 use super::vary::{Combination, combinations};
 use crate::cli::exit::Failure;
-use crate::cli::job::{Ready, Request};
-use crate::prepared::{self, Prepared};
+use crate::cli::job::{Loaded, Request};
+use crate::prepared::Prepared;
 use crate::render::{Job, KernelChoice, Until};
-use crate::scene;
 use crate::settings::Model;
 
 /// What is rendered, with every setting.
@@ -22,8 +21,8 @@ impl Variants {
     /// Reads and prepares the scene; tells its warnings once.
     pub fn new(arguments: &ConvergeArguments) -> Result<Self, Failure> {
         let combinations = combinations(&arguments.settings, &arguments.vary)?;
+        let loaded = Loaded::new(&arguments.request())?;
         let mut models: Vec<(Model, Prepared)> = Vec::new();
-        let mut text = String::new();
         for Combination { settings, .. } in &combinations {
             if models.iter().any(|(model, _)| *model == settings.model) {
                 continue;
@@ -34,19 +33,19 @@ impl Variants {
             };
             let prepared = match models.is_empty() {
                 true => {
-                    let (ready, read) = Ready::with_text(&request)?;
+                    let ready = loaded.prepare(&request)?;
                     ready.job(&request)?;
-                    text = read;
                     ready.prepared
                 }
-                false => again(&request)?,
+                // Its warnings were told.
+                false => loaded.prepare_in_silence(&request)?,
             };
             models.push((settings.model, prepared));
         }
         Ok(Self {
             combinations,
             models,
-            text,
+            text: loaded.text,
         })
     }
 
@@ -86,10 +85,4 @@ impl Variants {
         // Each has a model: `new` made one for it.
         self.combinations.iter().filter_map(job).collect()
     }
-}
-
-/// By another model, without the warnings that were told already.
-fn again(request: &Request) -> Result<Prepared, Failure> {
-    let read = scene::read(request.scene, request.strict).map_err(Failure::Scene)?;
-    prepared::prepare(&read.scene, &request.settings, request.size).map_err(Failure::Prepare)
 }

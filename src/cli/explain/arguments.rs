@@ -1,9 +1,9 @@
 //! Every flag of `vkpt explain`, with its help.
 
-use std::path::PathBuf;
-
+use crate::cli::destination::Destination;
 use crate::cli::job::Request;
 use crate::cli::settings::SettingArguments;
+use crate::cli::source::Source;
 use crate::cli::values::{self, choice};
 use crate::cli::view::ViewArguments;
 use crate::film::Aov;
@@ -17,14 +17,14 @@ Exit codes:
     2  the command line is wrong
     3  the scene or one of its meshes is wrong; nothing was written
     4  there is no such Vulkan device as --device asks for
-    5  a file could not be written";
+    5  a file or stdout could not be written";
 
 /// What is to be explained.
 #[derive(clap::Args, Debug)]
 #[command(after_help = EXIT_CODES, max_term_width = 100)]
 pub struct ExplainArguments {
-    /// The scene file
-    pub scene: PathBuf,
+    /// The scene file, or - for stdin
+    pub scene: Source,
 
     #[command(flatten)]
     pub view: ViewArguments,
@@ -49,9 +49,9 @@ pub struct ExplainArguments {
     #[arg(long)]
     pub glsl: bool,
 
-    /// Write the kernel's SPIR-V
+    /// Write the kernel's SPIR-V; - for stdout
     #[arg(long, value_name = "FILE")]
-    pub spirv: Option<PathBuf>,
+    pub spirv: Option<Destination>,
 
     #[command(flatten)]
     pub settings: SettingArguments,

@@ -2,24 +2,27 @@
 
 mod arguments;
 
-use std::io::Write;
-
+use super::console::Console;
+use super::destination::{self, Destination, all_written};
 use super::exit::{Ending, Failure};
-use super::job::Ready;
+use super::job::Loaded;
 use crate::explain::{Preset, Subject, explain as explanation};
 use crate::gpu::{Device, Selector};
-use crate::image::file::{check_writable, write_whole};
 use crate::render::{Job, KernelChoice, Plan, PlanLimits};
 use crate::report::explanation::page;
 pub use arguments::ExplainArguments;
 
 /// Prints the page, or the kernel's GLSL; writes its SPIR-V where it is asked for.
 pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
-    if let Some(path) = &arguments.spirv {
-        check_writable(path).map_err(|error| Failure::Files(vec![error]))?;
+    destination::check(&arguments.spirv)?;
+    if arguments.glsl && arguments.spirv == Some(Destination::Stdout) {
+        return Err(Failure::Usage(
+            "--glsl and --spirv - would both be written to stdout".to_owned(),
+        ));
     }
     let request = arguments.request();
-    let (ready, text) = Ready::with_text(&request)?;
+    let loaded = Loaded::new(&request)?;
+    let ready = loaded.prepare(&request)?;
     let job = Job {
         aovs: &arguments.aov,
         kernel: arguments.kernel,
@@ -28,11 +31,7 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
     let (limits, device) = limits(arguments.device.as_ref())?;
     let plan = Plan::new(&job, limits).map_err(Failure::Render)?;
     let spirv = plan.compile().map_err(Failure::Render)?;
-    if let Some(path) = &arguments.spirv {
-        write_whole(path, |out| out.write_all(spirv.bytes()))
-            .map_err(|error| Failure::Files(vec![error]))?;
-    }
-    let out = if arguments.glsl {
+    let text = if arguments.glsl {
         plan.kernel.by_file()
     } else {
         let full = Job {
@@ -44,15 +43,19 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
         let subject = Subject {
             job: &job,
             plan: &plan,
-            scene: &arguments.scene.display().to_string(),
-            text: &text,
+            scene: &arguments.scene.name(),
+            text: &loaded.text,
             preset: preset(arguments),
             device: &device,
         };
         page(&explanation(&subject, &spirv, (&full, &full_spirv)))
     };
-    // A reader that has gone away is no reason to fail.
-    let _ = write!(std::io::stdout(), "{out}");
+    let spirv = arguments
+        .spirv
+        .as_ref()
+        .map(|to| to.write(|out| out.write_all(spirv.bytes())));
+    let told = Console::beside(&arguments.spirv).print(&text);
+    all_written(spirv.into_iter().chain([told]))?;
     Ok(Ending::Complete)
 }
 

@@ -1,29 +1,34 @@
 //! Every flag of a rendering, with its help.
 
-use std::path::PathBuf;
-
+use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
 use crate::cli::job::Request;
 use crate::cli::settings::SettingArguments;
-use crate::cli::values::{self, Output, SamplePath, choice};
+use crate::cli::source::Source;
+use crate::cli::values::{self, SamplePath, choice};
 use crate::cli::view::ViewArguments;
 use crate::film::Aov;
 use crate::gpu::Selector;
+use crate::image::Format;
 use crate::render::{KernelChoice, Target, Until};
 use crate::report::names::Named;
 
 /// What one rendering needs to know.
 #[derive(clap::Args, Debug)]
 pub struct RenderArguments {
-    /// The scene file
+    /// The scene file, or - for stdin
     #[arg(required = true)]
-    scene: Option<PathBuf>,
+    scene: Option<Source>,
 
-    /// Picture to write: .png (sRGB), .hdr (linear, RGBE) or .exr (linear, f32); may be repeated
-    /// [default: the scene's name with .png and .exr, in the working directory]
+    /// Picture to write: .png (sRGB), .hdr (linear, RGBE) or .exr (linear, f32), or - for stdout; may
+    /// be repeated [default: the scene's name with .png and .exr, in the working directory]
     #[arg(short, long = "output", value_name = "FILE", help_heading = "Picture")]
-    #[arg(value_parser = values::output)]
-    pub output: Vec<Output>,
+    pub output: Vec<Destination>,
+
+    /// Format of pictures whose name does not tell it, and of stdout: png, hdr or exr
+    #[arg(long, value_name = "FORMAT", help_heading = "Picture")]
+    #[arg(value_parser = choice::<Format>(), hide_possible_values = true)]
+    pub format: Option<Format>,
 
     #[command(flatten, next_help_heading = "Picture")]
     pub view: ViewArguments,
@@ -88,9 +93,9 @@ pub struct RenderArguments {
     #[command(flatten)]
     pub settings: SettingArguments,
 
-    /// Write what the rendering did and how long it took
+    /// Write what the rendering did and how long it took; - for stdout
     #[arg(long, value_name = "FILE", help_heading = "Reports")]
-    pub json: Option<PathBuf>,
+    pub json: Option<Destination>,
 
     /// No progress and no summary, only warnings and errors
     #[arg(long, help_heading = "Reports")]
@@ -124,8 +129,8 @@ impl RenderArguments {
         }
     }
 
-    /// The scene file.
-    pub fn scene(&self) -> Result<&PathBuf, Failure> {
+    /// Where the scene is.
+    pub fn scene(&self) -> Result<&Source, Failure> {
         self.scene
             .as_ref()
             .ok_or_else(|| Failure::Usage("a scene file is missing".to_owned()))

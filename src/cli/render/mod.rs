@@ -2,20 +2,21 @@
 
 mod arguments;
 mod outputs;
+mod pictures;
 mod record;
 mod trace;
 
-use std::io::Write;
 use std::time::Instant;
 
 use self::outputs::{Outputs, write_frame};
+use self::pictures::Picture;
 use self::record::record;
 use self::trace::trace;
+use crate::cli::destination::{json, whole};
 use crate::cli::exit::{Ending, Failure, warn};
 use crate::cli::interrupt::stop_flag;
 use crate::cli::job::Ready;
 use crate::cli::progress::Display;
-use crate::cli::values::Output;
 use crate::film::{Aov, Film};
 use crate::image::file::FileError;
 use crate::image::{Frame, Labels};
@@ -37,13 +38,13 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
         return Ok(Ending::Interrupted);
     }
     let mut record = record(arguments, &ready, &outcome)?;
-    let errors = write(arguments, &outputs, &outcome, &mut record);
+    let mut errors = write(arguments, &outputs, &outcome, &mut record);
     report::concerns(&record)
         .iter()
         .for_each(|concern| warn(concern));
     if !arguments.quiet {
-        // A reader that has gone away is no reason to fail.
-        let _ = writeln!(std::io::stdout(), "{}", report::summary(&record));
+        let summary = report::summary(&record) + "\n";
+        errors.extend(outputs.console().print(&summary).err());
     }
     match (errors.is_empty(), outcome.end == End::Interrupted) {
         (false, _) => Err(Failure::Files(errors)),
@@ -79,7 +80,7 @@ fn write(
     let [x0, y0, ..] = arguments.view.crop.unwrap_or_default();
     let (job, device) = (&record.job, &record.machine.device);
     let settings = arguments.settings.settings();
-    let write = |files: &[Output], film: &Film, notes: &[_]| {
+    let write = |files: &[Picture], film: &Film, notes: &[_]| {
         let frame = Frame {
             film,
             origin: [x0, y0],
@@ -110,6 +111,6 @@ fn write(
     }
     record.files = written;
     record.seconds.write = start.elapsed().as_secs_f64();
-    errors.extend(outputs.write_json(record));
+    errors.extend(whole(outputs.json, || json(record)).err());
     errors
 }

@@ -38,7 +38,7 @@ pub fn record(
     Ok(Record {
         version: env!("CARGO_PKG_VERSION"),
         job: Job {
-            scene: arguments.scene()?.display().to_string(),
+            scene: arguments.scene()?.name(),
             size: [ready.prepared.width, ready.prepared.height],
             crop: arguments.view.crop,
             spp: outcome.spp,

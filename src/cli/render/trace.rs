@@ -1,10 +1,10 @@
 //! `vkpt SCENE --trace X,Y,I`: prints one path, vertex by vertex.
 
-use std::io::Write;
-
 use super::arguments::RenderArguments;
+use crate::cli::destination::all_written;
 use crate::cli::exit::{Ending, Failure};
 use crate::cli::job::Ready;
+use crate::cli::streams::put;
 use crate::cli::values::SamplePath;
 use crate::render;
 
@@ -25,7 +25,6 @@ pub fn trace(arguments: &RenderArguments, path: SamplePath) -> Result<Ending, Fa
     }
     let trace = render::trace(&job, &arguments.target(), path.pixel, path.index)
         .map_err(Failure::Render)?;
-    // A reader that has gone away is no reason to fail.
-    let _ = writeln!(std::io::stdout(), "{trace}");
+    all_written([put(format!("{trace}\n").as_bytes())])?;
     Ok(Ending::Complete)
 }

@@ -78,7 +78,7 @@ fn what_cannot_be_measured_is_a_wrong_command_line() {
         ),
         (
             &["--html", "./c.json"],
-            "two reports would be written to one file",
+            "two outputs would be written to one file",
         ),
         (&["--crop", "0,0,13,8"], "outside the picture of 12x8"),
     ];

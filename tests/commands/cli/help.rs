@@ -7,7 +7,7 @@ fn help_names_every_flag_and_exit_code() {
     let folder = folder("");
     let help = run(folder.path(), &["--help"]);
     assert_eq!((help.code, help.err.as_str()), (Some(0), ""));
-    let flags = "-o --spp --seed --size --crop --aov --exposure --device --kernel --model --fresnel --distribution \
+    let flags = "-o --format --spp --seed --size --crop --aov --exposure --device --kernel --model --fresnel --distribution \
         --absorption --radiance-scaling --max-depth --lobe --normals --roulette --connect --sampler --json --quiet \
         --strict --trace";
     for word in flags

@@ -15,3 +15,4 @@ pub mod program;
 mod readme;
 mod refusals;
 mod rendering;
+mod streams;

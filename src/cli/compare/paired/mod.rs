@@ -3,18 +3,19 @@
 mod findings;
 mod table;
 
-use std::io::Write;
-
 use self::findings::{Findings, PAIRS};
 use super::arguments::PairedArguments;
 use crate::cli::command;
+use crate::cli::destination::all_written;
 use crate::cli::exit::{Ending, Failure, warn};
 use crate::cli::interrupt::stop_flag;
 use crate::cli::job::Ready;
 use crate::cli::progress::Display;
+use crate::cli::streams::put;
 use crate::gpu::{Device, DeviceKind};
 use crate::metrics::paired::Comparison;
 use crate::render::{self, Job, Target};
+use crate::report::human::plural;
 
 /// Compares the Vulkan device, cpu-f32 and cpu-f64 path by path, and prints a table.
 pub fn paired(arguments: &PairedArguments) -> Result<Ending, Failure> {
@@ -32,9 +33,8 @@ pub fn paired(arguments: &PairedArguments) -> Result<Ending, Failure> {
             .map(|target| command::show(&request, &target)),
     };
     if !arguments.quiet {
-        let head = head(&request.scene.display().to_string(), &job, &device);
-        // A reader that has gone away is no reason to fail.
-        let _ = write!(std::io::stdout(), "{head}{}", table::text(&findings));
+        let text = head(&request.scene.name(), &job, &device) + &table::text(&findings);
+        all_written([put(text.as_bytes())])?;
     }
     match findings.failures() {
         _ if interrupted => {
@@ -70,7 +70,10 @@ fn head(scene: &str, job: &Job, device: &Device) -> String {
     let (width, height) = (job.prepared.width, job.prepared.height);
     let info = device.info();
     format!(
-        "{scene}: {width}×{height}, {} samples per pixel, seed {}\nGPU: {}, {}\n\n",
-        job.spp, job.seed, info.name, info.driver
+        "{scene}: {width}×{height}, {} per pixel, seed {}\nGPU: {}, {}\n\n",
+        plural(job.spp.into(), "sample"),
+        job.seed,
+        info.name,
+        info.driver
     )
 }

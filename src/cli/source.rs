@@ -1,0 +1,60 @@
+//! Where a scene comes from: a file, or for `-` stdin.
+
+use std::ffi::{OsStr, OsString};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::scene::{self, Errors, Read};
+
+/// What the argument SCENE names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// `-`
+    Stdin,
+    File(PathBuf),
+}
+
+impl From<OsString> for Source {
+    fn from(word: OsString) -> Self {
+        match word.to_str() {
+            Some("-") => Self::Stdin,
+            _ => Self::File(word.into()),
+        }
+    }
+}
+
+impl Source {
+    /// Reads the scene. Meshes are looked for in the folder of the file, those of stdin in the working directory.
+    pub fn read(&self, strict: bool) -> Result<Read, Errors> {
+        match self {
+            Self::Stdin => scene::read_from(io::stdin(), Path::new(STDIN), strict),
+            Self::File(path) => scene::read(path, strict),
+        }
+    }
+
+    /// What messages and reports call it.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Stdin => STDIN.to_owned(),
+            Self::File(path) => path.display().to_string(),
+        }
+    }
+
+    /// The word that names it on a command line.
+    pub fn word(&self) -> String {
+        match self {
+            Self::Stdin => "-".to_owned(),
+            Self::File(path) => path.display().to_string(),
+        }
+    }
+
+    /// What pictures without a name of their own are called by.
+    pub fn stem(&self) -> Option<&OsStr> {
+        match self {
+            Self::Stdin => Some(OsStr::new("stdin")),
+            Self::File(path) => path.file_stem(),
+        }
+    }
+}
+
+const STDIN: &str = "<stdin>";
