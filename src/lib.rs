@@ -21,3 +21,4 @@ pub mod report;
 pub mod sample;
 pub mod scene;
 pub mod settings;
+pub mod shape;

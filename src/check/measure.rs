@@ -138,7 +138,12 @@ pub fn measure(
         kernel,
     };
     let mut measured = Measured {
-        picture: Picture::new(case.crop.unwrap_or([0, 0, prepared.width, prepared.height])),
+        picture: Picture::new(case.crop.unwrap_or([
+            0,
+            0,
+            prepared.camera.width,
+            prepared.camera.height,
+        ])),
         warnings,
         ..Measured::default()
     };

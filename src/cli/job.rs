@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use super::exit::{Failure, point_out, warn};
 use super::source::Source;
-use crate::prepared::{self, Prepared};
+use crate::prepared::{self, Camera, Prepared};
 use crate::render::{Job, KernelChoice, Until};
 use crate::scene::Scene;
 use crate::settings::Settings;
@@ -88,7 +88,7 @@ impl Ready {
 
     /// The job that the command line describes.
     pub fn job(&self, request: &Request) -> Result<Job<'_>, Failure> {
-        let Prepared { width, height, .. } = self.prepared;
+        let Camera { width, height, .. } = self.prepared.camera;
         if let Some([_, _, x1, y1]) = request
             .crop
             .filter(|crop| crop[2] > width || crop[3] > height)

@@ -42,7 +42,7 @@ pub fn explain(subject: &Subject, this: &Spirv, full: Compiled) -> Explanation {
     let prepared = subject.job.prepared;
     Explanation {
         scene: subject.scene.to_owned(),
-        size: [prepared.width, prepared.height],
+        size: [prepared.camera.width, prepared.camera.height],
         crop: subject.job.crop,
         device: subject.device.to_owned(),
         parts: parts(subject),

@@ -1,18 +1,20 @@
 //! One declaration → a `#[repr(C)]` struct, its GLSL text, and the offsets that both must share.
 //!
-//! [`gpu_struct!`](crate::gpu_struct) is the macro, [`records`] holds the declarations, [`types`] the GLSL types they are made of.
+//! [`gpu_struct!`](crate::gpu_struct) declares what the kernels alone keep ([`kernel`]), [`record!`](crate::record) what
+//! they read of a scene, with the forms in which the CPU has it. [`types`] are the GLSL types that both are made of.
 
 mod buffer_use;
 pub mod kernel;
 mod macros;
-pub mod records;
+mod record;
 pub mod types;
 
+pub use crate::record;
 pub use buffer_use::BufferUse;
 pub use kernel::{
     FilmMoments, FilmPixel, PathOutcome, PathState, Ray, Record, ShadowRay, Slice, Subpath,
 };
-pub use records::{Camera, Cuboid, Cylinder, Light, Material, Shape, Sphere};
+pub use record::{OnDevice, Vec3};
 
 /// A struct with the same bytes in Rust, in a uniform buffer (std140) and in a storage buffer (std430), alone and in an array.
 ///
@@ -56,14 +58,27 @@ fn comment(lines: &[&str], indent: &str) -> String {
 mod tests {
     use super::*;
 
+    crate::record! {
+        /// A ball: { p : |p − centre| ≤ radius }.
+        pub struct Sphere {
+            /// Rendering space.
+            centre: vec3,
+            radius: float,
+            /// Index of its shape.
+            shape: uint,
+            (pad0: uint),
+            (pad1: uint),
+            (pad2: uint),
+        }
+    }
+
     #[test]
     fn glsl_text_carries_names_types_and_units() {
         let expected = "\
 // A ball: { p : |p − centre| ≤ radius }.
 struct Sphere {
-    // Scene units.
+    // Rendering space.
     vec3 centre;
-    // Scene units.
     float radius;
     // Index of its shape.
     uint shape;
@@ -72,20 +87,20 @@ struct Sphere {
     uint pad2;
 };
 ";
-        assert_eq!(Sphere::glsl(), expected);
+        assert_eq!(device::Sphere::glsl(), expected);
     }
 
     #[test]
     fn fields_lie_where_repr_c_puts_them() {
         let sphere = Sphere {
-            centre: [1.0, 2.0, 3.0],
+            centre: glam::DVec3::new(1.0, 2.0, 3.0),
             radius: 4.0,
             shape: 5,
-            ..Sphere::default()
-        };
+        }
+        .record();
         let words: &[u32] = bytemuck::cast_slice(std::slice::from_ref(&sphere));
         let word = |name| {
-            let field = Sphere::FIELDS.iter().find(|f| f.name == name);
+            let field = device::Sphere::FIELDS.iter().find(|f| f.name == name);
             field.map(|f| words[f.offset / 4])
         };
         assert_eq!(word("centre"), Some(1.0f32.to_bits()));

@@ -58,7 +58,7 @@ pub fn prepare(
     let camera = camera(&scene.camera, &space, width, height);
     range::check_camera(&camera, scene.camera_line)?;
     range::check_materials(&materials)?;
-    range::warn_of_narrow(&camera, scene.camera_line, height, &mut warnings);
+    range::warn_of_narrow(&camera, scene.camera_line, &mut warnings);
     range::warn_of_small(&placed, &space, &mut warnings);
     range::enlarge(&mut placed);
     range::warn_of_radiances(
@@ -77,8 +77,6 @@ pub fn prepare(
         }
     }
     Ok(Prepared {
-        width,
-        height,
         space,
         camera,
         shapes,
@@ -104,6 +102,8 @@ fn camera(camera: &scene::Camera, space: &Space, width: u32, height: u32) -> Cam
     let rx = camera.ry * f64::from(width) / f64::from(height);
     Camera {
         eye: space.point(camera.eye),
+        width,
+        height,
         right: rotate(camera.orientation, DVec3::X) * rx,
         up: rotate(camera.orientation, DVec3::Y) * camera.ry,
         forward: rotate(camera.orientation, DVec3::NEG_Z),

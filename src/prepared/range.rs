@@ -58,9 +58,9 @@ pub fn check_camera(camera: &Camera, line: usize) -> Result<(), PrepareError> {
     }
 }
 
-/// Warns of pixels that single precision sees in one direction: those of a camera with a picture `height` pixels high.
-pub fn warn_of_narrow(camera: &Camera, line: usize, height: u32, warnings: &mut Vec<String>) {
-    let pixel = 2.0 * camera.up.length() / f64::from(height);
+/// Warns of pixels that single precision sees in one direction: `line` is the camera's.
+pub fn warn_of_narrow(camera: &Camera, line: usize, warnings: &mut Vec<String>) {
+    let pixel = 2.0 * camera.up.length() / f64::from(camera.height);
     if pixel < ULP {
         warnings.push(format!(
             "line {line}: the camera's pixels are {pixel:.0e} wide, and single precision tells directions apart by {ULP:.0e}: \

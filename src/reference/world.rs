@@ -15,18 +15,8 @@ use super::shape::{
     nearest_boxes, nearest_cylinders, nearest_spheres, nearest_triangles, no_hit, sphere_surface,
     triangle_surface,
 };
+pub use crate::prepared::record::light::scalar::Light;
 use crate::prepared::{LightKind, NONE, Prepared, Shape, ShapeKind};
-
-/// A light with its radiance in the scalar.
-#[derive(Clone, Copy, Debug)]
-pub struct Light<F> {
-    pub kind: LightKind,
-    pub radiance: Vec3<F>,
-    pub shape: u32,
-    /// Its first primitive, and the range of its triangles' table.
-    pub first: u32,
-    pub cdf: (usize, usize),
-}
 
 /// The scene that paths travel in.
 pub struct World<F> {
@@ -57,28 +47,38 @@ const LINEAR_PRIMITIVES: usize = 16;
 impl<F: Real> World<F> {
     /// Each number of `prepared` rounded to the scalar.
     pub fn new(prepared: &Prepared) -> Self {
-        let light = |l: &crate::prepared::Light| {
-            let first = l.cdf as usize;
-            Light {
-                kind: l.kind,
-                radiance: Vec3::new(l.radiance),
-                shape: l.shape,
-                first: l.first,
-                cdf: (first, first + l.count as usize + 1),
-            }
-        };
         let mut world = Self {
-            width: prepared.width,
-            camera: Camera::new(prepared),
+            width: prepared.camera.width,
+            camera: Camera::rounded(&prepared.camera, F::new),
             eye_medium: prepared.eye_medium,
             shapes: prepared.shapes.clone(),
-            spheres: prepared.spheres.iter().map(Sphere::new).collect(),
-            boxes: prepared.boxes.iter().map(Cuboid::new).collect(),
-            cylinders: prepared.cylinders.iter().map(Cylinder::new).collect(),
+            spheres: prepared
+                .spheres
+                .iter()
+                .map(|r| Sphere::rounded(r, F::new))
+                .collect(),
+            boxes: prepared
+                .boxes
+                .iter()
+                .map(|r| Cuboid::rounded(r, F::new))
+                .collect(),
+            cylinders: prepared
+                .cylinders
+                .iter()
+                .map(|r| Cylinder::rounded(r, F::new))
+                .collect(),
             triangles: prepared.triangles.iter().map(Triangle::new).collect(),
             normals: prepared.normals.iter().map(|n| n.map(Vec3::new)).collect(),
-            materials: prepared.materials.iter().map(Material::from).collect(),
-            lights: prepared.lights.iter().map(light).collect(),
+            materials: prepared
+                .materials
+                .iter()
+                .map(|r| Material::rounded(r, F::new))
+                .collect(),
+            lights: prepared
+                .lights
+                .iter()
+                .map(|r| Light::rounded(r, F::new))
+                .collect(),
             background_light: prepared
                 .lights
                 .iter()
@@ -146,6 +146,12 @@ impl<F: Real> World<F> {
         cdf_probability(&self.light_cdf, light as u32)
     }
 
+    /// The n + 1 entries of a mesh of n triangles in the table that chooses one.
+    fn triangles_of(&self, light: &Light<F>) -> &[u32] {
+        let first = light.cdf as usize;
+        &self.triangle_cdf[first..=first + light.count as usize]
+    }
+
     /// A direction from `p` to a point of `light`.
     pub fn light_sample(&self, light: usize, p: Vec3<F>, u24: u32, u: [F; 2]) -> LightSample<F> {
         let l = &self.lights[light];
@@ -161,7 +167,7 @@ impl<F: Real> World<F> {
             }
             LightKind::Cylinder => cylinder_light_sample(p, &self.cylinders[first], u24, u),
             LightKind::Mesh => {
-                let cdf = &self.triangle_cdf[l.cdf.0..l.cdf.1];
+                let cdf = self.triangles_of(l);
                 mesh_light_sample(p, &self.triangles, l.first, cdf, u24, u)
             }
             LightKind::Background => background_light_sample(u),
@@ -184,7 +190,7 @@ impl<F: Real> World<F> {
             }
             LightKind::Cylinder => cylinder_light_pdf(p, &self.cylinders[first], distance, cosine),
             LightKind::Mesh => {
-                let cdf = &self.triangle_cdf[l.cdf.0..l.cdf.1];
+                let cdf = self.triangles_of(l);
                 mesh_light_pdf(&self.triangles, l.first, cdf, prim, distance, cosine)
             }
             LightKind::Background => super::light::background_light_pdf(),

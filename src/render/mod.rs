@@ -99,9 +99,12 @@ impl Job<'_> {
 
     /// The pixels to be rendered.
     fn area(&self) -> Tile {
-        let [left, top, right, bottom] =
-            self.crop
-                .unwrap_or([0, 0, self.prepared.width, self.prepared.height]);
+        let [left, top, right, bottom] = self.crop.unwrap_or([
+            0,
+            0,
+            self.prepared.camera.width,
+            self.prepared.camera.height,
+        ]);
         Tile {
             x: left,
             y: top,

@@ -2,9 +2,10 @@
 
 use vkpt::kernel::{Composer, Member, StructLayout, struct_layouts};
 use vkpt::layout::{
-    Camera, Cuboid, Cylinder, Field, FilmMoments, FilmPixel, GpuStruct, Light, Material,
-    PathOutcome, PathState, Ray, Record, ShadowRay, Shape, Slice, Sphere, Subpath,
+    Field, FilmMoments, FilmPixel, GpuStruct, PathOutcome, PathState, Ray, Record, ShadowRay,
+    Slice, Subpath,
 };
+use vkpt::prepared::device::{Camera, Cuboid, Cylinder, Light, Material, Shape, Sphere};
 
 /// Name, size and member offsets, as Rust has them.
 fn ours<T: GpuStruct>() -> StructLayout {

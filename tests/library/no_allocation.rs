@@ -59,7 +59,7 @@ fn allocations<F: Real>(settings: &Settings, planted: bool) -> (u64, u64) {
     for scene in scenes(settings) {
         let world = World::<F>::new(&scene);
         let info = measure(|| {
-            longest = longest.max(follow(&world, settings, scene.height));
+            longest = longest.max(follow(&world, settings, scene.camera.height));
             if planted {
                 std::hint::black_box(Box::new(1u8));
             }

@@ -52,7 +52,9 @@ impl Variants {
     /// Width and height of the full picture.
     pub fn full_size(&self) -> [u32; 2] {
         let first = self.models.first();
-        first.map_or([0, 0], |(_, prepared)| [prepared.width, prepared.height])
+        first.map_or([0, 0], |(_, prepared)| {
+            [prepared.camera.width, prepared.camera.height]
+        })
     }
 
     /// Width and height of what is rendered of it.

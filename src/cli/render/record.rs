@@ -39,7 +39,7 @@ pub fn record(
         version: env!("CARGO_PKG_VERSION"),
         job: Job {
             scene: arguments.scene()?.name(),
-            size: [ready.prepared.width, ready.prepared.height],
+            size: [ready.prepared.camera.width, ready.prepared.camera.height],
             crop: arguments.view.crop,
             spp: outcome.spp,
             spp_asked: arguments.spp(),

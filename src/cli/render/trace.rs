@@ -17,7 +17,7 @@ pub fn trace(arguments: &RenderArguments, path: SamplePath) -> Result<Ending, Fa
         ..ready.job(&request)?
     };
     let [x, y] = path.pixel;
-    let (width, height) = (ready.prepared.width, ready.prepared.height);
+    let (width, height) = (ready.prepared.camera.width, ready.prepared.camera.height);
     if x >= width || y >= height {
         return Err(Failure::Usage(format!(
             "--trace: pixel {x},{y} is outside the picture of {width}x{height} pixels"

@@ -2,9 +2,8 @@
 
 use super::{Parameters, Recording};
 use crate::features::Features;
-use crate::layout::BufferUse;
-use crate::layout::{self, GpuStruct};
-use crate::prepared::{MaterialKind, NONE, ShapeKind};
+use crate::layout::{self, BufferUse, GpuStruct};
+use crate::prepared::{MaterialKind, NONE, ShapeKind, device};
 use crate::sample::GROUPS;
 use crate::settings::Roulette;
 
@@ -147,17 +146,17 @@ fn constants(parameters: &Parameters) -> String {
 /// Only the records that the kernel reads.
 fn structs(features: &Features) -> String {
     let has = |kind| features.shapes.contains(&kind);
-    let mut text = layout::Camera::glsl()
-        + &layout::Material::glsl()
-        + &layout::Shape::glsl()
+    let mut text = device::Camera::glsl()
+        + &device::Material::glsl()
+        + &device::Shape::glsl()
         + &layout::Ray::glsl()
         + &layout::ShadowRay::glsl()
         + &layout::Subpath::glsl();
     let optional = [
-        (has(ShapeKind::Sphere), layout::Sphere::glsl()),
-        (has(ShapeKind::Box), layout::Cuboid::glsl()),
-        (has(ShapeKind::Cylinder), layout::Cylinder::glsl()),
-        (!features.lights.is_empty(), layout::Light::glsl()),
+        (has(ShapeKind::Sphere), device::Sphere::glsl()),
+        (has(ShapeKind::Box), device::Cuboid::glsl()),
+        (has(ShapeKind::Cylinder), device::Cylinder::glsl()),
+        (!features.lights.is_empty(), device::Light::glsl()),
     ];
     text.extend(
         optional

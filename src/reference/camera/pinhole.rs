@@ -1,33 +1,7 @@
 //! A pinhole: all rays start at the eye.
 
-use crate::prepared::Prepared;
+pub use crate::prepared::record::camera::scalar::Camera;
 use crate::reference::math::{Real, Vec3, normalize3};
-
-/// The picture plane {`forward` + dx·`right` + dy·`up`}, dx and dy in [−1, 1], and the size of the picture in pixels.
-#[derive(Clone, Copy, Debug)]
-pub struct Camera<F> {
-    pub eye: Vec3<F>,
-    pub right: Vec3<F>,
-    pub up: Vec3<F>,
-    pub forward: Vec3<F>,
-    pub width: u32,
-    pub height: u32,
-}
-
-impl<F: Real> Camera<F> {
-    /// The camera of a scene, rounded to `F`.
-    pub fn new(prepared: &Prepared) -> Self {
-        let camera = &prepared.camera;
-        Self {
-            eye: Vec3::new(camera.eye),
-            right: Vec3::new(camera.right),
-            up: Vec3::new(camera.up),
-            forward: Vec3::new(camera.forward),
-            width: prepared.width,
-            height: prepared.height,
-        }
-    }
-}
 
 /// Unit direction of the ray through the point (a, b) of the pixel in column `x` and row `y`, row 0 at the top.
 ///

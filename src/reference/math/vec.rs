@@ -8,14 +8,7 @@ use std::ops::{Add, AddAssign, Div, Index, Mul, MulAssign, Neg, Sub};
 use glam::DVec3;
 
 use super::real::Real;
-
-/// A point, a direction or an RGB triple.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Vec3<F> {
-    pub x: F,
-    pub y: F,
-    pub z: F,
-}
+pub use crate::layout::Vec3;
 
 /// The vector (x, y, z).
 pub fn vec3<F>(x: F, y: F, z: F) -> Vec3<F> {
@@ -37,7 +30,7 @@ impl<F: Real> Vec3<F> {
     }
     /// Each component rounded to the nearest `F`.
     pub fn new(v: DVec3) -> Self {
-        vec3(F::new(v.x), F::new(v.y), F::new(v.z))
+        Self::rounded(v, F::new)
     }
     /// The exact values.
     pub fn f64(self) -> DVec3 {

@@ -2,27 +2,8 @@
 
 use super::ray::{Hit, Ray, Surface};
 use super::slab::{Slab, enters, first_of, slab};
-use crate::prepared;
 use crate::reference::math::{Real, Vec3, max2, min2, vec3};
-
-/// The box { p : lo ≤ p ≤ hi }.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cuboid<F> {
-    pub lo: Vec3<F>,
-    pub hi: Vec3<F>,
-    pub shape: u32,
-}
-
-impl<F: Real> Cuboid<F> {
-    /// Rounded to the scalar.
-    pub fn new(b: &prepared::Cuboid) -> Self {
-        Self {
-            lo: Vec3::new(b.lo),
-            hi: Vec3::new(b.hi),
-            shape: b.shape,
-        }
-    }
-}
+pub use crate::shape::cuboid::scalar::Cuboid;
 
 /// Distance to a box, or −1, and the face hit: 2·axis + (1 for `hi`, 0 for `lo`).
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,21 +2,9 @@
 
 use super::ray::{FAR, Hit, Ray, START_INSIDE, Surface, start_on};
 use super::slab::{PARALLEL, Slab, enters, first_of, slab};
-use crate::prepared;
 use crate::reference::math::frame::{Frame, to_local};
 use crate::reference::math::{Real, Vec3, max2, min2};
-
-/// The solid { base + x u + y v + z w : x² + y² ≤ radius², 0 ≤ z ≤ height }, (u, v, w) orthonormal.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cylinder<F> {
-    pub base: Vec3<F>,
-    pub u: Vec3<F>,
-    pub v: Vec3<F>,
-    pub w: Vec3<F>,
-    pub height: F,
-    pub radius: F,
-    pub shape: u32,
-}
+pub use crate::shape::cylinder::scalar::Cylinder;
 
 /// Parts of a cylinder, as in `prim` of a hit.
 pub const CYLINDER_SIDE: u32 = 0;
@@ -24,21 +12,6 @@ pub const CYLINDER_SIDE: u32 = 0;
 pub const CYLINDER_BASE: u32 = 1;
 /// The cap at z = height.
 pub const CYLINDER_TOP: u32 = 2;
-
-impl<F: Real> Cylinder<F> {
-    /// Rounded to the scalar.
-    pub fn new(c: &prepared::Cylinder) -> Self {
-        Self {
-            base: Vec3::new(c.base),
-            u: Vec3::new(c.u),
-            v: Vec3::new(c.v),
-            w: Vec3::new(c.w),
-            height: F::new(c.height),
-            radius: F::new(c.radius),
-            shape: c.shape,
-        }
-    }
-}
 
 /// The cylinder's own axes.
 pub fn cylinder_frame<F: Real>(cylinder: &Cylinder<F>) -> Frame<F> {

@@ -1,27 +1,8 @@
 //! Spheres; twin of `shaders/shape/sphere.glsl`.
 
 use super::ray::{Hit, Ray, START_ELSEWHERE, START_INSIDE, Surface, start_on};
-use crate::prepared;
 use crate::reference::math::{Real, Vec3, dot3, length3, max2, min2};
-
-/// The ball { p : |p − centre| ≤ radius }.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sphere<F> {
-    pub centre: Vec3<F>,
-    pub radius: F,
-    pub shape: u32,
-}
-
-impl<F: Real> Sphere<F> {
-    /// Rounded to the scalar.
-    pub fn new(s: &prepared::Sphere) -> Self {
-        Self {
-            centre: Vec3::new(s.centre),
-            radius: F::new(s.radius),
-            shape: s.shape,
-        }
-    }
-}
+pub use crate::shape::sphere::scalar::Sphere;
 
 /// Distance to the sphere's surface along the unit vector `d`, or −1.
 ///

@@ -3,12 +3,11 @@
 
 use crate::features::Features;
 use crate::flat;
-use crate::layout;
-use crate::prepared::{Light, LightKind, NONE, Prepared};
+use crate::prepared::{Light, LightKind, NONE, Prepared, device};
 
 /// The scene's lights, and behind them the one that is not there, if the kernel looks for it.
-pub fn lights(prepared: &Prepared, features: &Features) -> Vec<layout::Light> {
-    let mut lights = flat::lights(prepared);
+pub fn lights(prepared: &Prepared, features: &Features) -> Vec<device::Light> {
+    let mut lights = flat::records(&prepared.lights);
     if looks_for_more(prepared, features) {
         lights.push(DARK);
     }
@@ -42,7 +41,7 @@ pub fn normals(prepared: &Prepared) -> Vec<[[f32; 3]; 3]> {
 }
 
 /// A background that does not shine.
-const DARK: layout::Light = layout::Light {
+const DARK: device::Light = device::Light {
     radiance: [0.0; 3],
     kind: LightKind::Background as u32,
     shape: NONE,

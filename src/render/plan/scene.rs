@@ -105,23 +105,25 @@ impl<'a> Arrays<'a> {
     fn scene(&mut self, prepared: &'a Prepared, seed: u32) {
         let (materials, shapes) = (prepared.materials.len(), prepared.shapes.len());
         self.records(CAMERA, 1, move || vec![flat::camera(prepared, seed)]);
-        self.records("materials", materials, || flat::materials(prepared));
-        self.records("shapes", shapes, || flat::shapes(prepared));
+        self.records("materials", materials, || {
+            flat::records(&prepared.materials)
+        });
+        self.records("shapes", shapes, || flat::records(&prepared.shapes));
     }
 
     fn solids(&mut self, prepared: &'a Prepared, features: &Features) {
         let has = |kind| features.shapes.contains(&kind);
         if has(ShapeKind::Sphere) {
             let count = prepared.spheres.len();
-            self.records("spheres", count, || flat::spheres(prepared));
+            self.records("spheres", count, || flat::records(&prepared.spheres));
         }
         if has(ShapeKind::Box) {
             let count = prepared.boxes.len();
-            self.records("boxes", count, || flat::boxes(prepared));
+            self.records("boxes", count, || flat::records(&prepared.boxes));
         }
         if has(ShapeKind::Cylinder) {
             let count = prepared.cylinders.len();
-            self.records("cylinders", count, || flat::cylinders(prepared));
+            self.records("cylinders", count, || flat::records(&prepared.cylinders));
         }
     }
 

@@ -50,7 +50,7 @@ fn reference<F: Real>(job: &Job, [column, row]: [u32; 2], sample: u32) -> Vec<Ev
     let id = SampleId {
         column,
         row,
-        pixel: row * job.prepared.width + column,
+        pixel: row * job.prepared.camera.width + column,
         sample,
         seed: job.seed,
     };

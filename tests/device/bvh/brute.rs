@@ -21,9 +21,21 @@ pub struct World<F> {
 impl<F: Real> World<F> {
     pub fn new(prepared: &Prepared) -> Self {
         Self {
-            spheres: prepared.spheres.iter().map(Sphere::new).collect(),
-            boxes: prepared.boxes.iter().map(Cuboid::new).collect(),
-            cylinders: prepared.cylinders.iter().map(Cylinder::new).collect(),
+            spheres: prepared
+                .spheres
+                .iter()
+                .map(|r| Sphere::rounded(r, F::new))
+                .collect(),
+            boxes: prepared
+                .boxes
+                .iter()
+                .map(|r| Cuboid::rounded(r, F::new))
+                .collect(),
+            cylinders: prepared
+                .cylinders
+                .iter()
+                .map(|r| Cylinder::rounded(r, F::new))
+                .collect(),
             triangles: prepared.triangles.iter().map(Triangle::new).collect(),
         }
     }

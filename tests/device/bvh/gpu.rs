@@ -5,7 +5,7 @@ use vkpt::flat::{self, bvh, bvh::Bvh};
 use vkpt::gpu::{Buffer, BufferUse, Device, Pipeline};
 use vkpt::kernel::{Composer, Slot, compile};
 use vkpt::layout::{self, GpuStruct};
-use vkpt::prepared::{NONE, Prepared};
+use vkpt::prepared::{NONE, Prepared, device};
 use vkpt::reference::shape::Hit;
 
 use super::brute::{World, bits};
@@ -54,9 +54,17 @@ impl<'a> Search<'a> {
         let arrays: [(&str, &str, Vec<u8>); 7] = [
             ("uvec4", "bvh_words", bytes(&bvh.nodes)),
             ("uint", "bvh_references", bytes(&bvh.references)),
-            ("Sphere", "spheres", bytes(&flat::spheres(prepared))),
-            ("Cuboid", "boxes", bytes(&flat::boxes(prepared))),
-            ("Cylinder", "cylinders", bytes(&flat::cylinders(prepared))),
+            (
+                "Sphere",
+                "spheres",
+                bytes(&flat::records(&prepared.spheres)),
+            ),
+            ("Cuboid", "boxes", bytes(&flat::records(&prepared.boxes))),
+            (
+                "Cylinder",
+                "cylinders",
+                bytes(&flat::records(&prepared.cylinders)),
+            ),
             ("float", "triangle_words", bytes(&flat::triangles(prepared))),
             (
                 "uint",
@@ -138,9 +146,9 @@ fn compose(
     );
     let structs = [
         layout::Ray::glsl(),
-        layout::Sphere::glsl(),
-        layout::Cuboid::glsl(),
-        layout::Cylinder::glsl(),
+        device::Sphere::glsl(),
+        device::Cuboid::glsl(),
+        device::Cylinder::glsl(),
     ]
     .concat();
     let mut composer = Composer::new()

@@ -14,14 +14,14 @@ pub struct Builder(Prepared);
 impl Builder {
     pub fn new() -> Self {
         Self(Prepared {
-            width: 1,
-            height: 1,
             space: Space {
                 origin: DVec3::ZERO,
                 unit: 1.0,
             },
             camera: Camera {
                 eye: DVec3::ZERO,
+                width: 1,
+                height: 1,
                 right: DVec3::X,
                 up: DVec3::Y,
                 forward: DVec3::Z,

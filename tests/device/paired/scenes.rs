@@ -59,7 +59,7 @@ fn parted(job: &Job, name: &str) -> (u64, u64) {
         "{name}: the device and cpu-f32 differ"
     );
     assert_eq!((device.broken, precision.broken), (0, 0), "{name}");
-    let area = u64::from(job.prepared.width) * u64::from(job.prepared.height);
+    let area = u64::from(job.prepared.camera.width) * u64::from(job.prepared.camera.height);
     assert_eq!(device.paths, area * u64::from(job.spp), "{name}");
     let parted = precision.paths - precision.together;
     let quantile = |q| precision.closeness.quantile(q).unwrap_or(0.0);

@@ -60,14 +60,14 @@ pub fn made(by: By, case: &Case, prepared: &Prepared, spp: u32) -> Option<Vec<Ma
 
 fn by_reference<F: Real>(by: &'static str, case: &Case, prepared: &Prepared, spp: u32) -> Made {
     let world = World::<F>::new(prepared);
-    let pixels = (0..prepared.width * prepared.height)
-        .map(|pixel| (pixel % prepared.width, pixel / prepared.width));
+    let pixels = (0..prepared.camera.width * prepared.camera.height)
+        .map(|pixel| (pixel % prepared.camera.width, pixel / prepared.camera.width));
     let samples = pixels.flat_map(|place| (0..spp).map(move |sample| (place, sample)));
     let radiance = |((column, row), sample)| {
         let id = SampleId {
             column,
             row,
-            pixel: row * prepared.width + column,
+            pixel: row * prepared.camera.width + column,
             sample,
             seed: case.seed,
         };

@@ -1,6 +1,7 @@
 //! Twins of `shaders/camera/`.
 
-use vkpt::layout::{self, GpuStruct};
+use vkpt::layout::GpuStruct;
+use vkpt::prepared::device;
 use vkpt::reference::camera::{Camera, camera_direction};
 use vkpt::reference::math::{Vec3, vec3};
 
@@ -25,7 +26,7 @@ pub fn twins() -> Vec<Twin> {
     let last = 1.0 - 2f32.powi(-24);
     vec![
         Twin::new("camera_direction", "camera/pinhole")
-            .prelude(layout::Camera::glsl())
+            .prelude(device::Camera::glsl())
             .glsl(&format!(
                 "{GLSL} uint x = in_u(); uint y = in_u(); float a = in_f();
                  out_vec3(camera_direction(camera, x, y, a, in_f()));"

@@ -1,7 +1,8 @@
 //! Twins of `shaders/light/`.
 
 use vkpt::kernel::Slot;
-use vkpt::layout::{self, GpuStruct};
+use vkpt::layout::GpuStruct;
+use vkpt::prepared::device;
 use vkpt::reference::light::r#box::{face_areas, faces_seen, upper_face};
 use vkpt::reference::light::cylinder::cylinder_area;
 use vkpt::reference::light::sample::{
@@ -341,7 +342,7 @@ fn point_and_cylinder(r: &mut Rng) -> Row {
 }
 
 fn cylinders() -> Vec<Twin> {
-    let on = |name: &'static str| light(name, "light/cylinder").prelude(layout::Cylinder::glsl());
+    let on = |name: &'static str| light(name, "light/cylinder").prelude(device::Cylinder::glsl());
     vec![
         on("cylinder_area")
             .glsl(

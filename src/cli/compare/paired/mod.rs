@@ -67,7 +67,7 @@ fn compare(
 
 /// What is compared.
 fn head(scene: &str, job: &Job, device: &Device) -> String {
-    let (width, height) = (job.prepared.width, job.prepared.height);
+    let (width, height) = (job.prepared.camera.width, job.prepared.camera.height);
     let info = device.info();
     format!(
         "{scene}: {width}×{height}, {} per pixel, seed {}\nGPU: {}, {}\n\n",

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use vkpt::prepared::{MaterialKind, material::material};
 use vkpt::reference::bsdf::{BsdfSample, BsdfValue, Interaction, Material, interaction};
-use vkpt::reference::math::{Vec3, vec3};
+use vkpt::reference::math::{Real, Vec3, vec3};
 use vkpt::scene::Brdf;
 use vkpt::settings::{Distribution, Fresnel, Settings};
 
@@ -136,7 +136,7 @@ fn random_material(r: &mut Rng, kd: bool) -> Material<f32> {
         distribution: Some(pick(r, &DISTRIBUTIONS)),
         fresnel: Some(pick(r, &[Fresnel::Schlick, Fresnel::Exact])),
     };
-    Material::from(&material(&brdf, &Settings::default().model, 1))
+    Material::rounded(&material(&brdf, &Settings::default().model, 1), f32::new)
 }
 
 /// A random surface, seen from a random side.

@@ -1,7 +1,8 @@
 //! The kernels of the rows: slots filled as the settings ask, and what reads an interaction.
 
 use vkpt::kernel::Slot;
-use vkpt::layout::{self, GpuStruct};
+use vkpt::layout::GpuStruct;
+use vkpt::prepared::device;
 use vkpt::settings::{LobeChoice, Normals, Settings};
 
 use crate::twins::harness::Twin;
@@ -94,7 +95,7 @@ pub fn twin(name: &'static str, file: &'static str, settings: &Settings) -> Twin
         "bsdf/scaling/flux"
     };
     Twin::new(name, file)
-        .prelude(layout::Material::glsl())
+        .prelude(device::Material::glsl())
         .slot("distribution", Slot::Text(DISTRIBUTION.into()))
         .slot("fresnel", Slot::Text(FRESNEL.into()))
         .slot("normals", file_slot(normals))

@@ -1,7 +1,7 @@
 //! Primitives tried one after the other.
 
-use vkpt::layout::{self, GpuStruct};
-use vkpt::prepared::NONE;
+use vkpt::layout::GpuStruct;
+use vkpt::prepared::{NONE, device};
 use vkpt::reference::math::{Vec3, vec3};
 use vkpt::reference::shape::linear::nearer_solid;
 use vkpt::reference::shape::{
@@ -87,7 +87,7 @@ fn solid() -> Twin {
 }
 
 fn spheres() -> Twin {
-    let declare = format!("{}Sphere spheres[3];\n", layout::Sphere::glsl());
+    let declare = format!("{}Sphere spheres[3];\n", device::Sphere::glsl());
     let fill = "spheres[0] = Sphere(in_vec3(), in_f(), 0u, 0u, 0u, 0u);
         spheres[1] = Sphere(in_vec3(), in_f(), 2u, 0u, 0u, 0u);
         spheres[2] = Sphere(in_vec3(), in_f(), 1u, 0u, 0u, 0u);";
@@ -122,7 +122,7 @@ fn spheres() -> Twin {
 }
 
 fn boxes() -> Twin {
-    let declare = format!("{}Cuboid boxes[2];\n", layout::Cuboid::glsl());
+    let declare = format!("{}Cuboid boxes[2];\n", device::Cuboid::glsl());
     let fill = "vec3 lo = in_vec3(); boxes[0] = Cuboid(lo, 1u, in_vec3(), 0u);
         lo = in_vec3(); boxes[1] = Cuboid(lo, 0u, in_vec3(), 0u);";
     let calls = [0, 1].map(|i| format!("ray, skip, found, boxes[{i}]"));
@@ -151,7 +151,7 @@ fn boxes() -> Twin {
 }
 
 fn cylinders() -> Twin {
-    let declare = layout::Cylinder::glsl();
+    let declare = device::Cylinder::glsl();
     let calls = ["ray, skip, found, cylinder"];
     scene(
         "nearer_cylinder",

@@ -1,6 +1,7 @@
 //! Spheres, boxes, cylinders.
 
-use vkpt::layout::{self, GpuStruct};
+use vkpt::layout::GpuStruct;
+use vkpt::prepared::device;
 use vkpt::reference::math::frame::frame_about;
 use vkpt::reference::math::{Vec3, vec3};
 use vkpt::reference::shape::cylinder::side_stretch;
@@ -32,7 +33,7 @@ pub fn twins() -> Vec<Twin> {
 }
 
 fn spheres() -> Vec<Twin> {
-    let prelude = format!("{}{}", prelude(), layout::Sphere::glsl());
+    let prelude = format!("{}{}", prelude(), device::Sphere::glsl());
     let one = |o: Vec3<f32>, d: Vec3<f32>, start: u32| {
         Row::new()
             .vec3(o)
@@ -109,7 +110,7 @@ fn box_and_ray(r: &mut Rng) -> (Row, Vec3<f32>, Vec3<f32>) {
 }
 
 fn boxes() -> Vec<Twin> {
-    let prelude = format!("{}{}", prelude(), layout::Cuboid::glsl());
+    let prelude = format!("{}{}", prelude(), device::Cuboid::glsl());
     let unit = || Row::new().vec3(Vec3::zero()).vec3(Vec3::one());
     let edge = |o: [f32; 3], d: [f32; 3], start: u32| {
         unit()
@@ -174,7 +175,7 @@ fn boxes() -> Vec<Twin> {
 }
 
 fn box_parts() -> Vec<Twin> {
-    let prelude = format!("{}{}", prelude(), layout::Cuboid::glsl());
+    let prelude = format!("{}{}", prelude(), device::Cuboid::glsl());
     vec![
         Twin::new("box_face", "shape/box")
             .prelude(&*prelude)
@@ -246,7 +247,7 @@ fn upright() -> Row {
 }
 
 fn cylinders() -> Vec<Twin> {
-    let prelude = format!("{}{}", prelude(), layout::Cylinder::glsl());
+    let prelude = format!("{}{}", prelude(), device::Cylinder::glsl());
     let edge = |o: [f32; 3], d: [f32; 3], start: u32, part: u32| {
         let row = upright()
             .vec3(vec3(o[0], o[1], o[2]))
@@ -305,7 +306,7 @@ fn cylinders() -> Vec<Twin> {
 }
 
 fn cylinder_parts() -> Vec<Twin> {
-    let prelude = format!("{}{}", prelude(), layout::Cylinder::glsl());
+    let prelude = format!("{}{}", prelude(), device::Cylinder::glsl());
     vec![
         Twin::new("cylinder_frame", "shape/cylinder")
             .prelude(&*prelude)

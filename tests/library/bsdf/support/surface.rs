@@ -57,7 +57,7 @@ pub fn parameter(distribution: Distribution, width: f64) -> f64 {
 
 /// `m` seen along `wo`, nothing absorbed.
 pub fn seen<F: Real>(m: &prepared::Material, outside: bool, wo: Vec3<F>) -> Interaction<F> {
-    interaction(Material::from(m), outside, wo, Vec3::one())
+    interaction(Material::rounded(m, F::new), outside, wo, Vec3::one())
 }
 
 /// The direction at cosine `z` and azimuth `phi`.

@@ -1,0 +1,6 @@
+//! The records of a scene, each declared once: see [`record!`](crate::layout::record).
+
+pub mod camera;
+pub mod light;
+pub mod material;
+pub mod shape;
