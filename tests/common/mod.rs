@@ -1,29 +1,47 @@
-//! The Vulkan device that tests run on.
+//! What the three crates of tests share; here the Vulkan device that they run on.
 //!
-//! `VKPT_TEST_DEVICE` picks it (part of a name, or an index; default: the best). A test that finds no device fails,
-//! unless `VKPT_TEST_NO_GPU=1` says outright that the run goes without.
+//! `VKPT_TEST_DEVICE` picks it (part of a name, or an index; default: the best). A test that finds none fails, unless
+//! the run goes without (`needs`).
 
 #![allow(dead_code, reason = "each of the three crates uses a part of it")]
 
 pub mod checks;
+pub mod data;
 pub mod icosphere;
 pub mod meshes;
+pub mod needs;
 pub mod pages;
 pub mod render;
 pub mod scenes;
 pub mod settings;
 pub mod spirv_tools;
 pub mod stats;
+pub mod table;
 
 use std::sync::OnceLock;
 
-use vkpt::gpu::{Device, GpuError, Options, Selector};
+use needs::Need;
+use vkpt::gpu::{Device, DeviceKind, GpuError, Options, Selector};
 
-/// One device for all tests of a crate, under the validation layer where that is installed. `None`: the run goes
-/// without.
+/// One device for all tests of a crate, under the validation layer. `None`: the run goes without.
 pub fn device() -> Option<&'static Device> {
-    static DEVICE: OnceLock<Option<Device>> = OnceLock::new();
-    DEVICE.get_or_init(|| open(Options::default())).as_ref()
+    static DEVICE: OnceLock<Device> = OnceLock::new();
+    Need::Device.find(|| {
+        let open = || opened(Options::default()).unwrap_or_else(|e| Need::Device.fail(e));
+        Ok::<_, GpuError>(DEVICE.get_or_init(open))
+    })
+}
+
+/// The same, if it rounds ÷ and √ correctly, as CPU drivers do: only there are its bits the reference's.
+pub fn cpu_driver() -> Option<&'static Device> {
+    let device = device()?;
+    Need::CpuDriver.find(|| match device.info().kind {
+        DeviceKind::Cpu => Ok(device),
+        _ => Err(format!(
+            "{} is no CPU driver, which alone is held to the reference's bits; VKPT_TEST_DEVICE picks another",
+            device.info().name
+        )),
+    })
 }
 
 /// The device that is asked for.
@@ -31,29 +49,20 @@ pub fn selector() -> Selector {
     std::env::var("VKPT_TEST_DEVICE").map_or(Selector::Best, |name| Selector::from(name.as_str()))
 }
 
-/// A device of one's own, opened with `options` and with validation where that is installed.
+/// A device of one's own, opened with `options` and under the validation layer.
 pub fn open(options: Options) -> Option<Device> {
-    if std::env::var_os("VKPT_TEST_NO_GPU").is_some_and(|v| v == "1") {
-        println!("skipped: VKPT_TEST_NO_GPU=1");
-        return None;
-    }
-    let selector = selector();
-    let opened = match Device::open_with(
-        &selector,
-        Options {
-            validation: true,
-            ..options.clone()
-        },
-    ) {
-        Err(e @ GpuError::NoValidationLayer) => {
-            println!("not validated: {e}");
-            Device::open_with(&selector, options)
-        }
-        other => other,
+    Need::Device.find(|| opened(options))
+}
+
+/// Under the validation layer, but where the run goes without it.
+fn opened(options: Options) -> Result<Device, GpuError> {
+    let validation = !Need::Validation.waived();
+    let options = Options {
+        validation,
+        ..options
     };
-    Some(
-        opened.unwrap_or_else(|e| {
-            panic!("{e}\n(VKPT_TEST_NO_GPU=1 runs the tests that need no device)")
-        }),
-    )
+    match Device::open_with(&selector(), options) {
+        Err(e @ GpuError::NoValidationLayer) => Need::Validation.fail(e),
+        opened => opened,
+    }
 }

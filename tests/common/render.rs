@@ -14,14 +14,10 @@ pub fn prepared(text: &str, settings: &Settings) -> Prepared {
     prepare(&read.scene, settings, None).expect("a scene that can be rendered")
 }
 
-/// A scene file of the project or of the course; `None` where it is not there.
-pub fn prepared_file(path: &Path, settings: &Settings, size: Option<[u32; 2]>) -> Option<Prepared> {
-    if !path.exists() {
-        println!("skipped: {} is not there", path.display());
-        return None;
-    }
-    let read = vkpt::scene::read(path, false).expect("a good scene");
-    Some(prepare(&read.scene, settings, size).expect("a scene that can be rendered"))
+/// A scene file, prepared.
+pub fn prepared_file(path: &Path, settings: &Settings, size: Option<[u32; 2]>) -> Prepared {
+    let read = vkpt::scene::read(path, false).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    prepare(&read.scene, settings, size).expect("a scene that can be rendered")
 }
 
 pub fn job(prepared: &Prepared, settings: Settings, spp: u32, seed: u32) -> Job<'_> {

@@ -199,8 +199,8 @@ fn check_whole(job: &Job, text: &str, name: &str) {
 fn the_lines_and_the_features_agree_on_every_scene() {
     for path in scene_files() {
         for settings in [Settings::default(), Settings::handout()] {
-            let scene: Prepared = prepared_file(&path, &settings, None).expect("a scene");
-            let text = std::fs::read_to_string(&path).unwrap_or_default();
+            let scene: Prepared = prepared_file(&path, &settings, None);
+            let text = std::fs::read_to_string(&path).expect("a scene");
             check_whole(
                 &job(&scene, settings, 1, 1),
                 &text,
@@ -259,7 +259,7 @@ fn buffers_are_made_as_planned() {
     let settings = Settings::default();
     for name in ["furnace", "glass-table", "glass-mesh", "many-lights"] {
         let path = format!("scenes/{name}.txt");
-        let scene = prepared_file(path.as_ref(), &settings, Some([9, 7])).expect("a scene");
+        let scene = prepared_file(path.as_ref(), &settings, Some([9, 7]));
         let plain = job(&scene, settings, 1, 1);
         let full = Job {
             kernel: KernelChoice::Full,

@@ -13,6 +13,7 @@ use vkpt::gpu::{BufferUse, Device, Options, Selector, Statistic};
 use vkpt::kernel::{Composer, Spirv, compile};
 
 use crate::common;
+use crate::common::needs::Need;
 
 /// x[i] ← x[i]·k + i, `steps` times, written out.
 fn kernel(steps: usize) -> Spirv {
@@ -77,19 +78,17 @@ fn lines(child: Child) -> Vec<String> {
     text.lines().map(str::to_owned).collect()
 }
 
-/// radv's manifest for the loader; `None`, and told, where it is not installed.
+/// radv's manifest for the loader; `None` where the run goes without.
 fn radv() -> Option<String> {
-    let manifests = fs::read_dir("/usr/share/vulkan/icd.d")
-        .into_iter()
-        .flatten();
-    let paths = manifests.flatten().map(|entry| entry.path());
-    let found = paths
-        .map(|path| path.display().to_string())
-        .find(|path| path.contains("radeon_icd"));
-    if found.is_none() {
-        println!("skipped: Mesa's radv is not installed");
-    }
-    found
+    Need::Radv.find(|| {
+        let folder = "/usr/share/vulkan/icd.d";
+        let manifests = fs::read_dir(folder).map_err(|e| format!("{folder}: {e}"))?;
+        manifests
+            .flatten()
+            .map(|entry| entry.path().display().to_string())
+            .find(|path| path.contains("radeon_icd"))
+            .ok_or(format!("Mesa's radv is not in {folder}"))
+    })
 }
 
 /// Starts to compile for a GPU that is not there. Mesa's own cache is off: what is found is found in vkpt's.
@@ -129,12 +128,10 @@ fn nothing_is_written_where_the_driver_keeps_nothing() {
         cache: Some(folder.path().join("cache")),
         ..Options::default()
     };
-    let Some(device) = common::open(options) else {
+    let lavapipe = || Device::open_with(&Selector::from("llvmpipe"), options);
+    let Some(device) = Need::Lavapipe.find(lavapipe) else {
         return;
     };
-    if !device.info().name.contains("llvmpipe") {
-        return println!("skipped: {} may keep kernels", device.info().name);
-    }
     let buffer = device.buffer("numbers", BufferUse::Storage, 256);
     let (buffer, pipeline) = (
         buffer.expect("a buffer"),

@@ -79,7 +79,7 @@ fn check(scenes: &[&str], pictures: u32) {
     for name in scenes {
         let path = format!("{}/scenes/{name}.txt", env!("CARGO_MANIFEST_DIR"));
         let settings = Settings::default();
-        let scene = prepared_file(Path::new(&path), &settings, Some(SIZE)).expect("our own scene");
+        let scene = prepared_file(Path::new(&path), &settings, Some(SIZE));
         for sampler in [Sampler::Random, Sampler::Sobol] {
             let all = told(&scene, sampler, pictures);
             let count = misses(&all, 1.0);

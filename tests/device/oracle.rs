@@ -1,7 +1,7 @@
-//! The scene of `../shared/oracle`, which Mitsuba 3.9 has rendered to convergence, with its standard errors (model.md,
+//! The scene of `tests/data/oracle`, which Mitsuba 3.9 has rendered to convergence, with its standard errors (model.md,
 //! "Another renderer").
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use vkpt::film::{Aov, Film};
 use vkpt::image::{Picture, Precision};
@@ -11,13 +11,14 @@ use vkpt::render::{Job, Outcome, Target};
 use vkpt::settings::Settings;
 
 use crate::common;
+use crate::common::data::data;
 use crate::common::render::{job, on_device, outcome, prepared_file};
 
 /// Means of blocks then have errors near .4 %: 1 % is seen, if not in every block.
 const SPP: u32 = 256;
 
 fn file(name: &str) -> PathBuf {
-    Path::new("../shared/oracle").join(name)
+    data("oracle").join(name)
 }
 
 struct Oracle {
@@ -26,16 +27,17 @@ struct Oracle {
     stderr: Picture,
 }
 
-/// `None` where it is not there.
-fn oracle() -> Option<Oracle> {
+fn oracle() -> Oracle {
     let settings = Settings::default();
-    let scene = prepared_file(&file("cornell-beer.scn"), &settings, None)?;
-    let read = |name| vkpt::image::read(&file(name)).expect("a picture");
-    Some(Oracle {
-        scene,
-        mean: read("cornell-beer.exr"),
-        stderr: read("cornell-beer-stderr.exr"),
-    })
+    let picture = |name| {
+        let path = file(name);
+        vkpt::image::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+    };
+    Oracle {
+        scene: prepared_file(&file("cornell-beer.scn"), &settings, None),
+        mean: picture("cornell-beer.exr"),
+        stderr: picture("cornell-beer-stderr.exr"),
+    }
 }
 
 impl Oracle {
@@ -103,7 +105,7 @@ fn shifted(film: &Film) -> Film {
 
 #[test]
 fn the_device_agrees_with_mitsuba() {
-    let Some(oracle) = oracle() else { return };
+    let oracle = oracle();
     if let Some(outcome) = on_device(&oracle.job(1)) {
         oracle.judge(&outcome);
     }
@@ -111,14 +113,14 @@ fn the_device_agrees_with_mitsuba() {
 
 #[test]
 fn the_reference_agrees_with_mitsuba() {
-    let Some(oracle) = oracle() else { return };
+    let oracle = oracle();
     oracle.judge(&outcome(&oracle.job(2), &Target::CpuF64));
 }
 
 /// A swapped lobe: the glass ball reflects what it should transmit.
 #[test]
 fn a_mirror_in_place_of_the_glass_is_noticed() {
-    let Some(mut oracle) = oracle() else { return };
+    let mut oracle = oracle();
     let text = std::fs::read_to_string(file("cornell-beer.scn")).expect("the scene");
     let swapped = text.replace(
         "brdf 0 0 0  .04 .04 .04  0.05  0.9 0.4 0.12  1.5",

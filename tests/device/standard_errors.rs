@@ -5,7 +5,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 use vkpt::film::{Aov, Film};
-use vkpt::gpu::DeviceKind;
 use vkpt::prepared::Prepared;
 use vkpt::render::{DispatchLimits, End, Job, Outcome, Target, render};
 use vkpt::settings::Settings;
@@ -60,8 +59,7 @@ fn the_picture_is_the_same_with_and_without() {
 
 #[test]
 fn the_device_tells_the_errors_of_the_reference() {
-    if common::device().is_none_or(|d| d.info().kind != DeviceKind::Cpu) {
-        println!("skipped: no CPU driver");
+    if common::cpu_driver().is_none() {
         return;
     }
     for text in [TABLE, SMOOTH, WIDE] {

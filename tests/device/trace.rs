@@ -1,6 +1,5 @@
 //! `--trace`: the device and the reference in f32 tell the same story of a path, event by event.
 
-use vkpt::gpu::DeviceKind;
 use vkpt::render::{Target, trace};
 use vkpt::settings::Settings;
 
@@ -10,8 +9,7 @@ use crate::common::scenes::{SMOOTH, TABLE, WIDE};
 
 #[test]
 fn the_device_tells_the_same_story_as_the_reference() {
-    if common::device().is_none_or(|d| d.info().kind != DeviceKind::Cpu) {
-        println!("skipped: no CPU driver");
+    if common::cpu_driver().is_none() {
         return;
     }
     let target = Target::Vulkan(common::selector());

@@ -4,7 +4,6 @@ use std::sync::atomic::AtomicBool;
 
 use statrs::distribution::{Binomial, DiscreteCDF};
 use vkpt::film::Film;
-use vkpt::gpu::DeviceKind;
 use vkpt::metrics::{Errors, Pair};
 use vkpt::render::{DispatchLimits, End, ErrorAt, Job, Outcome, Target, Until, render};
 use vkpt::settings::{Connect, Settings};
@@ -60,8 +59,7 @@ fn the_error_is_told_after_powers_of_two_and_at_the_end() {
 /// The estimate is a pure function of sums that are the same to the bit; neither tiles nor dispatches are seen in it.
 #[test]
 fn the_device_tells_the_error_of_the_reference() {
-    let Some(device) = common::device().filter(|d| d.info().kind == DeviceKind::Cpu) else {
-        println!("skipped: no CPU driver");
+    let Some(device) = common::cpu_driver() else {
         return;
     };
     for text in [TABLE, SMOOTH, WIDE] {

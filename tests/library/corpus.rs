@@ -17,9 +17,9 @@ const TARGETS: [(&str, Body); 5] = [
     ("picture", bodies::picture),
 ];
 
-/// The files of a folder, sorted; none where there is no folder.
+/// The files of a folder, sorted.
 fn files(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).into_iter().flatten();
+    let entries = fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
     let mut paths: Vec<_> = entries
         .map(|entry| entry.expect("an entry").path())
         .collect();

@@ -20,6 +20,7 @@ mod kernel;
 mod kernel_layout;
 mod light;
 mod metrics;
+mod needs;
 mod no_allocation;
 mod prepared;
 mod report;

@@ -31,7 +31,7 @@ fn scenes(settings: &Settings) -> Vec<Prepared> {
     let mut all: Vec<_> = [TABLE, SMOOTH, WIDE, MIRRORS]
         .map(|text| prepared(text, settings))
         .into();
-    all.extend(mesh);
+    all.push(mesh);
     assert_eq!(all.len(), 5);
     all
 }

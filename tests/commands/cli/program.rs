@@ -6,6 +6,8 @@ use std::process::Command;
 
 use tempfile::TempDir;
 
+use crate::common::needs::Need;
+
 /// A scene that any renderer can render in no time.
 pub const SCENE: &str = "screen 8 6\ncamera 0 0 5 0.3\nlight 1 1 1\nsphere 0 0 0 1\n";
 
@@ -60,11 +62,7 @@ pub fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Whether the run goes without a Vulkan device; says that the test is skipped.
+/// Whether the run goes without a Vulkan device; else the program fails where it finds none.
 pub fn without_vulkan() -> bool {
-    let without = std::env::var_os("VKPT_TEST_NO_GPU").is_some_and(|v| v == "1");
-    if without {
-        println!("skipped: VKPT_TEST_NO_GPU=1");
-    }
-    without
+    Need::Device.skips()
 }

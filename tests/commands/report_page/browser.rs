@@ -16,6 +16,8 @@ use tempfile::TempDir;
 use tungstenite::stream::MaybeTlsStream;
 use tungstenite::{Message, WebSocket};
 
+use crate::common::needs::Need;
+
 /// No answer takes longer.
 const PATIENCE: Duration = Duration::from_secs(60);
 
@@ -31,21 +33,19 @@ pub struct Browser {
 }
 
 /// The program, by the names that distributions give it.
-fn program() -> Option<PathBuf> {
-    let path = std::env::var_os("PATH")?;
+fn program() -> Result<PathBuf, &'static str> {
+    let path = std::env::var_os("PATH").unwrap_or_default();
     let names = ["chromium", "chromium-browser", "google-chrome", "chrome"];
     let all = std::env::split_paths(&path);
     all.flat_map(|folder| names.map(|name| folder.join(name)))
         .find(|file| file.is_file())
+        .ok_or("there is no Chromium in PATH")
 }
 
 impl Browser {
-    /// `None`, and a word about it, where there is no Chromium.
+    /// `None` where the run goes without Chromium.
     pub fn start() -> Option<Self> {
-        let Some(program) = program() else {
-            println!("skipped: no chromium in PATH (Debian: apt-get install chromium)");
-            return None;
-        };
+        let program = Need::Chromium.find(program)?;
         let profile = tempfile::tempdir().expect("a folder");
         // The page is our own: nothing needs the sandbox, which root and containers do not have.
         let mut child = Command::new(program)

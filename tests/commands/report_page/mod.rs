@@ -1,7 +1,7 @@
 //! The pages of `vkpt converge --html` and, in `check`, of `vkpt check --html` in a real browser: what they show is what
 //! the records have, however they are looked at.
 //!
-//! Needs `chromium` in PATH and is skipped without. Pictures of the page stand in `target/screenshots/` afterwards.
+//! Needs Chromium in PATH. Pictures of the page stand in `target/screenshots/` afterwards.
 
 mod browser;
 mod check;

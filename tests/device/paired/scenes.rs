@@ -1,15 +1,14 @@
 //! Every scene: on a CPU driver the device equals cpu-f32 to the bit, and 99.9 % of the paths stay together with cpu-f64.
 
 use statrs::distribution::{Binomial, DiscreteCDF};
-use vkpt::gpu::DeviceKind;
 use vkpt::render::{DispatchLimits, Job, render_on};
 use vkpt::settings::Settings;
 
 use super::{compared, samples};
-use crate::common;
 use crate::common::render::{job, prepared, prepared_file};
 use crate::common::scenes::{SMOOTH, TABLE, WIDE, scene_files};
 use crate::common::settings::{estimators, models};
+use crate::common::{self, cpu_driver};
 
 /// The share of paths that may part.
 const MAY_PART: f64 = 1e-3;
@@ -42,14 +41,6 @@ fn the_binomial_statements_are_right() {
     assert!(at_least(96, 19_200) < 1e-6 && at_most(96, 19_200) > 0.999);
 }
 
-fn cpu_driver() -> bool {
-    let cpu = common::device().is_some_and(|d| d.info().kind == DeviceKind::Cpu);
-    if !cpu {
-        println!("skipped: no CPU driver");
-    }
-    cpu
-}
-
 /// Paths that parted from f64, of all; the device must equal f32.
 fn parted(job: &Job, name: &str) -> (u64, u64) {
     let [device, precision] = compared(&samples(job).expect("a device"));
@@ -77,16 +68,14 @@ fn parted(job: &Job, name: &str) -> (u64, u64) {
 /// Small pictures: none of the scenes may part significantly more often than it may. α = 1e-3 over all, by Šidák.
 #[test]
 fn every_scene_stays_together() {
-    if !cpu_driver() {
+    if cpu_driver().is_none() {
         return;
     }
     let files = scene_files();
     let alpha = 1.0 - (1.0 - 1e-3f64).powf(1.0 / files.len() as f64);
     for path in files {
         let settings = Settings::default();
-        let Some(scene) = prepared_file(&path, &settings, Some([40, 30])) else {
-            continue;
-        };
+        let scene = prepared_file(&path, &settings, Some([40, 30]));
         let (parted, paths) = parted(&job(&scene, settings, 8, 1), &path.display().to_string());
         let p = at_least(parted, paths);
         assert!(p >= alpha, "{}: p = {p:.1e}", path.display());
@@ -97,16 +86,14 @@ fn every_scene_stays_together() {
 #[test]
 #[ignore = "two minutes"]
 fn every_scene_is_shown_to_stay_together() {
-    if !cpu_driver() {
+    if cpu_driver().is_none() {
         return;
     }
     let files = scene_files();
     let alpha = 1.0 - (1.0 - 1e-3f64).powf(1.0 / files.len() as f64);
     for path in files {
         let settings = Settings::default();
-        let Some(scene) = prepared_file(&path, &settings, Some([120, 90])) else {
-            continue;
-        };
+        let scene = prepared_file(&path, &settings, Some([120, 90]));
         let (parted, paths) = parted(&job(&scene, settings, 64, 1), &path.display().to_string());
         let p = at_most(parted, paths);
         assert!(p < alpha, "{}: p = {p:.1e}", path.display());
@@ -116,7 +103,7 @@ fn every_scene_is_shown_to_stay_together() {
 /// Connections that never are, paths that end otherwise, two lights to choose from: the signatures are the same.
 #[test]
 fn the_device_equals_the_reference_with_each_setting() {
-    if !cpu_driver() {
+    if cpu_driver().is_none() {
         return;
     }
     for (name, settings) in estimators().into_iter().chain(models()) {

@@ -1,11 +1,10 @@
 //! What vkpt writes it reads again: an EXR to the bit, an HDR and a PNG to their rounding.
 
-use std::path::Path;
-
 use vkpt::film::Film;
 use vkpt::image::{Format, Precision, decode, read};
 
 use super::films::{bits, encoded, film};
+use crate::common::data::data;
 
 #[test]
 fn an_exr_keeps_bits_and_place() {
@@ -112,12 +111,7 @@ fn a_file_is_told_by_its_bytes() {
 
 #[test]
 fn the_oracle_is_read() {
-    let path = Path::new("../shared/oracle/cornell-beer.exr");
-    if !path.exists() {
-        eprintln!("skipped: {} is not here", path.display());
-        return;
-    }
-    let picture = read(path).expect("a picture");
+    let picture = read(&data("oracle/cornell-beer.exr")).expect("a picture");
     assert_eq!(picture.full, [200, 150]);
     let n = picture.film.rgb.len() as f64;
     // The means that its README states, to their five digits.

@@ -1,11 +1,10 @@
 //! What the block z-test should see, and what it cannot.
 
-use std::path::Path;
-
 use vkpt::film::Film;
 
 use super::estimates::{measured, test};
 use super::pictures::{Random, at, film, mapped};
+use crate::common::data::data;
 
 /// A picture of several colours with 5 % of noise, and its errors: what a few hundred samples give.
 fn scene() -> [Film; 2] {
@@ -95,15 +94,12 @@ fn it_cannot_see_one_broken_sample_in_a_million() {
 #[test]
 fn it_sees_one_percent_of_a_converged_picture() {
     let read = |name: &str| {
-        let path = Path::new("../shared/oracle").join(name);
-        path.exists()
-            .then(|| vkpt::image::read(&path).expect("a picture").film)
+        let path = data("oracle").join(name);
+        vkpt::image::read(&path)
+            .unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+            .film
     };
-    let (Some(oracle), Some(stderr)) = (read("cornell-beer.exr"), read("cornell-beer-stderr.exr"))
-    else {
-        println!("skipped: ../shared/oracle/cornell-beer.exr is not there");
-        return;
-    };
+    let [oracle, stderr] = ["cornell-beer.exr", "cornell-beer-stderr.exr"].map(read);
     let mut random = Random(4);
     let [image, reference] = [0, 1].map(|_| random.noisy(&oracle, &stderr));
     let brighter = mapped(&image, |v| 1.01 * v);

@@ -2,7 +2,7 @@
 
 mod bad;
 mod checks;
-mod course;
+mod classroom;
 mod fuzz;
 mod gltf;
 mod gltf_bad;

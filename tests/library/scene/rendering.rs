@@ -45,7 +45,8 @@ fn diagnostics_look_as_they_should() {
         if bless {
             std::fs::write(&expected, &answer).expect("the answer");
         }
-        let expected = std::fs::read_to_string(&expected).unwrap_or_default();
+        let expected = std::fs::read_to_string(&expected)
+            .unwrap_or_else(|e| panic!("{}: {e}", expected.display()));
         assert_eq!(answer, expected, "{}", scene.display());
     }
 }

@@ -7,4 +7,3 @@ pub mod random;
 pub mod rqmc;
 pub mod statistics;
 pub mod surface;
-pub mod table;

@@ -1,9 +1,11 @@
-//! The reference tables, `../shared/spec/tables`.
+//! The reference tables, `tests/data/tables`.
 
 use std::collections::HashMap;
-use std::path::Path;
+use std::fmt::{self, Debug, Formatter};
 
 use vkpt::settings::Distribution;
+
+use super::data::data;
 
 /// A table: names of the columns, and the cells of each row.
 pub struct Table {
@@ -11,21 +13,18 @@ pub struct Table {
     rows: Vec<Vec<String>>,
 }
 
-/// A row of a [`Table`].
+/// A row of a [`Table`]; shown as its cells.
 pub struct Row<'a> {
     table: &'a Table,
     cells: &'a [String],
 }
 
 impl Table {
-    /// Reads a table; `None`, with a line that says so, where the tables are not at hand.
-    pub fn open(name: &str) -> Option<Self> {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/spec/tables");
-        let path = folder.join(name);
-        let Ok(text) = std::fs::read_to_string(&path) else {
-            println!("skipped: the reference table {} is absent", path.display());
-            return None;
-        };
+    /// Reads `tests/data/tables/NAME`.
+    pub fn open(name: &str) -> Self {
+        let path = data("tables").join(name);
+        let text =
+            std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
         let mut lines = text
             .lines()
             .map(|l| l.split(',').map(str::to_owned).collect::<Vec<_>>());
@@ -37,11 +36,17 @@ impl Table {
             .collect();
         let rows: Vec<_> = lines.collect();
         assert!(!rows.is_empty(), "{name} has no rows");
-        Some(Self { columns, rows })
+        Self { columns, rows }
     }
 
     pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         self.rows.iter().map(|cells| Row { table: self, cells })
+    }
+}
+
+impl Debug for Row<'_> {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        f.write_str(&self.cells.join(","))
     }
 }
 

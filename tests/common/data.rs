@@ -1,0 +1,14 @@
+//! The files of tests/data.
+
+use std::path::{Path, PathBuf};
+
+/// The path of `tests/data/NAME`. A test that needs a file fails without it.
+pub fn data(name: &str) -> PathBuf {
+    let path = Path::new("tests/data").join(name);
+    assert!(
+        path.exists(),
+        "{} is missing; it is part of this repository",
+        path.display()
+    );
+    path
+}
