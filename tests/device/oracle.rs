@@ -3,9 +3,10 @@
 
 use std::path::PathBuf;
 
+use statrs::distribution::{ContinuousCDF, Normal};
 use vkpt::film::{Aov, Film};
 use vkpt::image::{Picture, Precision};
-use vkpt::metrics::blocks::{ALPHA, BlockTest, Estimate, Stderr, z_test};
+use vkpt::metrics::blocks::{ALPHA, Block, BlockTest, Estimate, Stderr, z_test};
 use vkpt::prepared::Prepared;
 use vkpt::render::{Job, Outcome, Target};
 use vkpt::settings::Settings;
@@ -84,6 +85,20 @@ impl Oracle {
             assert!(!test.passes(), "{name} passes");
         }
         assert!(!self.test(&shifted(&outcome.film), stderr).passes());
+        self.each_block_notices(&outcome.film, stderr);
+    }
+
+    /// 5 % more: each block must notice where that is five standard errors above the test's critical value. So it is where
+    /// both pictures together know the block's mean to half a per cent.
+    fn each_block_notices(&self, film: &Film, stderr: &Film) {
+        let test = self.test(&mapped(film, |x| x * 1.05), stderr);
+        let critical = Normal::standard().inverse_cdf(1.0 - test.level() / 2.0);
+        let must = |b: &&Block| 0.05 * b.means[1] > (critical + 5.0) * b.stderr;
+        let blocks = test.blocks().iter().filter(must);
+        println!("5 % must be noticed in {} blocks", blocks.clone().count());
+        for block in blocks {
+            assert!(block.p < test.level(), "{block:?}");
+        }
     }
 }
 

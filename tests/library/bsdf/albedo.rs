@@ -80,7 +80,7 @@ fn energy_that_single_scattering_loses() {
         for side in ["outside", "inside"] {
             let glass = dielectric(d, alpha, 1.5);
             // over the hemisphere of wo, by its cosine
-            let [r, both] = estimate(POINTS, i as u64, |[z2, x, y]: [f64; 3]| {
+            let [r, both] = estimate(4 * POINTS, i as u64, |[z2, x, y]: [f64; 3]| {
                 let at = seen(&glass, side == "outside", direction((1.0 - z2).sqrt(), 0.3));
                 let [r, t] = split(&usual(), &at, [x, y]);
                 [r, r + t]

@@ -161,6 +161,20 @@ fn probabilities(case: &Case, choice: LobeChoice, c: f64) -> [f64; 2] {
     [p_d, p_r]
 }
 
+/// Probabilities of diffuse, reflected and transmitted samples.
+fn shares(case: &Case, choice: LobeChoice, c: f64) -> [f64; 3] {
+    let [p_d, p_r] = probabilities(case, choice, c);
+    [p_d, (1.0 - p_d) * p_r, (1.0 - p_d) * (1.0 - p_r)]
+}
+
+/// The index of the largest of them.
+fn likeliest(case: &Case, choice: LobeChoice, c: f64) -> usize {
+    let shares = shares(case, choice, c);
+    let mut order = [0, 1, 2];
+    order.sort_by(|&i, &j| shares[j].total_cmp(&shares[i]));
+    order[0]
+}
+
 /// p-values of the numbers of diffuse, reflected and transmitted samples, if each probability were `factor` times
 /// what it is.
 fn frequencies(case: &Case, choice: LobeChoice, c: f64, seed: u64, factor: f64) -> [f64; 3] {
@@ -176,8 +190,7 @@ fn frequencies(case: &Case, choice: LobeChoice, c: f64, seed: u64, factor: f64) 
             other => panic!("lobe {other} at a smooth surface"),
         }
     }
-    let [p_d, p_r] = probabilities(case, choice, c);
-    let expected = [p_d, (1.0 - p_d) * p_r, (1.0 - p_d) * (1.0 - p_r)];
+    let expected = shares(case, choice, c);
     std::array::from_fn(|i| binomial_p(counts[i], SAMPLES, factor * expected[i], 1e-12))
 }
 
@@ -188,7 +201,7 @@ fn lobes_are_drawn_as_often_as_they_should_be() {
     // 0.7 is beyond the critical angle of glass, from inside
     let cosines = [1.0, 0.85, 0.7, 0.2];
     let least = sidak(LEVEL, 3 * 2 * cosines.len() * cases.len());
-    let (mut seed, mut noticed) = (0, 0);
+    let mut seed = 0;
     for case in &cases {
         for (choice, c) in [LobeChoice::Fresnel, LobeChoice::Norms]
             .into_iter()
@@ -198,9 +211,10 @@ fn lobes_are_drawn_as_often_as_they_should_be() {
             let p = frequencies(case, choice, c, seed, 1.0);
             let name = format!("{}, {choice:?}, {}, {c}", case.name, case.outside);
             assert!(p.iter().all(|p| *p > least), "{name}: {p:?}");
+            // The likeliest of three lobes has a probability of ⅓ or more, of which 3 % are nine standard errors.
             let off = frequencies(case, choice, c, seed, 0.97);
-            noticed += usize::from(off.iter().any(|p| *p < least));
+            let likeliest = likeliest(case, choice, c);
+            assert!(off[likeliest] < least, "{name}: {off:?} passes × 0.97");
         }
     }
-    assert_eq!(noticed, 2 * cosines.len() * cases.len());
 }

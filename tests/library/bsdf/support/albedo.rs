@@ -54,29 +54,47 @@ impl Comparison {
     pub fn add(&mut self, name: String, found: Estimate, expected: f64) {
         self.0.push((name, found, expected));
     }
-    /// What is rejected, if all expectations were `factor` times what they are.
-    pub fn rejected(&self, factor: f64) -> Vec<String> {
+    /// What is rejected.
+    pub fn rejected(&self) -> Vec<String> {
         let least = sidak(LEVEL, self.0.len());
-        let bad = |(_, e, x): &&(String, Estimate, f64)| e.p_value(factor * x, UNCERTAINTY) < least;
+        let bad = |(_, e, x): &&(String, Estimate, f64)| e.p_value(*x, UNCERTAINTY) < least;
         let text = |(name, e, x): &(String, Estimate, f64)| {
             format!("{name}: {} ± {:.1e}, not {x}", e.mean, e.error)
         };
         self.0.iter().filter(bad).map(text).collect()
     }
-    /// Holds, and would not with expectations one percent off in most of them.
+    /// The same estimates, with expectations of which each is wrong: by 1 %, or by what so many points tell of an integral
+    /// where that is more.
+    fn planted(&self) -> Self {
+        let wrong = |e: &Estimate, x: f64| x + (0.01 * x).max(told(e));
+        let all = self.0.iter();
+        Self(
+            all.map(|(name, e, x)| (name.clone(), *e, wrong(e, *x)))
+                .collect(),
+        )
+    }
+    /// Holds, and every expectation, were it planted, would be rejected.
     pub fn assert_holds(&self) {
-        let bad = self.rejected(1.0);
+        let (bad, planted) = (self.rejected(), self.planted().rejected());
+        let all = self.0.len();
         assert!(
             bad.is_empty(),
-            "{} of {}:\n{}",
+            "{} of {all}:\n{}",
             bad.len(),
-            self.0.len(),
             bad.join("\n")
         );
-        let (seen, all) = (self.rejected(1.01).len(), self.0.len());
-        assert!(
-            10 * seen > 9 * all,
-            "an error of 1 % is seen in {seen} of {all} only"
+        assert_eq!(
+            planted.len(),
+            all,
+            "of the planted ones:\n{}",
+            planted.join("\n")
         );
     }
+}
+
+/// What the points of a Kronecker sequence tell of an integral over two numbers, [`POINTS`] of them, and over three, four
+/// times as many. They leave errors of some 1/[`POINTS`] times the variation of the integrand, over the root of the number
+/// of shifts: 1e-4, of which the test needs five and the truth may take as much; over three numbers twice that.
+fn told(e: &Estimate) -> f64 {
+    if e.dimensions == 2 { 1e-3 } else { 2e-3 }
 }

@@ -12,6 +12,8 @@ pub struct Estimate {
     pub mean: f64,
     /// Standard error of `mean`.
     pub error: f64,
+    /// Of the cube.
+    pub dimensions: usize,
 }
 
 impl Estimate {
@@ -54,6 +56,7 @@ pub fn estimate<const D: usize, const K: usize>(
         Estimate {
             mean,
             error: (squares / (n * (n - 1.0))).sqrt(),
+            dimensions: D,
         }
     })
 }
