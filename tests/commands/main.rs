@@ -5,3 +5,4 @@ mod common;
 
 mod cli;
 mod report_page;
+mod scripts;

@@ -1,0 +1,120 @@
+//! `scripts/test`: what it installs, what it says, and what it hands to cargo. It runs in a PATH of its own, whose cargo
+//! and apt-get only write down that they were called.
+#![cfg(unix)]
+
+use std::fs;
+use std::os::unix::fs::{PermissionsExt, symlink};
+use std::path::Path;
+use std::process::Command;
+
+use tempfile::TempDir;
+
+/// Programs that say who was called. There is a Vulkan device once its driver is installed.
+const CARGO: &str = r#"echo "cargo $*" >>"$CALLS"
+[ "$1" != run ] || grep -q mesa-vulkan-drivers "$CALLS" || exit 4"#;
+const APT_GET: &str = r#"echo "apt-get $*" >>"$CALLS""#;
+const SUDO: &str = r#"exec "$@""#;
+
+/// A PATH, and the file that calls are written to.
+struct Machine {
+    folder: TempDir,
+}
+
+/// How the script ended, what it said, and the calls that it made.
+struct Run {
+    code: Option<i32>,
+    said: String,
+    calls: String,
+}
+
+impl Machine {
+    /// A machine on which `programs` are installed.
+    fn with(programs: &[(&str, &str)]) -> Self {
+        let folder = tempfile::tempdir().expect("a folder");
+        for name in ["bash", "env", "dirname", "id", "sed", "grep"] {
+            let found = ["/usr/bin", "/bin"]
+                .map(|folder| Path::new(folder).join(name))
+                .into_iter()
+                .find(|path| path.exists())
+                .unwrap_or_else(|| panic!("no {name}"));
+            symlink(found, folder.path().join(name)).expect("a link");
+        }
+        for (name, body) in programs {
+            let path = folder.path().join(name);
+            fs::write(&path, format!("#!/usr/bin/env bash\n{body}\n")).expect("a program");
+            fs::set_permissions(path, fs::Permissions::from_mode(0o755)).expect("a program");
+        }
+        Self { folder }
+    }
+
+    fn test(&self, arguments: &[&str], variables: &[(&str, &str)]) -> Run {
+        let calls = self.folder.path().join("calls");
+        fs::write(&calls, "").expect("a file");
+        let output = Command::new("scripts/test")
+            .args(arguments)
+            .env_clear()
+            .env("PATH", self.folder.path())
+            .env("CALLS", &calls)
+            .envs(variables.iter().copied())
+            .output()
+            .expect("the script runs");
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        Run {
+            code: output.status.code(),
+            said: text(&output.stdout) + &text(&output.stderr),
+            calls: fs::read_to_string(calls).expect("a file"),
+        }
+    }
+}
+
+const LINKED: [(&str, &str); 4] = [
+    ("cargo", CARGO),
+    ("cc", ""),
+    ("apt-get", APT_GET),
+    ("sudo", SUDO),
+];
+
+#[test]
+fn without_the_flag_a_driver_is_installed_and_then_there_is_a_device() {
+    let run = Machine::with(&LINKED).test(&["twins"], &[]);
+    assert_eq!(run.code, Some(0), "{}", run.said);
+    let installed = run.calls.find("apt-get -qq install").expect("an install");
+    let tested = run.calls.find("cargo test twins\n").expect("tests");
+    assert!(installed < tested, "{}", run.calls);
+}
+
+#[test]
+fn no_install_installs_nothing_and_says_what_is_missing() {
+    let without = |missing: &str| {
+        let there: Vec<_> = LINKED
+            .into_iter()
+            .filter(|(name, _)| *name != missing)
+            .collect();
+        Machine::with(&there).test(&["--no-install"], &[])
+    };
+    for (missing, said) in [
+        ("cargo", "https://rustup.rs"),
+        ("cc", "gcc libc6-dev"),
+        ("nothing but a driver", "mesa-vulkan-drivers"),
+    ] {
+        let run = without(missing);
+        assert_eq!(run.code, Some(1), "{missing}: {}", run.said);
+        assert!(run.said.contains(said), "{missing}: {}", run.said);
+        for call in ["apt-get", "cargo test"] {
+            assert!(!run.calls.contains(call), "{missing}: {}", run.calls);
+        }
+    }
+}
+
+#[test]
+fn tests_that_need_no_device_run_without_one_and_without_other_programs() {
+    let run = Machine::with(&LINKED).test(
+        &["twins", "--no-install", "--", "--ignored"],
+        &[("VKPT_TEST_NO_GPU", "1")],
+    );
+    assert_eq!(run.code, Some(0), "{}", run.said);
+    assert_eq!(run.calls, "cargo build\ncargo test twins -- --ignored\n");
+    for package in ["spirv-tools", "chromium"] {
+        assert!(run.said.contains(package), "{}", run.said);
+    }
+}
