@@ -75,6 +75,16 @@ pub enum Connect {
     Bsdf,
 }
 
+/// Which paths find the light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Integrator {
+    /// Paths from the eye.
+    Path,
+    /// Paths from the lights, each vertex joined to the eye: sees neither mirrors nor through smooth glass, nor the
+    /// background.
+    Light,
+}
+
 /// Which numbers the samples of a pixel draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Sampler {
@@ -100,6 +110,7 @@ pub struct Model {
 /// How fast it converges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimator {
+    pub integrator: Integrator,
     pub lobe: LobeChoice,
     pub normals: Normals,
     pub roulette: Roulette,
@@ -125,6 +136,7 @@ impl Default for Settings {
                 max_depth: None,
             },
             estimator: Estimator {
+                integrator: Integrator::Path,
                 lobe: LobeChoice::Fresnel,
                 normals: Normals::Visible,
                 roulette: Roulette::Throughput,
@@ -146,5 +158,14 @@ impl Settings {
         s.estimator.roulette = Roulette::Constant(0.8);
         s.estimator.sampler = Sampler::Random;
         s
+    }
+
+    /// Those under which a BSDF carries light from the light's side: f with its arguments swapped. Reflection is symmetric.
+    /// Refraction is not: f(wi, wo) = eta² f(wo, wi) without radiance scaling, so that what scales radiance on paths from
+    /// the eye has no factor on paths from a light, and the other way round (model.md, "Radiance scaling"; Veach 1997,
+    /// section 5.2).
+    pub fn adjoint(mut self) -> Self {
+        self.model.radiance_scaling = !self.model.radiance_scaling;
+        self
     }
 }

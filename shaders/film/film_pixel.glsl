@@ -1,12 +1,7 @@
 // A pixel of the film: the sum of its samples, and what was counted on the way.
 // Twin of src/reference/film/film_pixel.rs.
 
-// uses: film/pixel_sum
-
-bool has_nan(vec3 v) {
-    uvec3 bits = floatBitsToUint(v) & uvec3(0x7fffffffu);
-    return bits.x > 0x7f800000u || bits.y > 0x7f800000u || bits.z > 0x7f800000u;
-}
+// uses: math/finite, film/pixel_sum
 
 // Adds a sample; one that is broken, or too large to add up, counts as 0, and by its cause. Samples of even and of odd index are the two groups.
 void film_sample(inout FilmPixel pixel, vec3 radiance) {

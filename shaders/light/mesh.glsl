@@ -1,26 +1,7 @@
 // Meshes as lights. A mesh of `count` triangles from number `first` has count + 1 entries of triangle_cdf from `cdf`.
 // Twin of src/reference/light/mesh.rs.
 
-// uses: math/vec, math/steps, shape/triangle/area, light/sample, <triangles>
-
-// The triangle, from 0, with triangle_cdf[cdf + i] <= u24 < triangle_cdf[cdf + i + 1], for u24 < 2^24.
-uint triangle_choice(uint cdf, uint count, uint u24) {
-    uint low = 0u;
-    uint high = count;
-    while (high - low > 1u) {
-        loop_steps += 1u;
-        uint middle = (low + high) / 2u;
-        bool below = triangle_cdf[cdf + middle] <= u24;
-        low = below ? middle : low;
-        high = below ? high : middle;
-    }
-    return low;
-}
-
-// The probability of that choice, exact.
-float triangle_pmf(uint cdf, uint i) {
-    return float(triangle_cdf[cdf + i + 1u] - triangle_cdf[cdf + i]) * 5.9604644775390625e-8;
-}
+// uses: math/vec, shape/triangle/area, light/sample, light/triangle_choice, <triangles>
 
 // A point of a mesh: the triangle by u24 < 2^24, then a point uniform in it.
 //

@@ -15,3 +15,9 @@ const float LEAST_NORMAL = 1.1754943508222875e-38;
 bool is_black(vec3 v) {
     return v.x <= 0.0 && v.y <= 0.0 && v.z <= 0.0;
 }
+
+// Some component is NaN.
+bool has_nan(vec3 v) {
+    uvec3 bits = floatBitsToUint(v) & uvec3(0x7fffffffu);
+    return bits.x > 0x7f800000u || bits.y > 0x7f800000u || bits.z > 0x7f800000u;
+}

@@ -1,6 +1,6 @@
 // Where a path goes on from a vertex.
 // Twin of src/reference/path/extend.rs.
-// uses: math/finite, path/vertex, path/spawn, path/throughput, sampler/dimensions, sampler/unit_float, sampler/chance, <sampler>, <bsdf>, <crossing>, <roulette>
+// uses: math/finite, path/vertex, path/spawn, path/throughput, sampler/dimensions, sampler/unit_float, sampler/chance, <sampler>, <blocks>, <bsdf>, <correction>, <crossing>, <roulette>
 
 // What came of the attempt.
 struct Extension {
@@ -15,15 +15,16 @@ struct Extension {
 
 // Draws the next direction and moves the path onto it, where there is one.
 Extension extend(inout Subpath path, Vertex v, uint pixel_index, uint sample_index) {
-    uvec4 u = sampler_block(pixel_index, sample_index, bsdf_block(path.bounce), camera.seed);
-    uvec4 w = sampler_block(pixel_index, sample_index, roulette_block(path.bounce), camera.seed);
+    uvec4 u = sampler_block(pixel_index, sample_index, path_block(bsdf_block(path.bounce)), camera.seed);
+    uvec4 w = sampler_block(pixel_index, sample_index, path_block(roulette_block(path.bounce)), camera.seed);
     BsdfRandom random = BsdfRandom(unit_float(u.x), unit_float(u.y), vec2(unit_float(u.z), unit_float(u.w)),
                                    vec2(unit_float(w.y), unit_float(w.z)));
     BsdfSample b = bsdf_sample(v.interaction, random);
     vec3 wi = to_world(v.frame, b.wi);
     bool found = b.lobe != LOBE_NONE && same_sides(v, wi, b.wi);
-    bool faint = underflows(path.throughput, b.weight);
-    path.throughput *= b.weight;
+    vec3 weight = corrected(v, wi, b.wi, b.weight);
+    bool faint = underflows(path.throughput, weight);
+    path.throughput *= weight;
     bool through = leads_through(b.wi);
     path.eta_scale *= crossing_scale(v, through);
     float survival = chance(roulette_survival(path.throughput, path.eta_scale, path.bounce));

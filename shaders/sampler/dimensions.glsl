@@ -10,7 +10,14 @@
 // Bounce 0 is at the first surface that the camera sees. A number that a path has no use for is skipped,
 // never given to something else.
 
+//
+// A light path has blocks of its own, LIGHT_PATH + the same numbers: camera_block chooses its light (x), the primitive (y) and
+// the point (z, w), light_block(0) its direction (x, y).
+
 // uses:
+
+// Far beyond the blocks of any eye path, also after the multiplication by GROUPS in sampler/sobol.
+const uint LIGHT_PATH = 1073741824u;
 
 // Where in its pixel the camera ray goes through.
 uint camera_block() {

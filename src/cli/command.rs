@@ -43,6 +43,7 @@ fn settings(settings: &Settings) -> Vec<String> {
             ("absorption", s.absorption.to_owned()),
             ("radiance-scaling", switch(s.radiance_scaling)),
             ("max-depth", depth(s.max_depth)),
+            ("integrator", s.integrator.to_owned()),
             ("lobe", s.lobe.to_owned()),
             ("normals", s.normals.to_owned()),
             ("roulette", s.roulette),

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use super::integrator;
 use super::exit::{Failure, point_out, warn};
 use super::source::Source;
 use crate::prepared::{self, Camera, Prepared};
@@ -58,16 +59,19 @@ impl Loaded {
 
     /// The scene by the settings of the request.
     pub fn prepare(&self, request: &Request) -> Result<Ready, Failure> {
+        integrator::check(&request.settings)?;
         let start = Instant::now();
         let prepared = self.prepare_in_silence(request)?;
         let prepare_s = start.elapsed().as_secs_f64();
         if request.strict && !prepared.warnings.is_empty() {
             return Err(Failure::Strict(prepared.warnings));
         }
-        prepared.warnings.iter().for_each(|warning| warn(warning));
+        let mut warnings = prepared.warnings.clone();
+        warnings.extend(integrator::unseen(&prepared, &request.settings));
+        warnings.iter().for_each(|warning| warn(warning));
         Ok(Ready {
             settings: request.settings,
-            warnings: [&self.warnings[..], &prepared.warnings].concat(),
+            warnings: [&self.warnings[..], &warnings].concat(),
             read_s: self.read_s,
             prepare_s,
             prepared,

@@ -11,6 +11,7 @@ mod devices;
 mod doctor;
 mod exit;
 mod explain;
+mod integrator;
 mod interrupt;
 mod job;
 mod progress;

@@ -2,8 +2,8 @@
 
 use super::values::{self, Preset, choice};
 use crate::settings::{
-    Absorption, Connect, DistributionRule, Fresnel, LobeChoice, Normals, Roulette, Sampler,
-    Settings,
+    Absorption, Connect, DistributionRule, Fresnel, Integrator, LobeChoice, Normals, Roulette,
+    Sampler, Settings,
 };
 
 const MODEL: &str = "Model (what the picture converges to)";
@@ -43,6 +43,12 @@ pub struct SettingArguments {
     /// Longest path in bounces: 0 shows emitters, 1 adds direct light [default: no cap]
     #[arg(long, value_name = "N", help_heading = MODEL)]
     pub max_depth: Option<u32>,
+
+    /// Which paths find the light: those from the eye, or those from the lights, each vertex joined
+    /// to the eye, which see neither mirrors nor through smooth glass: path or light [default: path]
+    #[arg(long, value_name = "PATHS", help_heading = ESTIMATOR)]
+    #[arg(value_parser = choice::<Integrator>(), hide_possible_values = true)]
+    pub integrator: Option<Integrator>,
 
     /// How a lobe is chosen: by its share of fresnel, or by the norms of Kd, Ks and Kt [default:
     /// fresnel]
@@ -105,6 +111,7 @@ impl SettingArguments {
         replace(&mut model.absorption, self.absorption);
         replace(&mut model.radiance_scaling, self.radiance_scaling);
         model.max_depth = self.max_depth.or(model.max_depth);
+        replace(&mut estimator.integrator, self.integrator);
         replace(&mut estimator.lobe, self.lobe);
         replace(&mut estimator.normals, self.normals);
         replace(&mut estimator.roulette, self.roulette);

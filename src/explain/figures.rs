@@ -28,7 +28,7 @@ pub fn buffers(plan: &Plan) -> Vec<Buffer> {
         written,
     };
     let read = plan.scene.iter().map(|&a| buffer(a, false));
-    read.chain(plan.state.plans().map(|a| buffer(a, true)))
+    read.chain(plan.state.plans().into_iter().map(|a| buffer(a, true)))
         .collect()
 }
 
@@ -44,20 +44,13 @@ pub fn hierarchy(h: &HierarchyPlan) -> Hierarchy {
 }
 
 pub fn memory(job: &Job, plan: &Plan) -> Memory {
-    // A tile on the device holds as much a pixel as the host keeps of it, but for its paths.
-    let kept = [Some(plan.state.film), plan.state.moments];
-    let a_pixel: u64 = kept
-        .into_iter()
-        .flatten()
-        .map(|array| array.bytes / u64::from(plan.tile_pixels))
-        .sum();
     let films = 1 + job.aovs.contains(&Aov::Stderr) as u64;
     Memory {
         device: plan.device_bytes(),
         tile_pixels: plan.tile_pixels,
         tiles: plan.tiles,
         scene: scene(job.prepared),
-        films: plan.pixels * a_pixel,
+        films: plan.pixels * plan.state.film_bytes(),
         pictures: films * plan.pixels * size_of::<[f32; 3]>() as u64,
     }
 }

@@ -14,7 +14,8 @@ use glam::DVec3;
 use crate::film::Aov;
 use crate::prepared::{LightKind, Material, MaterialKind, Prepared, ShapeKind};
 use crate::settings::{
-    Absorption, Connect, Distribution, Fresnel, LobeChoice, Normals, Roulette, Sampler, Settings,
+    Absorption, Connect, Distribution, Fresnel, Integrator, LobeChoice, Normals, Roulette, Sampler,
+    Settings,
 };
 pub use member::Member;
 
@@ -43,6 +44,7 @@ pub struct Features {
     pub lights: BTreeSet<LightKind>,
     /// More than one light to choose from.
     pub many_lights: bool,
+    pub integrator: Integrator,
     pub normals: Normals,
     pub lobe: LobeChoice,
     pub connect: Connect,
@@ -118,6 +120,7 @@ impl Features {
             fresnel: BTreeSet::new(),
             lights: BTreeSet::new(),
             many_lights: false,
+            integrator: estimator.integrator,
             normals: estimator.normals,
             lobe: estimator.lobe,
             connect: estimator.connect,

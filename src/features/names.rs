@@ -16,6 +16,7 @@ impl Features {
             set("distributions", list(&self.distributions)),
             set("fresnel", list(&self.fresnel)),
             set("lights", list(&self.lights)),
+            set("integrator", lower(&self.integrator)),
             set("normals", lower(&self.normals)),
             set("lobe", lower(&self.lobe)),
             set("connect", lower(&self.connect)),

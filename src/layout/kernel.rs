@@ -151,4 +151,71 @@ crate::gpu_struct! {
         /// Material that the eye stands in, or NONE.
         eye_medium: uint,
     }
+
+    /// A thread of light tracing between two dispatches.
+    pub struct LightState {
+        path: Subpath,
+        shadow: ShadowRay,
+        /// π L/(P p_A) of the path's first vertex.
+        power: vec3,
+        /// Light paths begun, from the first sample on.
+        index: uint,
+        /// The pixel, and the sample index, that the pending connection belongs to.
+        pixel: uint,
+        splat_sample: uint,
+        pad0: uint,
+        pad1: uint,
+    }
+
+    /// What a thread of light tracing did in one dispatch.
+    pub struct LightLane {
+        /// Slots filled.
+        splats: uint,
+        /// 1: there are light paths to go on with.
+        unfinished: uint,
+        rays: uint,
+        /// Loops that ended before their own end condition held.
+        loops: uint,
+        /// Paths that reached the bounce from which even lossless ones may end.
+        long_paths: uint,
+        /// Paths that ended because f32 holds no less throughput.
+        underflows: uint,
+        /// Paths that ended because their throughput was NaN.
+        nan: uint,
+        /// The same, infinite.
+        infinite: uint,
+    }
+
+    /// Light that arrived at a pixel.
+    pub struct Splat {
+        /// What it adds to the pixel's mean of one sample index, W·sr⁻¹·m⁻².
+        value: vec3,
+        /// row · width + column of the full picture.
+        pixel: uint,
+        /// The sample index of its light path.
+        index: uint,
+        pad0: uint,
+        pad1: uint,
+        pad2: uint,
+    }
+
+    /// What one dispatch of light tracing is to do.
+    pub struct LightSlice {
+        /// The light paths: a rectangle of pixels from the top left of the full picture.
+        tile_x: uint,
+        tile_y: uint,
+        tile_width: uint,
+        tile_height: uint,
+        /// The pixels that are rendered.
+        film_x: uint,
+        film_y: uint,
+        film_width: uint,
+        film_height: uint,
+        /// Each thread is to have begun its light paths below this sample index.
+        sample_end: uint,
+        /// Loop steps after which a thread hands its path over to the next dispatch.
+        budget: uint,
+        pad0: uint,
+        pad1: uint,
+    }
 }

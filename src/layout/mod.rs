@@ -12,7 +12,8 @@ pub mod types;
 pub use crate::record;
 pub use buffer_use::BufferUse;
 pub use kernel::{
-    FilmMoments, FilmPixel, PathOutcome, PathState, Ray, Record, ShadowRay, Slice, Subpath,
+    FilmMoments, FilmPixel, LightLane, LightSlice, LightState, PathOutcome, PathState, Ray, Record,
+    ShadowRay, Slice, Splat, Subpath,
 };
 pub use record::{OnDevice, Vec3};
 

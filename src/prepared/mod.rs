@@ -61,6 +61,8 @@ pub struct Prepared {
     /// Choice of a light: light i is chosen where `light_cdf[i]` ≤ u24 < `light_cdf[i + 1]`, u24 an
     /// integer below 2²⁴. So its probability, (`light_cdf[i + 1]` − `light_cdf[i]`)·2⁻²⁴, is exact in f32.
     pub light_cdf: Vec<u32>,
+    /// Of each light, the material whose inside it stands in, or [`NONE`]: of its middle, where it crosses a surface.
+    pub light_media: Vec<u32>,
     /// Choice of a triangle within each mesh light, in the same form; see [`Light::cdf`].
     pub triangle_cdf: Vec<u32>,
     /// Radiance of everything outside.

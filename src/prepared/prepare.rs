@@ -70,6 +70,12 @@ pub fn prepare(
     contact::warn_of_contacts(&placed, &materials, &mut warnings);
     eye::warn_of_surface(camera.eye, &placed, &materials, &mut warnings);
     let eye_medium = medium::medium_at(camera.eye, &placed, &materials);
+    let light_media = (lights.lights.iter())
+        .map(|light| match placed.shapes.get(light.shape as usize) {
+            Some(shape) => medium::medium_at(placed.bounds(shape).centre(), &placed, &materials),
+            None => NONE,
+        })
+        .collect();
     let mut shapes = placed.shapes;
     for (i, light) in lights.lights.iter().enumerate() {
         if light.shape != NONE {
@@ -88,6 +94,7 @@ pub fn prepare(
         materials,
         lights: lights.lights,
         light_cdf: lights.light_cdf,
+        light_media,
         triangle_cdf: lights.triangle_cdf,
         background: scene.background,
         background_line: scene.background_line,

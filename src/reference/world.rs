@@ -4,6 +4,9 @@
 use super::accel::{Accel, Primitives};
 use super::bsdf::Material;
 use super::camera::Camera;
+use super::light::emission::{
+    Emission, box_emission, cylinder_emission, mesh_emission, no_emission, sphere_emission,
+};
 use super::light::{
     LightSample, background_light_sample, box_light_pdf, box_light_sample, cdf_choice,
     cdf_probability, cylinder_light_pdf, cylinder_light_sample, mesh_light_pdf, mesh_light_sample,
@@ -34,6 +37,8 @@ pub struct World<F> {
     pub lights: Vec<Light<F>>,
     /// Index of the background among the lights, where it shines.
     pub background_light: Option<usize>,
+    /// Of each light, the material whose inside it stands in, or `NONE`.
+    pub light_media: Vec<u32>,
     light_cdf: Vec<u32>,
     triangle_cdf: Vec<u32>,
     /// Over all primitives, where a loop over them would be slower.
@@ -83,6 +88,7 @@ impl<F: Real> World<F> {
                 .lights
                 .iter()
                 .position(|l| l.kind == LightKind::Background),
+            light_media: prepared.light_media.clone(),
             light_cdf: prepared.light_cdf.clone(),
             triangle_cdf: prepared.triangle_cdf.clone(),
             accel: None,
@@ -171,6 +177,28 @@ impl<F: Real> World<F> {
                 mesh_light_sample(p, &self.triangles, l.first, cdf, u24, u)
             }
             LightKind::Background => background_light_sample(u),
+        }
+    }
+
+    /// A point of `light`, uniform over its area.
+    pub fn light_emission(&self, light: usize, u24: u32, u: [F; 2]) -> Emission<F> {
+        let l = &self.lights[light];
+        let first = l.first as usize;
+        match l.kind {
+            LightKind::Sphere => {
+                let s = &self.spheres[first];
+                sphere_emission(s.centre, s.radius, u)
+            }
+            LightKind::Box => {
+                let b = &self.boxes[first];
+                box_emission(b.lo, b.hi, u24, u)
+            }
+            LightKind::Cylinder => cylinder_emission(&self.cylinders[first], u24, u),
+            LightKind::Mesh => {
+                let cdf = &self.triangle_cdf[l.cdf.0..l.cdf.1];
+                mesh_emission(&self.triangles, l.first, cdf, u24, u)
+            }
+            LightKind::Background => no_emission(),
         }
     }
 

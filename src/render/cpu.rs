@@ -1,29 +1,51 @@
 //! Rendering by the CPU reference, in f32 or f64.
 
+mod light;
+mod path;
 mod replicates;
 
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use rayon::prelude::*;
-
-use super::course::{Course, Halves};
-use super::tiles::Tile;
-use super::{Dropped, Job, Outcome, Progress, SetUp, Stats};
-use crate::film::{Aov, Film};
-use crate::reference::film::{
-    FilmMoments, FilmPixel, film_half_difference, film_mean, film_moments, film_sample, film_stderr,
-};
-use crate::reference::integrator::path::record::Silent;
-use crate::reference::integrator::path::trace_path;
-use crate::reference::math::{Real, Vec3};
-use crate::reference::path::SampleId;
+use super::course::Course;
+use super::replicates::Growing;
+use super::{HostFilm, Job, LightFilm, Outcome, Pixels, Progress, SetUp, Stats};
+use crate::reference::math::Real;
 use crate::reference::world::World;
-pub use replicates::Replicates;
+use crate::settings::Integrator;
+use replicates::Replicates;
+
+/// The film of one integrator, which the reference adds samples to on every core.
+trait Render<F>: HostFilm {
+    /// No samples yet.
+    fn new(job: &Job) -> Self;
+    /// Adds the samples to every pixel, those before them being there.
+    fn advance(&mut self, job: &Job, world: &World<F>, samples: Range<u32>);
+}
 
 /// Renders with every core; the picture depends neither on their number nor on the slices of samples.
 pub fn render<F: Real>(
+    job: &Job,
+    name: &str,
+    stop: &AtomicBool,
+    progress: &mut dyn FnMut(Progress),
+) -> Outcome {
+    match job.settings.estimator.integrator {
+        Integrator::Path => render_by::<F, Pixels<F>>(job, name, stop, progress),
+        Integrator::Light => render_by::<F, LightFilm<F>>(job, name, stop, progress),
+    }
+}
+
+/// Renderings by several seeds.
+pub fn replicates<'a, F: Real>(job: &'a Job<'a>, seeds: &[u32]) -> Box<dyn Growing + 'a> {
+    match job.settings.estimator.integrator {
+        Integrator::Path => Box::new(Replicates::<F, Pixels<F>>::new(job, seeds)),
+        Integrator::Light => Box::new(Replicates::<F, LightFilm<F>>::new(job, seeds)),
+    }
+}
+
+fn render_by<F: Real, R: Render<F>>(
     job: &Job,
     name: &str,
     stop: &AtomicBool,
@@ -35,7 +57,7 @@ pub fn render<F: Real>(
         hierarchy: start.elapsed().as_secs_f64(),
         ..SetUp::default()
     };
-    let mut film = Pixels::<F>::new(job);
+    let mut film = R::new(job);
     let mut course = Course::new(job, stop);
     while let Some(samples) = course.next_slice() {
         let began = Instant::now();
@@ -45,25 +67,18 @@ pub fn render<F: Real>(
     }
     let (done, render_s) = (course.done(), course.seconds());
     let (end, errors) = course.finish();
+    let counts = film.counts();
     let stats = Stats {
         device: name.into(),
         driver: driver(),
         set_up,
-        compile_s: 0.0,
         render_s,
-        gpu_s: None,
-        samples: u64::from(done) * u64::from(film.area.pixels()),
-        rays: film.count(|p| p.rays),
-        dropped: Dropped {
-            nan: film.count(|p| p.nan),
-            infinite: film.count(|p| p.infinite),
-            loops: 0,
-        },
-        long_paths: film.count(|p| p.long_paths),
-        underflows: film.count(|p| p.underflows),
-        features: Vec::new(),
-        spirv_bytes: 0,
-        buffers: Vec::new(),
+        samples: u64::from(done) * u64::from(job.area().pixels()),
+        rays: counts.rays,
+        dropped: counts.dropped,
+        long_paths: counts.long_paths,
+        underflows: counts.underflows,
+        ..Stats::default()
     };
     Outcome {
         film: film.picture(done),
@@ -81,103 +96,4 @@ pub fn driver() -> String {
         "vkpt's reference on {} threads",
         rayon::current_num_threads()
     )
-}
-
-/// The pixels under way, row by row.
-struct Pixels<F> {
-    area: Tile,
-    film: Vec<FilmPixel<F>>,
-    /// Where standard errors are asked for.
-    moments: Option<Vec<FilmMoments<F>>>,
-}
-
-impl<F: Real> Pixels<F> {
-    /// No samples yet.
-    fn new(job: &Job) -> Self {
-        let area = job.area();
-        let pixels = area.pixels() as usize;
-        let stderr = job.aovs.contains(&Aov::Stderr);
-        Self {
-            area,
-            film: vec![FilmPixel::default(); pixels],
-            moments: stderr.then(|| vec![FilmMoments::default(); pixels]),
-        }
-    }
-
-    /// Adds the samples to every pixel.
-    fn advance(&mut self, job: &Job, world: &World<F>, samples: Range<u32>) {
-        let area = self.area;
-        let advance = |i: usize, pixel: &mut _, mut moments: Option<&mut _>| {
-            let i = i as u32;
-            let at = [area.x + i % area.width, area.y + i / area.width];
-            for sample in samples.clone() {
-                sample_pixel(job, world, at, sample, pixel, moments.as_deref_mut());
-            }
-        };
-        let film = self.film.par_iter_mut().enumerate();
-        match &mut self.moments {
-            None => film.for_each(|(i, pixel)| advance(i, pixel, None)),
-            Some(moments) => film
-                .zip(moments)
-                .for_each(|((i, pixel), moments)| advance(i, pixel, Some(moments))),
-        }
-    }
-
-    fn count(&self, of: fn(&FilmPixel<F>) -> u64) -> u64 {
-        self.film.iter().map(of).sum()
-    }
-
-    /// The mean of `spp` samples a pixel.
-    fn picture(&self, spp: u32) -> Film {
-        self.develop(self.film.iter().map(|p| film_mean(p.sum, spp)))
-    }
-
-    /// That mean, with half the difference of its two groups of samples; `spp` ≥ 2.
-    fn halves(&self, spp: u32) -> Halves {
-        let half = |p: &FilmPixel<F>| film_half_difference(p.sum, p.contrast, spp);
-        Halves {
-            mean: self.picture(spp),
-            half_difference: self.develop(self.film.iter().map(half)),
-        }
-    }
-
-    /// Of that mean, where it was asked for and one sample is not all there is.
-    fn standard_errors(&self, spp: u32) -> Option<Film> {
-        let moments = self.moments.as_ref().filter(|_| spp >= 2)?;
-        Some(self.develop(moments.iter().map(|m| film_stderr(m, spp))))
-    }
-
-    fn develop(&self, values: impl Iterator<Item = Vec3<F>>) -> Film {
-        Film {
-            width: self.area.width,
-            height: self.area.height,
-            rgb: values.map(|v| v.f64().as_vec3().to_array()).collect(),
-        }
-    }
-}
-
-/// Adds one sample to the pixel at column and row `at`.
-fn sample_pixel<F: Real>(
-    job: &Job,
-    world: &World<F>,
-    [column, row]: [u32; 2],
-    sample: u32,
-    pixel: &mut FilmPixel<F>,
-    moments: Option<&mut FilmMoments<F>>,
-) {
-    let id = SampleId {
-        column,
-        row,
-        pixel: row * world.width + column,
-        sample,
-        seed: job.seed,
-    };
-    let path = trace_path(world, &job.settings, id, &mut Silent);
-    film_sample(pixel, path.radiance);
-    if let Some(moments) = moments {
-        film_moments(moments, path.radiance, sample + 1);
-    }
-    pixel.rays += path.rays;
-    pixel.long_paths += u64::from(path.long);
-    pixel.underflows += u64::from(path.underflow);
 }

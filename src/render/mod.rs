@@ -2,7 +2,10 @@
 
 mod course;
 mod cpu;
+mod host_film;
+mod light_film;
 mod paired;
+mod pixels;
 mod plan;
 mod replicates;
 mod slices;
@@ -21,7 +24,10 @@ use crate::kernel::{KernelError, OwnFile, Spirv};
 use crate::prepared::Prepared;
 use crate::settings::Settings;
 pub use course::{End, ErrorAt, Until};
+pub use host_film::{Counts, HostFilm};
+use light_film::LightFilm;
 pub use paired::paired;
+use pixels::Pixels;
 pub use plan::{ArrayPlan, HierarchyPlan, Plan, PlanLimits, StatePlan};
 pub use replicates::{Engine, Replicates, Took};
 pub use slices::WANTED as DISPATCH_TIME;
@@ -95,6 +101,16 @@ impl Job<'_> {
     /// Width and height of the picture, or of its crop.
     pub fn size(&self) -> [u32; 2] {
         [self.area().width, self.area().height]
+    }
+
+    /// All pixels of the picture.
+    fn whole(&self) -> Tile {
+        Tile {
+            x: 0,
+            y: 0,
+            width: self.prepared.width,
+            height: self.prepared.height,
+        }
     }
 
     /// The pixels to be rendered.

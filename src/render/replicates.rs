@@ -76,11 +76,9 @@ impl<'a> Replicates<'a> {
     /// Those of a rendering, before and in its first dispatch.
     pub fn new(job: &'a Job<'a>, engine: &'a Engine, seeds: &[u32]) -> Result<Self, RenderError> {
         Ok(Self(match engine {
-            Engine::Vulkan(device, limits) => {
-                Box::new(vulkan::Replicates::new(job, device, *limits, seeds)?)
-            }
-            Engine::CpuF32 => Box::new(cpu::Replicates::<f32>::new(job, seeds)),
-            Engine::CpuF64 => Box::new(cpu::Replicates::<f64>::new(job, seeds)),
+            Engine::Vulkan(device, limits) => vulkan::replicates(job, device, *limits, seeds)?,
+            Engine::CpuF32 => cpu::replicates::<f32>(job, seeds),
+            Engine::CpuF64 => cpu::replicates::<f64>(job, seeds),
         }))
     }
 

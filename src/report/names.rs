@@ -1,7 +1,9 @@
 //! The settings' names, as the command line and every record spell them.
 
 use crate::film::Aov;
-use crate::settings::{Absorption, Connect, Distribution, Fresnel, LobeChoice, Normals, Sampler};
+use crate::settings::{
+    Absorption, Connect, Distribution, Fresnel, Integrator, LobeChoice, Normals, Sampler,
+};
 
 /// A choice among few, each with a name.
 pub trait Named: Copy + PartialEq + Send + Sync + 'static {
@@ -45,6 +47,10 @@ impl Named for Normals {
         (Self::Visible, "visible"),
         (Self::Distribution, "distribution"),
     ];
+}
+
+impl Named for Integrator {
+    const ALL: &'static [(Self, &'static str)] = &[(Self::Path, "path"), (Self::Light, "light")];
 }
 
 impl Named for Connect {
@@ -94,5 +100,6 @@ mod tests {
         distinct(&[Aov::Stderr]);
         distinct(&[Connect::Mis, Connect::Light, Connect::Bsdf]);
         distinct(&[Sampler::Random, Sampler::Sobol]);
+        distinct(&[Integrator::Path, Integrator::Light]);
     }
 }

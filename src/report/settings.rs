@@ -5,7 +5,7 @@ use std::fmt;
 use serde::Serialize;
 
 use super::names::Named;
-use crate::settings::{DistributionRule, Roulette, Settings};
+use crate::settings::{DistributionRule, Integrator, Roulette, Settings};
 
 /// Every setting (model.md, "Settings"), by the name and in the words of its flag.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -18,6 +18,7 @@ pub struct SettingsRecord {
     pub radiance_scaling: bool,
     /// `None`: no cap.
     pub max_depth: Option<u32>,
+    pub integrator: &'static str,
     pub lobe: &'static str,
     pub normals: &'static str,
     pub roulette: String,
@@ -38,6 +39,7 @@ impl From<&Settings> for SettingsRecord {
             absorption: model.absorption.name(),
             radiance_scaling: model.radiance_scaling,
             max_depth: model.max_depth,
+            integrator: estimator.integrator.name(),
             lobe: estimator.lobe.name(),
             normals: estimator.normals.name(),
             roulette: match estimator.roulette {
@@ -62,6 +64,7 @@ impl fmt::Display for SettingsRecord {
             fresnel,
             distribution,
             absorption,
+            integrator,
             lobe,
             normals,
             roulette,
@@ -74,6 +77,10 @@ impl fmt::Display for SettingsRecord {
             "fresnel={fresnel} distribution={distribution} absorption={absorption} "
         )?;
         write!(f, "radiance-scaling={scaling} max-depth={depth} ")?;
+        // Pictures keep their words from before there was a second integrator.
+        if *integrator != Integrator::Path.name() {
+            write!(f, "integrator={integrator} ")?;
+        }
         write!(
             f,
             "lobe={lobe} normals={normals} roulette={roulette} connect={connect} sampler={sampler}"

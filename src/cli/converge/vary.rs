@@ -4,6 +4,7 @@ use clap::error::ErrorKind;
 use clap::{Args, Command, FromArgMatches};
 
 use crate::cli::exit::Failure;
+use crate::cli::integrator;
 use crate::cli::settings::SettingArguments;
 use crate::settings::Settings;
 
@@ -74,9 +75,11 @@ pub fn combinations(
     }
     let combination = |pairs: &Vec<(&str, &str)>| {
         let names: Vec<String> = pairs.iter().map(|(n, v)| format!("{n}={v}")).collect();
+        let settings = settings.with(&flags(pairs).map_err(Failure::Usage)?);
+        integrator::check(&settings)?;
         Ok(Combination {
             name: names.join(" "),
-            settings: settings.with(&flags(pairs).map_err(Failure::Usage)?),
+            settings,
         })
     };
     all.iter().map(combination).collect()

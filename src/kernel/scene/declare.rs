@@ -1,6 +1,7 @@
 //! The prelude of a scene's kernel: constants, structs, buffers.
 
-use super::{Parameters, Recording};
+use super::integrator::Own;
+use super::{Parameters, Recording, SPLATS};
 use crate::features::Features;
 use crate::layout::{self, BufferUse, GpuStruct};
 use crate::prepared::{MaterialKind, NONE, ShapeKind, device};
@@ -80,27 +81,15 @@ pub fn prelude(features: &Features, parameters: &Parameters) -> String {
     for (i, binding) in parameters.bindings.iter().enumerate() {
         text += &declare_binding(binding, i);
     }
-    let mut state = vec![("PathState", "paths"), ("FilmPixel", "film")];
-    if features.keeps_moments() {
-        text += &layout::FilmMoments::glsl();
-        state.push(("FilmMoments", "moments"));
+    let Own { state, slice, .. } = Own::of(features, parameters.recording);
+    for (i, array) in state.iter().enumerate() {
+        text += &array.glsl;
+        text += &state_buffer(array.ty, array.name, parameters.bindings.len() + i);
     }
-    match parameters.recording {
-        Recording::Nothing => {}
-        Recording::Events(_) => {
-            text += &layout::Record::glsl();
-            state.push(("Record", "records"));
-        }
-        Recording::Outcomes(_) => {
-            text += &layout::PathOutcome::glsl();
-            state.push(("PathOutcome", "outcomes"));
-        }
-    }
-    for (i, (ty, name)) in state.into_iter().enumerate() {
-        text += &state_buffer(ty, name, parameters.bindings.len() + i);
-    }
-    text += "layout(push_constant) uniform SliceBlock { Slice job_uniform; };\n";
-    text + "Camera camera;\nSlice job;\n"
+    let (ty, glsl) = slice;
+    text += &glsl;
+    text += &format!("layout(push_constant) uniform SliceBlock {{ {ty} job_uniform; }};\n");
+    text + &format!("Camera camera;\n{ty} job;\n")
 }
 
 fn state_buffer(ty: &str, name: &str, index: usize) -> String {
@@ -131,6 +120,7 @@ fn constants(parameters: &Parameters) -> String {
         Recording::Events(n) => uint("RECORDS", n),
         Recording::Outcomes(n) => uint("OUTCOMES", n),
     }
+    uint("SPLATS", SPLATS);
     if let Some((stack, _)) = parameters.bvh {
         uint("STACK", stack.max(1));
     }
@@ -164,5 +154,5 @@ fn structs(features: &Features) -> String {
             .filter(|(needed, _)| *needed)
             .map(|(_, glsl)| glsl),
     );
-    text + &layout::PathState::glsl() + &layout::FilmPixel::glsl() + &layout::Slice::glsl()
+    text
 }

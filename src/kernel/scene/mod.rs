@@ -3,14 +3,16 @@
 mod declare;
 mod dispatch;
 mod generate;
+mod integrator;
 
 use std::collections::BTreeSet;
 
 use super::{Composed, Composer, KernelError, OwnFile, Slot};
 use crate::features::{Features, RouletteKind};
 use crate::prepared::{LightKind, ShapeKind};
-use crate::settings::{Absorption, Connect, LobeChoice, Normals, Sampler, Settings};
+use crate::settings::{Absorption, Connect, Integrator, LobeChoice, Normals, Sampler, Settings};
 pub use declare::{Binding, Element, declare_binding};
+use integrator::Own;
 
 /// What the text of a kernel depends on besides its features.
 #[derive(Clone, Copy, Debug)]
@@ -46,12 +48,16 @@ pub enum Recording {
     Outcomes(u32),
 }
 
-/// The path kernel for a scene of these features: the files it needs, the generated dispatch, nothing else.
+/// Slots of a thread for the splats of one dispatch of light tracing.
+pub const SPLATS: u32 = 16;
+
+/// The kernel for a scene of these features: the files it needs, the generated dispatch, nothing else.
 ///
 /// # Errors
 /// If a file or slot is missing, which would be a mistake in this program; if a file of one's own is not used.
 pub fn compose(features: &Features, parameters: &Parameters) -> Result<Composed, KernelError> {
-    let kernel = composer(features, parameters).compose(&["integrator/path/path_trace.comp"])?;
+    let kernel =
+        composer(features, parameters).compose(&[Own::of(features, parameters.recording).root])?;
     let unused = |own: &&OwnFile| !kernel.files().any(|file| file == own.name);
     match parameters.own_files.iter().find(unused) {
         Some(OwnFile { name, .. }) => Err(KernelError::Unused {
@@ -79,7 +85,22 @@ fn composer(features: &Features, parameters: &Parameters) -> Composer {
 /// Slots that hold one file of several.
 fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'static str)> {
     let connects = !features.lights.is_empty() && features.connect != Connect::Bsdf;
+    let from_light = features.integrator == Integrator::Light;
     vec![
+        (
+            "blocks",
+            match from_light {
+                true => "path/blocks/light",
+                false => "path/blocks/eye",
+            },
+        ),
+        (
+            "correction",
+            match from_light && features.shading_normals {
+                true => "path/correction/shading_normal",
+                false => "path/correction/none",
+            },
+        ),
         (
             "sampler",
             match features.sampler {
@@ -110,7 +131,8 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
         ),
         (
             "scaling",
-            match features.radiance_scaling {
+            // Light paths carry the adjoint: `Settings::adjoint`.
+            match features.radiance_scaling != from_light {
                 true => "bsdf/scaling/radiance",
                 false => "bsdf/scaling/flux",
             },
@@ -180,6 +202,13 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
             match features.lights.contains(&LightKind::Background) {
                 true => "integrator/path/background/constant",
                 false => "integrator/path/background/black",
+            },
+        ),
+        (
+            "light_start",
+            match features.lights.is_empty() {
+                true => "integrator/light/start/none",
+                false => "integrator/light/start/sample",
             },
         ),
         (

@@ -1,6 +1,7 @@
 //! A pixel of the film: the sum of its samples, and what was counted on the way. Twin of `shaders/film/film_pixel.glsl`.
 
 use super::pixel_sum::{PixelSum, film_add, film_mean, is_summable};
+use crate::reference::math::finite::has_nan;
 use crate::reference::math::{Real, Vec3};
 use crate::sample::GROUPS;
 
@@ -40,11 +41,6 @@ impl<F: Real> Default for FilmPixel<F> {
             underflows: 0,
         }
     }
-}
-
-/// Whether a component is not a number.
-pub fn has_nan<F: Real>(v: Vec3<F>) -> bool {
-    v.x.is_nan() || v.y.is_nan() || v.z.is_nan()
 }
 
 /// Adds a sample; one that is broken, or too large to add up, counts as 0, and by its cause. Samples of even and of odd index are the two groups

@@ -8,4 +8,4 @@ mod tests;
 
 pub use film_moments::{FilmMoments, film_moments, film_stderr};
 pub use film_pixel::{FilmPixel, film_half_difference, film_sample};
-pub use pixel_sum::{PixelSum, film_add, film_mean};
+pub use pixel_sum::{PixelSum, film_add, film_mean, is_summable};

@@ -9,6 +9,7 @@ pub mod background;
 pub mod r#box;
 pub mod choice;
 pub mod cylinder;
+pub mod emission;
 pub mod mesh;
 pub mod sample;
 pub mod sphere;

@@ -18,3 +18,8 @@ pub fn is_black<F: Real>(v: Vec3<F>) -> bool {
     let zero = F::zero();
     v.x <= zero && v.y <= zero && v.z <= zero
 }
+
+/// Whether a component is not a number.
+pub fn has_nan<F: Real>(v: Vec3<F>) -> bool {
+    v.x.is_nan() || v.y.is_nan() || v.z.is_nan()
+}

@@ -1,5 +1,7 @@
 //! Where a path goes on from a vertex; twin of `shaders/path/extend.glsl`.
 
+use super::blocks::{Origin, path_block};
+use super::correction::corrected;
 use super::roulette::roulette_survival;
 use super::spawn::spawn_ray;
 use super::throughput::underflows;
@@ -24,14 +26,19 @@ pub struct Extension {
     pub lobe: u32,
 }
 
-/// Draws the next direction and moves the path onto it, where there is one.
+/// Draws the next direction and moves the path onto it, where there is one. On a path from a light `settings` are those
+/// of the adjoint.
 pub fn extend<F: Real>(
     settings: &Settings,
+    from: Origin,
     path: &mut Subpath<F>,
     v: &Vertex<F>,
     id: SampleId,
 ) -> Extension {
-    let numbers = |block| id.words(settings, block).map(unit_float::<F>);
+    let numbers = |block| {
+        id.words(settings, path_block(from, block))
+            .map(unit_float::<F>)
+    };
     let u = numbers(bsdf_block(path.bounce));
     let w = numbers(roulette_block(path.bounce));
     let random = BsdfRandom {
@@ -43,8 +50,9 @@ pub fn extend<F: Real>(
     let b = bsdf_sample(settings, &v.interaction, random);
     let wi = to_world(v.frame, b.wi);
     let found = b.lobe != LOBE_NONE && same_sides(v, wi, b.wi);
-    let faint = underflows(path.throughput, b.weight);
-    path.throughput *= b.weight;
+    let weight = corrected(from, v, wi, b.wi, b.weight);
+    let faint = underflows(path.throughput, weight);
+    path.throughput *= weight;
     let through = b.wi.z < F::zero();
     if through {
         path.eta_scale *= transmission_scale(settings, v.interaction.eta);

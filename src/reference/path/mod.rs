@@ -1,5 +1,7 @@
 //! What a path is and how it travels, whichever end it began at; twin of `shaders/path/`.
 
+pub mod blocks;
+pub mod correction;
 pub mod extend;
 pub mod flight;
 pub mod medium;

@@ -16,7 +16,7 @@ mod unit_float;
 
 use crate::settings::Sampler;
 pub use chance::chance;
-pub use dimensions::{bsdf_block, camera_block, light_block, roulette_block};
+pub use dimensions::{LIGHT_PATH, bsdf_block, camera_block, light_block, roulette_block};
 pub use unit_float::unit_float;
 
 /// Four words for one block of a path by the sampler chosen, `pixel` = row · width + column of the full picture.

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use super::Pixels;
+use super::Render;
 use crate::film::Film;
 use crate::reference::math::Real;
 use crate::reference::world::World;
@@ -12,27 +12,27 @@ use crate::render::slices::Slices;
 use crate::render::{Job, RenderError};
 
 /// The world, and the films so far.
-pub struct Replicates<'a, F> {
+pub struct Replicates<'a, F, R> {
     job: &'a Job<'a>,
     world: World<F>,
     slices: Slices,
-    films: Vec<Replicate<F>>,
+    films: Vec<Replicate<R>>,
     set_up_s: f64,
 }
 
-struct Replicate<F> {
+struct Replicate<R> {
     seed: u32,
     done: u32,
-    film: Pixels<F>,
+    film: R,
 }
 
-impl<'a, F: Real> Replicates<'a, F> {
+impl<'a, F: Real, R: Render<F>> Replicates<'a, F, R> {
     pub fn new(job: &'a Job<'a>, seeds: &[u32]) -> Self {
         let start = Instant::now();
         let film = |&seed: &u32| Replicate {
             seed,
             done: 0,
-            film: Pixels::new(job),
+            film: R::new(job),
         };
         Self {
             job,
@@ -44,7 +44,7 @@ impl<'a, F: Real> Replicates<'a, F> {
     }
 }
 
-impl<F: Real> Growing for Replicates<'_, F> {
+impl<F: Real, R: Render<F>> Growing for Replicates<'_, F, R> {
     fn advance(&mut self, i: usize, spp: u32, stop: &AtomicBool) -> Result<Took, RenderError> {
         let Replicate { seed, done, film } = &mut self.films[i];
         let job = Job {

@@ -26,6 +26,15 @@ pub fn light_cdf(prepared: &Prepared, features: &Features) -> Vec<u32> {
     cdf
 }
 
+/// The medium that each stands in.
+pub fn light_media(prepared: &Prepared, features: &Features) -> Vec<u32> {
+    let mut media = prepared.light_media.clone();
+    if looks_for_more(prepared, features) {
+        media.push(NONE);
+    }
+    media
+}
+
 /// Index of the background among [`lights`]: the scene's, or the one that is not there.
 pub fn background_light(prepared: &Prepared, features: &Features) -> Option<u32> {
     let own = prepared.lights.iter().position(is_background);

@@ -9,9 +9,9 @@ mod state;
 pub use array::ArrayPlan;
 pub use limits::PlanLimits;
 pub use scene::{CAMERA, ScenePlan, hierarchy};
-pub use state::StatePlan;
+pub use state::{LightPlan, PathPlan, StatePlan, thread_tiles};
 
-use super::tiles::{Tile, tiles};
+use super::tiles::Tile;
 use super::{Job, RenderError};
 use crate::features::Features;
 use crate::flat::bvh::Cost;
@@ -55,7 +55,7 @@ impl Plan {
         let bvh = hierarchy(job.prepared, &features);
         let scene = ScenePlan::new(job, &features, bvh.as_ref(), limits);
         let kernel = composed(&scene, &features, Recording::Nothing)?;
-        let tiles = tiles(job.area(), limits.tile_pixels.max(1));
+        let tiles = thread_tiles(job, limits.tile_pixels);
         let tile_pixels = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
         Ok(Self {
             scene: scene.plans().collect(),

@@ -15,6 +15,7 @@ use crate::kernel::scene::{Binding, Element, Parameters, Recording};
 use crate::layout::{BufferUse, GpuStruct};
 use crate::prepared::{LightKind, Prepared, ShapeKind};
 use crate::render::Job;
+use crate::settings::Integrator;
 
 /// The array that holds the camera, and the seed with it.
 pub const CAMERA: &str = "camera";
@@ -147,6 +148,12 @@ impl<'a> Arrays<'a> {
         if features.many_lights {
             let cdf = absent::light_cdf(prepared, features);
             self.words("light_cdf", Element::Uint, cdf.len(), move || cdf.clone());
+        }
+        if features.integrator == Integrator::Light && !features.lights.is_empty() {
+            let media = absent::light_media(prepared, features);
+            self.words("light_media", Element::Uint, media.len(), move || {
+                media.clone()
+            });
         }
         if features.lights.contains(&LightKind::Mesh) {
             self.lent("triangle_cdf", Element::Uint, &prepared.triangle_cdf);

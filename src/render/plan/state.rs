@@ -1,13 +1,29 @@
-//! The arrays that a rendering writes: an element a pixel of the tile under way.
+//! The arrays that a rendering writes, an element a thread: which they are depends on the integrator.
 
 use super::array::ArrayPlan;
 use crate::features::Features;
-use crate::kernel::scene::Recording;
-use crate::layout::{BufferUse, FilmMoments, FilmPixel, GpuStruct, PathOutcome, PathState, Record};
+use crate::kernel::scene::{Recording, SPLATS};
+use crate::layout::{
+    BufferUse, FilmMoments, FilmPixel, GpuStruct, LightLane, LightState, PathOutcome, PathState,
+    Record, Splat,
+};
+use crate::render::tiles::{Tile, tiles};
+use crate::render::{Job, LightFilm};
+use crate::settings::Integrator;
+
+/// Light paths under way at once, at most: each thread has its slots for splats.
+const LIGHT_PATHS: u32 = 1 << 16;
+
+/// What a tile's threads keep between two dispatches, and what they bring.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StatePlan {
+    Path(PathPlan),
+    Light(LightPlan),
+}
 
 /// Paths and film of a tile, and what else is kept of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct StatePlan {
+pub struct PathPlan {
     pub paths: ArrayPlan,
     pub film: ArrayPlan,
     /// Where standard errors are asked for.
@@ -16,8 +32,44 @@ pub struct StatePlan {
     pub recorded: Option<ArrayPlan>,
 }
 
+/// Light paths of a tile, and their splats. The film is the host's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LightPlan {
+    pub paths: ArrayPlan,
+    pub lanes: ArrayPlan,
+    pub splats: ArrayPlan,
+}
+
 impl StatePlan {
-    /// Room for tiles of `pixels` pixels.
+    /// Room for tiles of `threads` threads.
+    pub fn new(features: &Features, threads: u32, recording: Recording) -> Self {
+        match features.integrator {
+            Integrator::Path => Self::Path(PathPlan::new(features, threads, recording)),
+            Integrator::Light => Self::Light(LightPlan::new(threads)),
+        }
+    }
+
+    /// In the order of their bindings, which follow the scene's.
+    pub fn plans(&self) -> Vec<ArrayPlan> {
+        match self {
+            Self::Path(p) => p.plans().collect(),
+            Self::Light(p) => p.plans().collect(),
+        }
+    }
+
+    /// Bytes that the host keeps of each pixel of the picture.
+    pub fn film_bytes(&self) -> u64 {
+        match self {
+            Self::Path(p) => {
+                let moments = p.moments.map_or(0, |_| size_of::<FilmMoments>());
+                (size_of::<FilmPixel>() + moments) as u64
+            }
+            Self::Light(_) => LightFilm::<f32>::PIXEL_BYTES,
+        }
+    }
+}
+
+impl PathPlan {
     pub fn new(features: &Features, pixels: u32, recording: Recording) -> Self {
         let pixels = pixels as usize;
         Self {
@@ -36,7 +88,6 @@ impl StatePlan {
         }
     }
 
-    /// In the order of their bindings, which follow the scene's.
     pub fn plans(&self) -> impl Iterator<Item = ArrayPlan> {
         [self.paths, self.film]
             .into_iter()
@@ -45,6 +96,30 @@ impl StatePlan {
     }
 }
 
+impl LightPlan {
+    pub fn new(threads: u32) -> Self {
+        let threads = threads as usize;
+        Self {
+            paths: storage::<LightState>("light_paths", threads),
+            lanes: storage::<LightLane>("lanes", threads),
+            splats: storage::<Splat>("splats", threads * SPLATS as usize),
+        }
+    }
+
+    pub fn plans(&self) -> impl Iterator<Item = ArrayPlan> {
+        [self.paths, self.lanes, self.splats].into_iter()
+    }
+}
+
 fn storage<T: GpuStruct>(name: &'static str, count: usize) -> ArrayPlan {
     ArrayPlan::records::<T>(name, count, BufferUse::Storage)
+}
+
+/// Tiles of at most `most` threads, one after the other: pixels of the picture or of its crop; of a light tracer, whose
+/// paths bring light to any pixel, all of the picture.
+pub fn thread_tiles(job: &Job, most: u32) -> Vec<Tile> {
+    match job.settings.estimator.integrator {
+        Integrator::Path => tiles(job.area(), most.max(1)),
+        Integrator::Light => tiles(job.whole(), most.clamp(1, LIGHT_PATHS)),
+    }
 }

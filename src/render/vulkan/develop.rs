@@ -1,70 +1,56 @@
 //! From the films of all tiles to the picture, and to the sums of what was counted.
 
-use super::tile_film::TileFilm;
+use super::tile_film::{PathFilm, TileFilm};
 use crate::film::Film;
 use crate::layout::{FilmMoments, FilmPixel};
 use crate::reference::film::{self, PixelSum, film_half_difference, film_mean, film_stderr};
 use crate::reference::math::{Vec3, vec3};
-use crate::render::Dropped;
 use crate::render::course::Halves;
 use crate::render::tiles::Tile;
+use crate::render::{Counts, HostFilm};
 
-/// Sums over the pixels.
-#[derive(Default)]
-pub struct Counts {
-    pub rays: u64,
-    pub long_paths: u64,
-    pub underflows: u64,
-    pub dropped: Dropped,
-}
+impl HostFilm for PathFilm {
+    fn picture(&self, spp: u32) -> Film {
+        let mean = |p: &FilmPixel| film_mean(parts(p.sum, p.comp), spp);
+        assemble(&self.tiles, self.area, |t, k| mean(&t.pixels[k]))
+    }
 
-impl Counts {
-    pub fn of(tiles: &[TileFilm]) -> Self {
-        let mut counts = Self::default();
-        let pixels = tiles.iter().flat_map(|t| &t.pixels);
-        pixels.for_each(|p| counts.add(p));
+    fn halves(&self, spp: u32) -> Halves {
+        let half_difference = |p: &FilmPixel| {
+            let [x, y, z] = p.contrast;
+            let sum = parts(p.sum, p.comp);
+            film_half_difference(sum, vec3(x, y, z), spp)
+        };
+        Halves {
+            mean: self.picture(spp),
+            half_difference: assemble(&self.tiles, self.area, |t, k| half_difference(&t.pixels[k])),
+        }
+    }
+
+    fn standard_errors(&self, spp: u32) -> Option<Film> {
+        let stderr = |m: &FilmMoments| {
+            let moments = film::FilmMoments {
+                mean: parts(m.mean, m.mean_comp),
+                m2: parts(m.m2, m.m2_comp),
+            };
+            film_stderr(&moments, spp)
+        };
+        let kept = self.tiles.iter().all(|t| !t.moments.is_empty());
+        (kept && spp >= 2).then(|| assemble(&self.tiles, self.area, |t, k| stderr(&t.moments[k])))
+    }
+
+    fn counts(&self) -> Counts {
+        let mut counts = Counts::default();
+        for p in self.tiles.iter().flat_map(|t| &t.pixels) {
+            counts.rays += u64::from(p.rays);
+            counts.long_paths += u64::from(p.long_paths);
+            counts.underflows += u64::from(p.underflows);
+            counts.dropped.nan += u64::from(p.nan);
+            counts.dropped.infinite += u64::from(p.infinite);
+            counts.dropped.loops += u64::from(p.loops);
+        }
         counts
     }
-
-    fn add(&mut self, p: &FilmPixel) {
-        self.rays += u64::from(p.rays);
-        self.long_paths += u64::from(p.long_paths);
-        self.underflows += u64::from(p.underflows);
-        self.dropped.nan += u64::from(p.nan);
-        self.dropped.infinite += u64::from(p.infinite);
-        self.dropped.loops += u64::from(p.loops);
-    }
-}
-
-/// The picture of `spp` samples a pixel.
-pub fn picture(tiles: &[TileFilm], area: Tile, spp: u32) -> Film {
-    let mean = |p: &FilmPixel| film_mean(parts(p.sum, p.comp), spp);
-    assemble(tiles, area, |t, k| mean(&t.pixels[k]))
-}
-
-/// That picture, with half the difference of its two groups of samples; `spp` ≥ 2.
-pub fn halves(tiles: &[TileFilm], area: Tile, spp: u32) -> Halves {
-    let half_difference = |p: &FilmPixel| {
-        let [x, y, z] = p.contrast;
-        let sum = parts(p.sum, p.comp);
-        film_half_difference(sum, vec3(x, y, z), spp)
-    };
-    Halves {
-        mean: picture(tiles, area, spp),
-        half_difference: assemble(tiles, area, |t, k| half_difference(&t.pixels[k])),
-    }
-}
-
-/// The standard errors of the mean of `spp` ≥ 2 samples a pixel, whose moments were kept.
-pub fn standard_errors(tiles: &[TileFilm], area: Tile, spp: u32) -> Film {
-    let stderr = |m: &FilmMoments| {
-        let moments = film::FilmMoments {
-            mean: parts(m.mean, m.mean_comp),
-            m2: parts(m.m2, m.m2_comp),
-        };
-        film_stderr(&moments, spp)
-    };
-    assemble(tiles, area, |t, k| stderr(&t.moments[k]))
 }
 
 /// Puts pixel k of each tile in its place.

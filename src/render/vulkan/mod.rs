@@ -1,26 +1,31 @@
-//! Rendering on a Vulkan device: tiles × slices of samples, until every pixel has its samples.
+//! Rendering on a Vulkan device: slices of samples, until every pixel has its samples.
 
 mod develop;
+mod kernel;
+mod light;
 mod limits;
 mod outcomes;
+mod path;
+mod rendering;
 mod replicates;
-mod run;
 mod scene_buffers;
 mod tile_film;
 
 use std::sync::atomic::AtomicBool;
-use std::time::Duration;
 
 use super::course::Course;
-use super::{Job, Outcome, Progress, RenderError, Stats};
+use super::replicates::Growing;
+use super::{HostFilm, Job, Outcome, Progress, RenderError, Stats};
 use crate::gpu::Device;
 use crate::kernel::scene::Recording;
 use crate::layout::Record;
-use develop::Counts;
+use crate::settings::Integrator;
+use light::LightRun;
 pub use limits::DispatchLimits;
 pub use outcomes::Outcomes;
-pub use replicates::Replicates;
-use run::Run;
+use path::PathRun;
+use rendering::Rendering;
+use replicates::Replicates;
 
 /// Renders on `device`; ends early, with whole samples in every pixel, once `stop` is set.
 pub fn render(
@@ -30,63 +35,70 @@ pub fn render(
     stop: &AtomicBool,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Outcome, RenderError> {
+    match job.settings.estimator.integrator {
+        Integrator::Path => render_by::<PathRun>(job, device, limits, stop, progress),
+        Integrator::Light => render_by::<LightRun>(job, device, limits, stop, progress),
+    }
+}
+
+/// Renderings by several seeds on `device`.
+pub fn replicates<'a>(
+    job: &'a Job<'a>,
+    device: &'a Device,
+    limits: DispatchLimits,
+    seeds: &[u32],
+) -> Result<Box<dyn Growing + 'a>, RenderError> {
+    Ok(match job.settings.estimator.integrator {
+        Integrator::Path => Box::new(Replicates::<PathRun, _>::new(job, device, limits, seeds)?),
+        Integrator::Light => Box::new(Replicates::<LightRun, _>::new(job, device, limits, seeds)?),
+    })
+}
+
+fn render_by<'a, R: Rendering<'a>>(
+    job: &'a Job<'a>,
+    device: &'a Device,
+    limits: DispatchLimits,
+    stop: &AtomicBool,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Outcome, RenderError> {
     let features = job.features();
-    let mut run = Run::new(job, device, &features, limits, Recording::Nothing)?;
+    let mut run = R::new(job, device, &features, limits)?;
     let compile_s = run.compile()?.as_secs_f64();
-    run.gpu_time = Duration::ZERO;
 
     let mut course = Course::new(job, stop);
-    sample(&mut run, job, &mut course, progress)?;
+    while let Some(samples) = course.next_slice() {
+        let mut part = |part| progress(course.progress(samples, part));
+        let longest = run.advance(samples, &mut part)?;
+        course.reached(samples, longest, || run.film().halves(samples));
+    }
     let (done, render_s) = (course.done(), course.seconds());
     let (end, errors) = course.finish();
 
-    let counts = Counts::of(&run.tiles);
+    let (counts, costs) = (run.film().counts(), *run.costs());
     let stats = Stats {
         device: device.info().name.clone(),
         driver: device.info().driver.clone(),
-        set_up: run.set_up,
+        set_up: costs.set_up,
         compile_s,
         render_s,
-        gpu_s: Some(run.gpu_time.as_secs_f64()),
+        gpu_s: Some(costs.gpu_time.as_secs_f64()),
         samples: u64::from(done) * u64::from(job.area().pixels()),
         rays: counts.rays,
         dropped: counts.dropped,
         long_paths: counts.long_paths,
         underflows: counts.underflows,
         features: features.names(),
-        spirv_bytes: run.spirv_bytes,
+        spirv_bytes: costs.spirv_bytes,
         buffers: run.buffers(),
     };
     Ok(Outcome {
-        film: develop::picture(&run.tiles, job.area(), done),
-        stderr: (features.keeps_moments() && done >= 2)
-            .then(|| develop::standard_errors(&run.tiles, job.area(), done)),
+        film: run.film().picture(done),
+        stderr: run.film().standard_errors(done),
         spp: done,
         end,
         errors,
         stats,
     })
-}
-
-/// Slices of samples over all tiles.
-fn sample(
-    run: &mut Run,
-    job: &Job,
-    course: &mut Course,
-    progress: &mut dyn FnMut(Progress),
-) -> Result<(), RenderError> {
-    while let Some(samples) = course.next_slice() {
-        let mut longest = Duration::ZERO;
-        for tile in 0..run.tiles.len() {
-            longest = longest.max(run.advance(tile, samples)?);
-            let part = (tile + 1) as f64 / run.tiles.len() as f64;
-            progress(course.progress(samples, part));
-        }
-        course.reached(samples, longest, || {
-            develop::halves(&run.tiles, job.area(), samples)
-        });
-    }
-    Ok(())
 }
 
 /// The events of one path: sample `index` of the pixel at column and row `pixel`.
@@ -104,8 +116,9 @@ pub fn records(
     };
     let features = job.features();
     let limits = DispatchLimits::of(device)?;
-    let mut run = Run::new(&job, device, &features, limits, Recording::Events(CAPACITY))?;
+    let recording = Recording::Events(CAPACITY);
+    let mut run = PathRun::recording(&job, device, &features, limits, recording)?;
     run.sample_begin = index;
-    run.advance(0, 1)?;
+    run.advance_tile(0, 1)?;
     run.records()
 }

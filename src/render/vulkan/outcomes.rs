@@ -1,7 +1,7 @@
 //! What every single sample comes to on a device, before the film adds it up.
 
 use super::limits::DispatchLimits;
-use super::run::Run;
+use super::path::PathRun;
 use super::tile_film::TileFilm;
 use crate::gpu::Device;
 use crate::kernel::scene::Recording;
@@ -11,7 +11,7 @@ use crate::render::{Job, RenderError};
 
 /// A kernel that tells each sample, and room for the samples of one tile.
 pub struct Outcomes<'a> {
-    run: Run<'a>,
+    run: PathRun<'a>,
     /// Samples a pixel that there is room for.
     room: u32,
 }
@@ -32,13 +32,13 @@ impl<'a> Outcomes<'a> {
         };
         let recording = Recording::Outcomes(room);
         Ok(Self {
-            run: Run::new(job, device, &features, limits, recording)?,
+            run: PathRun::recording(job, device, &features, limits, recording)?,
             room,
         })
     }
 
     pub fn tiles(&self) -> Vec<Tile> {
-        self.run.tiles.iter().map(|t| t.tile).collect()
+        self.run.host.tiles.iter().map(|t| t.tile).collect()
     }
 
     /// The samples from `first` on of each pixel of a tile, row by row: `count` ≤ `room` of them, one after the other.
@@ -49,8 +49,8 @@ impl<'a> Outcomes<'a> {
         count: u32,
     ) -> Result<Vec<Vec<PathOutcome>>, RenderError> {
         self.run.restart(tile, first)?;
-        self.run.advance(tile, count)?;
-        let TileFilm { tile, .. } = &self.run.tiles[tile];
+        self.run.advance_tile(tile, count)?;
+        let TileFilm { tile, .. } = &self.run.host.tiles[tile];
         let all = self.run.outcomes()?;
         let pixels = all.chunks(self.room as usize).take(tile.pixels() as usize);
         Ok(pixels

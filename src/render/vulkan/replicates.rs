@@ -3,56 +3,45 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use super::develop;
 use super::limits::DispatchLimits;
-use super::run::Run;
-use super::tile_film::TileFilm;
+use super::rendering::Rendering;
 use crate::film::Film;
 use crate::gpu::Device;
-use crate::kernel::scene::Recording;
 use crate::render::replicates::{Growing, Took};
 use crate::render::slices::Slices;
-use crate::render::{Job, RenderError};
+use crate::render::{HostFilm, Job, RenderError};
 
 /// A kernel that has been through its first dispatch, and the films so far.
-pub struct Replicates<'a> {
-    job: &'a Job<'a>,
-    run: Run<'a>,
+pub struct Replicates<R, F> {
+    run: R,
     slices: Slices,
-    films: Vec<Replicate>,
+    films: Vec<Replicate<F>>,
     compile_s: f64,
 }
 
-struct Replicate {
+struct Replicate<F> {
     seed: u32,
     done: u32,
-    /// Empty while the run has them.
-    tiles: Vec<TileFilm>,
+    /// `None` while the run has it.
+    film: Option<F>,
 }
 
-impl<'a> Replicates<'a> {
+impl<'a, R: Rendering<'a>> Replicates<R, R::Film> {
     pub fn new(
         job: &'a Job<'a>,
         device: &'a Device,
         limits: DispatchLimits,
         seeds: &[u32],
     ) -> Result<Self, RenderError> {
-        let features = job.features();
-        let mut run = Run::new(job, device, &features, limits, Recording::Nothing)?;
+        let mut run = R::new(job, device, &job.features(), limits)?;
         let compile_s = run.compile()?.as_secs_f64();
-        let moments = features.keeps_moments();
         let film = |&seed: &u32| Replicate {
             seed,
             done: 0,
-            tiles: run
-                .tiles
-                .iter()
-                .map(|t| TileFilm::new(t.tile, moments))
-                .collect(),
+            film: Some(run.empty()),
         };
         Ok(Self {
             films: seeds.iter().map(film).collect(),
-            job,
             run,
             slices: Slices::new(),
             compile_s,
@@ -63,10 +52,7 @@ impl<'a> Replicates<'a> {
     fn sample(&mut self, mut done: u32, spp: u32, stop: &AtomicBool) -> Result<u32, RenderError> {
         while done < spp && !stop.load(Ordering::Relaxed) {
             let slice = self.slices.next(spp - done);
-            let mut longest = Duration::ZERO;
-            for tile in 0..self.run.tiles.len() {
-                longest = longest.max(self.run.advance(tile, done + slice)?);
-            }
+            let longest: Duration = self.run.advance(done + slice, &mut |_| {})?;
             self.slices.took(slice, longest);
             done += slice;
         }
@@ -74,19 +60,20 @@ impl<'a> Replicates<'a> {
     }
 }
 
-impl Growing for Replicates<'_> {
+impl<'a, R: Rendering<'a>> Growing for Replicates<R, R::Film> {
     fn advance(&mut self, i: usize, spp: u32, stop: &AtomicBool) -> Result<Took, RenderError> {
         let Replicate { seed, done, .. } = self.films[i];
-        let tiles = std::mem::take(&mut self.films[i].tiles);
-        let idle = self.run.exchange(tiles, seed)?;
-        let (start, gpu) = (Instant::now(), self.run.gpu_time);
+        let film = self.films[i].film.take();
+        let film = film.unwrap_or_else(|| self.run.empty());
+        let idle = self.run.exchange(film, seed)?;
+        let (start, gpu) = (Instant::now(), self.run.costs().gpu_time);
         let now = self.sample(done, spp, stop)?;
         let took = Took {
             wall_s: start.elapsed().as_secs_f64(),
-            gpu_s: Some((self.run.gpu_time - gpu).as_secs_f64()),
+            gpu_s: Some((self.run.costs().gpu_time - gpu).as_secs_f64()),
         };
         self.films[i].done = now;
-        self.films[i].tiles = std::mem::replace(&mut self.run.tiles, idle);
+        self.films[i].film = Some(self.run.exchange(idle, seed)?);
         Ok(took)
     }
 
@@ -95,12 +82,13 @@ impl Growing for Replicates<'_> {
     }
 
     fn picture(&self, i: usize) -> Film {
-        let Replicate { tiles, done, .. } = &self.films[i];
-        develop::picture(tiles, self.job.area(), *done)
+        let Replicate { film, done, .. } = &self.films[i];
+        let film = film.as_ref().unwrap_or_else(|| self.run.film());
+        film.picture(*done)
     }
 
     fn set_up_s(&self) -> f64 {
-        let s = self.run.set_up;
+        let s = self.run.costs().set_up;
         s.hierarchy + s.compose + s.upload + s.pipeline + self.compile_s
     }
 }

@@ -3,7 +3,7 @@
 use crate::gpu::{Buffer, Device};
 use crate::layout::{FilmMoments, FilmPixel, PathState};
 use crate::render::RenderError;
-use crate::render::plan::{ArrayPlan, StatePlan};
+use crate::render::plan::{ArrayPlan, PathPlan};
 use crate::render::tiles::Tile;
 
 /// A tile between two of its slices.
@@ -32,6 +32,32 @@ impl TileFilm {
     }
 }
 
+/// The film of a path tracer, all tiles of it.
+pub struct PathFilm {
+    pub area: Tile,
+    pub tiles: Vec<TileFilm>,
+}
+
+impl PathFilm {
+    /// No samples yet.
+    pub fn new(area: Tile, tiles: Vec<Tile>, moments: bool) -> Self {
+        let film = |tile| TileFilm::new(tile, moments);
+        Self {
+            area,
+            tiles: tiles.into_iter().map(film).collect(),
+        }
+    }
+
+    /// Another of the same tiles, without samples.
+    pub fn empty(&self) -> Self {
+        let film = |t: &TileFilm| TileFilm::new(t.tile, !t.moments.is_empty());
+        Self {
+            area: self.area,
+            tiles: self.tiles.iter().map(film).collect(),
+        }
+    }
+}
+
 /// The paths and the film of the tile under way, on the device.
 pub struct DeviceFilm {
     paths: Buffer,
@@ -41,7 +67,7 @@ pub struct DeviceFilm {
 
 impl DeviceFilm {
     /// As planned, zeros.
-    pub fn new(device: &Device, plan: &StatePlan) -> Result<Self, RenderError> {
+    pub fn new(device: &Device, plan: &PathPlan) -> Result<Self, RenderError> {
         Ok(Self {
             paths: buffer(device, &plan.paths)?,
             film: buffer(device, &plan.film)?,

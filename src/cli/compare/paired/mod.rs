@@ -8,6 +8,7 @@ use super::arguments::PairedArguments;
 use crate::cli::command;
 use crate::cli::destination::all_written;
 use crate::cli::exit::{Ending, Failure, warn};
+use crate::cli::integrator::only_path;
 use crate::cli::interrupt::stop_flag;
 use crate::cli::job::Ready;
 use crate::cli::progress::Display;
@@ -22,6 +23,7 @@ pub fn paired(arguments: &PairedArguments) -> Result<Ending, Failure> {
     let request = arguments
         .request()
         .ok_or_else(|| Failure::Usage("a scene file is missing".to_owned()))?;
+    only_path(&request.settings, "--paired")?;
     let ready = Ready::new(&request)?;
     let job = ready.job(&request)?;
     let device = Device::open(&arguments.device()).map_err(|e| Failure::Render(e.into()))?;

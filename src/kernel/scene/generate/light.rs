@@ -15,6 +15,35 @@ fn light_file(kind: LightKind) -> &'static str {
     }
 }
 
+/// Where light paths begin: `light_emission`.
+pub fn emission(features: &Features) -> String {
+    let first = "lights[light].first";
+    let call = |kind: LightKind| match kind {
+        LightKind::Sphere => {
+            format!("sphere_emission(spheres[{first}].centre, spheres[{first}].radius, u)")
+        }
+        LightKind::Box => format!("box_emission(boxes[{first}].lo, boxes[{first}].hi, u24, u)"),
+        LightKind::Cylinder => format!("cylinder_emission(cylinders[{first}], u24, u)"),
+        LightKind::Mesh => {
+            format!("mesh_emission({first}, lights[light].count, lights[light].cdf, u24, u)")
+        }
+        LightKind::Background => "no_emission()".into(),
+    };
+    let dispatch = Dispatch {
+        result: "Emission",
+        name: "light_emission",
+        arguments: &[("uint", "light"), ("uint", "u24"), ("vec2", "u")],
+        selector: "lights[light].kind",
+    };
+    let members: Vec<_> = (features.lights.iter())
+        .map(|&k| (k as u32, call(k)))
+        .collect();
+    let shapes = (features.lights.iter()).filter(|&&k| k != LightKind::Background);
+    let files = shapes.map(|&k| light_file(k));
+    uses("light/emission/point", "light/emission", files)
+        + &dispatch.text(&members, "no_emission()")
+}
+
 /// Explicit sampling: `light_sample`, and `light_pdf` for what a path hits.
 pub fn light(features: &Features) -> String {
     let first = "lights[light].first";

@@ -17,6 +17,7 @@ pub fn texts(features: &Features, parameters: &Parameters) -> Vec<(&'static str,
         ("distribution", scattering::distribution(features)),
         ("fresnel", scattering::fresnel(features)),
         ("light", light::light(features)),
+        ("light_emission", light::emission(features)),
         ("triangles", geometry::triangles(features)),
         ("nearest", geometry::nearest(features, parameters)),
     ];

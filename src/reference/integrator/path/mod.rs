@@ -14,6 +14,7 @@ use crate::reference::camera::camera_direction;
 use crate::reference::light::background_light_pdf;
 use crate::reference::math::finite::is_black;
 use crate::reference::math::{Real, Vec3, dot3};
+use crate::reference::path::blocks::Origin;
 use crate::reference::path::extend::extend;
 use crate::reference::path::flight::extend_ray;
 use crate::reference::path::roulette::LONG_PATH;
@@ -95,7 +96,7 @@ fn go_on<F: Real>(
     id: SampleId,
     recorder: &mut impl Recorder<F>,
 ) -> bool {
-    let e = extend(settings, &mut s.path, v, id);
+    let e = extend(settings, Origin::Eye, &mut s.path, v, id);
     s.underflow = e.underflow;
     // A broken throughput breaks the sample, which the film then drops and counts.
     if e.broken {

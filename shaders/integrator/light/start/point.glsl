@@ -1,0 +1,13 @@
+// The first vertex of a light path.
+
+// uses: light/emission/point
+
+struct LightStart {
+    Emission point;
+    // L/(P p_A): radiance over the density of the point among those of all lights.
+    vec3 radiance;
+    uint shape;
+    uint medium;
+    // Something begins here.
+    bool emits;
+};

@@ -1,0 +1,17 @@
+// Points of meshes. A mesh of `count` triangles from number `first` has count + 1 entries of triangle_cdf from `cdf`.
+// Twin of src/reference/light/emission/mesh.rs.
+
+// uses: shape/triangle/area, light/sample, light/triangle_choice, light/emission/point, <triangles>
+
+// The triangle by u24 < 2^24, then a point uniform in it.
+Emission mesh_emission(uint first, uint count, uint cdf, uint u24, vec2 u) {
+    uint i = triangle_choice(cdf, count, u24);
+    vec3 v0 = triangle_vertex(first + i, 0u);
+    vec3 v1 = triangle_vertex(first + i, 1u);
+    vec3 v2 = triangle_vertex(first + i, 2u);
+    TriangleArea surface = triangle_area(v0, v1, v2);
+    // The square folded onto the triangle: sqrt(u1) is the part of the way from v0 to its opposite edge.
+    float s = sqrt(u.x);
+    vec3 p = triangle_point(v0, v1, v2, vec2(s * (1.0 - u.y), s * u.y));
+    return Emission(p, surface.ng, triangle_pmf(cdf, i) * area_density(surface.area), first + i);
+}

@@ -1,0 +1,56 @@
+//! What an integrator cannot do, said before it renders.
+
+use glam::DVec3;
+
+use super::exit::Failure;
+use crate::prepared::{MaterialKind, Prepared};
+use crate::report::names::Named;
+use crate::settings::{Absorption, Integrator, Settings};
+
+/// Refuses settings that the integrator has no meaning for.
+pub fn check(settings: &Settings) -> Result<(), Failure> {
+    let light = settings.estimator.integrator == Integrator::Light;
+    if light && settings.model.absorption == Absorption::Term {
+        return Err(Failure::Usage(
+            "--integrator light cannot render --absorption term, which --model handout sets: light that absorption takes at \
+             surfaces alone has no path backwards. Add --absorption segment, or leave --integrator light out"
+                .to_owned(),
+        ));
+    }
+    Ok(())
+}
+
+/// Refuses what follows paths from the eye, `flag`, with another integrator.
+pub fn only_path(settings: &Settings, flag: &str) -> Result<(), Failure> {
+    match settings.estimator.integrator {
+        Integrator::Path => Ok(()),
+        other => Err(Failure::Usage(format!(
+            "{flag} follows the paths of --integrator path: leave --integrator {} out",
+            other.name()
+        ))),
+    }
+}
+
+/// What the integrator does not see of a scene.
+pub fn unseen(prepared: &Prepared, settings: &Settings) -> Option<String> {
+    use MaterialKind::{Glass, Mirror, Weak};
+    let has = |kind| {
+        let mut shapes = prepared.shapes.iter();
+        shapes.any(|s| prepared.materials[s.material as usize].kind == kind)
+    };
+    let missing: Vec<&str> = [
+        (has(Mirror), "what mirrors show"),
+        (has(Glass) || has(Weak), "what smooth glass shows"),
+        (prepared.background != DVec3::ZERO, "the background"),
+    ]
+    .into_iter()
+    .filter_map(|(there, what)| there.then_some(what))
+    .collect();
+    let light = settings.estimator.integrator == Integrator::Light;
+    (light && !missing.is_empty()).then(|| {
+        format!(
+            "--integrator light does not see {}: the picture lacks it",
+            missing.join(", nor ")
+        )
+    })
+}

@@ -1,0 +1,92 @@
+//! Light tracing: light → path loop → splats on the pixels from which the eye sees the path's vertices. Twin of
+//! `shaders/integrator/light/`.
+//!
+//! Finds what the eye sees of surfaces that scatter: neither a mirror nor what stands behind smooth glass, nor the light of
+//! the background. Light leaves a surface to its outside alone. Veach, Robust Monte Carlo Methods for Light Transport
+//! Simulation, 1997, section 10.3, s ≥ 1 and t = 1.
+
+pub mod begin;
+pub mod splat;
+
+use crate::prepared::MaterialKind;
+use crate::reference::math::finite::{has_nan, is_black};
+use crate::reference::math::{Real, Vec3};
+use crate::reference::path::blocks::Origin;
+use crate::reference::path::extend::extend;
+use crate::reference::path::flight::{extend_ray, shadow_ray};
+use crate::reference::path::roulette::LONG_PATH;
+use crate::reference::path::vertex::path_vertex;
+use crate::reference::path::{SampleId, depth_reached};
+use crate::reference::world::World;
+use crate::settings::Settings;
+use begin::{begin_light_path, light_start};
+use splat::{SplatRay, Window, splat_light, splat_vertex};
+
+/// Light that has arrived at a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Splat<F> {
+    /// What the light path adds to the pixel's mean of one sample index, W·sr⁻¹·m⁻².
+    pub value: Vec3<F>,
+    /// row · width + column of the full picture.
+    pub pixel: u32,
+}
+
+/// What one light path took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LightCounts {
+    pub rays: u64,
+    pub long_paths: u64,
+    pub underflows: u64,
+    /// Paths that ended with a throughput that is NaN, infinite.
+    pub nan: u64,
+    pub infinite: u64,
+}
+
+/// Follows the light path of a pixel and sample index to its end, and hands its splats within `window` to `take`, in the
+/// order of its vertices. `settings` are those of the adjoint, [`Settings::adjoint`].
+pub fn trace_light<F: Real>(
+    world: &World<F>,
+    settings: &Settings,
+    window: Window,
+    id: SampleId,
+    take: &mut impl FnMut(Splat<F>),
+) -> LightCounts {
+    let mut counts = LightCounts::default();
+    let Some(start) = light_start(world, settings, id) else {
+        return counts;
+    };
+    let mut path = begin_light_path(world, settings, &start, id);
+    let power = start.radiance * F::new(std::f64::consts::PI);
+    let mut arrive = |splat: Option<SplatRay<F>>, counts: &mut LightCounts| {
+        let Some(SplatRay { shadow, pixel }) = splat else {
+            return;
+        };
+        if let Some(value) = shadow_ray(world, settings, shadow, &mut counts.rays) {
+            take(Splat { value, pixel });
+        }
+    };
+    arrive(splat_light(world, window, &start), &mut counts);
+    let mut alive = true;
+    while alive {
+        let (hit, distance) = extend_ray(world, settings, &mut path, &mut counts.rays);
+        let Some(hit) = hit else { break };
+        let v = path_vertex(world, settings, path.ray, hit, distance);
+        let black = world.materials[v.material as usize].kind == MaterialKind::Black;
+        // A path sets out with some light: what has none has lost it to absorption.
+        let absorbed = is_black(path.throughput);
+        counts.underflows += u64::from(absorbed);
+        if black || depth_reached(settings, path.bounce) || absorbed {
+            break;
+        }
+        let splat = splat_vertex(world, settings, window, power, &path, &v);
+        let e = extend(settings, Origin::Light, &mut path, &v, id);
+        arrive(splat, &mut counts);
+        counts.underflows += u64::from(e.underflow);
+        counts.long_paths += u64::from(e.alive && path.bounce == LONG_PATH);
+        let nan = e.broken && has_nan(path.throughput);
+        counts.nan += u64::from(nan);
+        counts.infinite += u64::from(e.broken && !nan);
+        alive = e.alive;
+    }
+    counts
+}

@@ -1,0 +1,34 @@
+//! Points of axis-aligned boxes; twin of `shaders/light/emission/box.glsl`.
+
+use super::Emission;
+use crate::prepared::NONE;
+use crate::reference::light::sample::{area_density, choice_below};
+use crate::reference::math::{Real, Vec3, vec3};
+
+/// Uniform over the six faces; the face is chosen by `u24` < 2²⁴: first the lower faces across x, y and z, then the
+/// upper.
+pub fn box_emission<F: Real>(lo: Vec3<F>, hi: Vec3<F>, u24: u32, u: [F; 2]) -> Emission<F> {
+    let (zero, one) = (F::zero(), F::one());
+    let e = hi - lo;
+    let area = vec3(e.y * e.z, e.z * e.x, e.x * e.y);
+    let lower = area.x + area.y + area.z;
+    let choice = choice_below(u24, lower + lower);
+    let upper = choice >= lower;
+    let rest = if upper { choice - lower } else { choice };
+    let x = rest < area.x;
+    let y = !x && rest < area.x + area.y;
+    let z = !x && !y;
+    let (side, out) = if upper { (one, one) } else { (zero, -one) };
+    let pick = |chosen: bool, a: F, b: F| if chosen { a } else { b };
+    let at = vec3(
+        pick(x, side, u[0]),
+        pick(y, side, pick(x, u[0], u[1])),
+        pick(z, side, u[1]),
+    );
+    Emission {
+        p: lo + e * at,
+        n: vec3(pick(x, out, zero), pick(y, out, zero), pick(z, out, zero)),
+        area_pdf: area_density(lower + lower),
+        prim: NONE,
+    }
+}

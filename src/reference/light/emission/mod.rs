@@ -1,0 +1,36 @@
+//! Where light paths begin: points of lights, uniform over their areas. Twin of `shaders/light/emission/`.
+
+pub mod r#box;
+pub mod cylinder;
+pub mod mesh;
+pub mod sphere;
+
+pub use r#box::box_emission;
+pub use cylinder::cylinder_emission;
+pub use mesh::mesh_emission;
+pub use sphere::sphere_emission;
+
+use crate::prepared::NONE;
+use crate::reference::math::{Real, Vec3, vec3};
+
+/// A point of a light, uniform over its area.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Emission<F> {
+    pub p: Vec3<F>,
+    /// Outward, of unit length.
+    pub n: Vec3<F>,
+    /// Density per area; 0: nothing begins here.
+    pub area_pdf: F,
+    /// The triangle that the point is on, [`NONE`] on a solid.
+    pub prim: u32,
+}
+
+/// The background sends out no light paths.
+pub fn no_emission<F: Real>() -> Emission<F> {
+    Emission {
+        p: Vec3::zero(),
+        n: vec3(F::zero(), F::zero(), F::one()),
+        area_pdf: F::zero(),
+        prim: NONE,
+    }
+}

@@ -1,0 +1,17 @@
+//! Points of spheres; twin of `shaders/light/emission/sphere.glsl`.
+
+use super::Emission;
+use crate::prepared::NONE;
+use crate::reference::light::sample::{area_density, unit_sphere};
+use crate::reference::math::{Real, Vec3};
+
+/// Uniform over the sphere, p_A = 1/(4π r²).
+pub fn sphere_emission<F: Real>(centre: Vec3<F>, radius: F, u: [F; 2]) -> Emission<F> {
+    let n = unit_sphere(u);
+    Emission {
+        p: centre + n * radius,
+        n,
+        area_pdf: area_density(F::new(12.566370614359172) * (radius * radius)),
+        prim: NONE,
+    }
+}

@@ -1,0 +1,49 @@
+//! Light tracing by the reference: the light paths of a row of pixels at a time, their splats added in order.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::Render;
+use crate::reference::integrator::light::{LightCounts, Splat, trace_light};
+use crate::reference::math::Real;
+use crate::reference::path::SampleId;
+use crate::reference::world::World;
+use crate::render::{Job, LightFilm};
+
+impl<F: Real> Render<F> for LightFilm<F> {
+    fn new(job: &Job) -> Self {
+        Self::new(job)
+    }
+
+    fn advance(&mut self, job: &Job, world: &World<F>, samples: Range<u32>) {
+        let settings = job.settings.adjoint();
+        let window = self.window();
+        let row = |row: u32, sample: u32| {
+            let mut splats: Vec<Splat<F>> = Vec::new();
+            let mut counts = Vec::new();
+            for column in 0..job.prepared.width {
+                let id = SampleId {
+                    column,
+                    row,
+                    pixel: row * world.width + column,
+                    sample,
+                    seed: job.seed,
+                };
+                let mut take = |splat| splats.push(splat);
+                counts.push(trace_light(world, &settings, window, id, &mut take));
+            }
+            (splats, counts)
+        };
+        for sample in samples {
+            let rows = (0..job.prepared.height).into_par_iter();
+            let rows: Vec<(Vec<Splat<F>>, Vec<LightCounts>)> =
+                rows.map(|y| row(y, sample)).collect();
+            for (splats, counts) in rows {
+                splats.into_iter().for_each(|splat| self.splat(splat));
+                counts.into_iter().for_each(|c| self.count(c));
+            }
+            self.end_sample();
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! Path tracing by the reference: each pixel by itself.
+
+use std::ops::Range;
+
+use super::Render;
+use crate::reference::integrator::path::record::Silent;
+use crate::reference::integrator::path::trace_path;
+use crate::reference::math::Real;
+use crate::reference::path::SampleId;
+use crate::reference::world::World;
+use crate::render::{Job, Pixels};
+
+impl<F: Real> Render<F> for Pixels<F> {
+    fn new(job: &Job) -> Self {
+        Self::new(job)
+    }
+
+    fn advance(&mut self, job: &Job, world: &World<F>, samples: Range<u32>) {
+        let area = self.area;
+        self.each(|i, mut pixel| {
+            let i = i as u32;
+            let (column, row) = (area.x + i % area.width, area.y + i / area.width);
+            for sample in samples.clone() {
+                let id = SampleId {
+                    column,
+                    row,
+                    pixel: row * world.width + column,
+                    sample,
+                    seed: job.seed,
+                };
+                let path = trace_path(world, &job.settings, id, &mut Silent);
+                pixel.add(path.radiance, sample);
+                pixel.film.rays += path.rays;
+                pixel.film.long_paths += u64::from(path.long);
+                pixel.film.underflows += u64::from(path.underflow);
+            }
+        });
+    }
+}

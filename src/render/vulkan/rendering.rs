@@ -1,0 +1,57 @@
+//! A rendering on a device, whichever integrator makes it.
+
+use std::time::Duration;
+
+use crate::features::Features;
+use crate::gpu::Device;
+use crate::render::{DispatchLimits, HostFilm, Job, RenderError, SetUp};
+
+/// The kernels and buffers of one integrator, and the film that they add samples to.
+pub trait Rendering<'a>: Sized {
+    type Film: HostFilm;
+
+    /// Compiles, uploads; no samples yet.
+    fn new(
+        job: &'a Job<'a>,
+        device: &'a Device,
+        features: &Features,
+        limits: DispatchLimits,
+    ) -> Result<Self, RenderError>;
+
+    /// The first dispatch, on which drivers compile: asks for no sample.
+    fn compile(&mut self) -> Result<Duration, RenderError>;
+
+    /// Brings every pixel to `samples` samples and reports the part that is done; returns the longest dispatch.
+    ///
+    /// # Errors
+    /// [`RenderError::Loops`] after the first dispatch that did not end its loops itself: what comes after would
+    /// be wrong too.
+    fn advance(
+        &mut self,
+        samples: u32,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Duration, RenderError>;
+
+    fn film(&self) -> &Self::Film;
+
+    /// A film of no samples.
+    fn empty(&self) -> Self::Film;
+
+    /// Takes up another film, of which no path is under way, by other random numbers; gives back the one so far.
+    fn exchange(&mut self, film: Self::Film, seed: u32) -> Result<Self::Film, RenderError>;
+
+    fn costs(&self) -> &Costs;
+
+    /// Names and bytes of all buffers, in the order of their bindings.
+    fn buffers(&self) -> Vec<(String, u64)>;
+}
+
+/// What a rendering takes beside its samples.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Costs {
+    /// How long all this took to make; opening the device is not in it.
+    pub set_up: SetUp,
+    pub spirv_bytes: u64,
+    /// The device's own time for all dispatches.
+    pub gpu_time: Duration,
+}
