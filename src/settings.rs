@@ -162,8 +162,8 @@ impl Settings {
 
     /// Those under which a BSDF carries light from the light's side: f with its arguments swapped. Reflection is symmetric.
     /// Refraction is not: f(wi, wo) = eta² f(wo, wi) without radiance scaling, so that what scales radiance on paths from
-    /// the eye has no factor on paths from a light, and the other way round (model.md, "Radiance scaling"; Veach 1997,
-    /// section 5.2).
+    /// the eye has no factor on paths from a light, and the other way round (model.md, "The adjoint"; Veach 1997, section
+    /// 5.2).
     pub fn adjoint(mut self) -> Self {
         self.model.radiance_scaling = !self.model.radiance_scaling;
         self

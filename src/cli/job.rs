@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use super::integrator;
 use super::exit::{Failure, point_out, warn};
+use super::integrator;
 use super::source::Source;
 use crate::prepared::{self, Camera, Prepared};
 use crate::render::{Job, KernelChoice, Until};
@@ -63,11 +63,11 @@ impl Loaded {
         let start = Instant::now();
         let prepared = self.prepare_in_silence(request)?;
         let prepare_s = start.elapsed().as_secs_f64();
-        if request.strict && !prepared.warnings.is_empty() {
-            return Err(Failure::Strict(prepared.warnings));
-        }
         let mut warnings = prepared.warnings.clone();
         warnings.extend(integrator::unseen(&prepared, &request.settings));
+        if request.strict && !warnings.is_empty() {
+            return Err(Failure::Strict(warnings));
+        }
         warnings.iter().for_each(|warning| warn(warning));
         Ok(Ready {
             settings: request.settings,

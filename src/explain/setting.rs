@@ -3,7 +3,10 @@
 use super::Subject;
 use crate::report::SettingsRecord;
 use crate::report::explanation::Part;
-use crate::settings::{Connect, LobeChoice, Normals, Roulette, Sampler};
+use crate::settings::{Connect, Integrator, LobeChoice, Normals, Roulette, Sampler};
+
+/// Why a kernel of light paths looks for no light.
+const FROM_LIGHT: &str = "paths begin at the lights";
 
 /// A part of the kernel that a flag decides on.
 struct Setting {
@@ -43,11 +46,26 @@ pub fn by(subject: &Subject, flag: &str, value: impl Fn(&SettingsRecord) -> Stri
     }
 }
 
-fn estimator(subject: &Subject) -> [Setting; 6] {
+fn estimator(subject: &Subject) -> [Setting; 8] {
     let settings = &subject.job.settings.estimator;
     let names = SettingsRecord::from(&subject.job.settings);
     let connect = by(subject, "connect", |s| s.connect.to_owned());
+    let integrator = by(subject, "integrator", |s| s.integrator.to_owned());
     [
+        Setting {
+            group: "integrator",
+            name: "path".to_owned(),
+            file: "integrator/path/path_trace.comp",
+            by: integrator.clone(),
+            absent: "--integrator light: each vertex of a light path is joined to the eye",
+        },
+        Setting {
+            group: "integrator",
+            name: "light".to_owned(),
+            file: "integrator/light/light_trace.comp",
+            by: integrator,
+            absent: "paths begin at the eye",
+        },
         Setting {
             group: "micronormals",
             name: names.normals.to_owned(),
@@ -73,8 +91,9 @@ fn estimator(subject: &Subject) -> [Setting; 6] {
             name: "by connections".to_owned(),
             file: "integrator/path/direct/sample",
             by: connect.clone(),
-            absent: match settings.connect {
-                Connect::Bsdf => "--connect bsdf: paths find the light themselves",
+            absent: match (settings.integrator, settings.connect) {
+                (Integrator::Light, _) => FROM_LIGHT,
+                (_, Connect::Bsdf) => "--connect bsdf: paths find the light themselves",
                 _ => "there is no light",
             },
         },
@@ -87,7 +106,10 @@ fn estimator(subject: &Subject) -> [Setting; 6] {
                 Connect::Bsdf => "integrator/path/connect/bsdf",
             },
             by: connect,
-            absent: "there is no light",
+            absent: match settings.integrator {
+                Integrator::Light => FROM_LIGHT,
+                Integrator::Path => "there is no light",
+            },
         },
         Setting {
             group: "roulette",

@@ -15,6 +15,7 @@ mod gpu;
 mod gpu_cache;
 mod hand_over;
 mod honest_error;
+mod light_tracing;
 mod oracle;
 mod paired;
 mod random_scenes;

@@ -21,18 +21,23 @@ use crate::common::stats::{p_of_difference, sidak};
 
 const ALPHA: f64 = 1e-3;
 /// Blocks of 8 × 8 pixels in 32 × 24, and the whole picture.
-const MEANS: usize = 4 * 3 + 1;
+pub const MEANS: usize = 4 * 3 + 1;
 const SCENES: [(&str, &str); 3] = [("table", TABLE), ("smooth", SMOOTH), ("wide", WIDE)];
 
 /// How much is rendered of each picture.
 #[derive(Clone, Copy)]
-struct Effort {
-    seeds: u32,
-    spp: u32,
+pub struct Effort {
+    pub seeds: u32,
+    pub spp: u32,
 }
 
 /// For each block and for the whole picture its mean, seed by seed.
-fn means(scene: &Prepared, settings: Settings, effort: Effort, first_seed: u32) -> Vec<Vec<f64>> {
+pub fn means(
+    scene: &Prepared,
+    settings: Settings,
+    effort: Effort,
+    first_seed: u32,
+) -> Vec<Vec<f64>> {
     let mut means = vec![Vec::new(); MEANS];
     for k in 0..effort.seeds {
         let job = job(scene, settings, effort.spp, first_seed + k);

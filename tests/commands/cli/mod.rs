@@ -8,6 +8,7 @@ mod doctor;
 mod ends;
 mod explain;
 mod help;
+mod integrator;
 mod interrupt;
 mod overstated;
 mod paired;

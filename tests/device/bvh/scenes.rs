@@ -34,6 +34,7 @@ impl Builder {
             normals: Vec::new(),
             materials: Vec::new(),
             lights: Vec::new(),
+            light_media: Vec::new(),
             light_cdf: Vec::new(),
             triangle_cdf: Vec::new(),
             background: DVec3::ZERO,

@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 use proptest::sample::select;
 use vkpt::settings::{
-    Absorption, Connect, Distribution, DistributionRule, Estimator, Fresnel, LobeChoice, Model,
-    Normals, Roulette, Sampler, Settings,
+    Absorption, Connect, Distribution, DistributionRule, Estimator, Fresnel, Integrator,
+    LobeChoice, Model, Normals, Roulette, Sampler, Settings,
 };
 
 fn model() -> impl Strategy<Value = Model> {
@@ -45,6 +45,7 @@ fn estimator() -> impl Strategy<Value = Estimator> {
         select(vec![Sampler::Sobol, Sampler::Random]),
     )
         .prop_map(|(lobe, normals, roulette, connect, sampler)| Estimator {
+            integrator: Integrator::Path,
             lobe,
             normals,
             roulette,

@@ -47,16 +47,16 @@ fn out_sample(s: LightSample<f32>, o: &mut Out) {
     o.u(s.prim);
 }
 
-fn light(name: &'static str, file: &'static str) -> Twin {
+pub fn light(name: &'static str, file: &'static str) -> Twin {
     Twin::new(name, file).prelude(prelude())
 }
 
 /// Two numbers of the sampler, one in eight of them at an end.
-fn uniforms(r: &mut Rng) -> [f32; 2] {
+pub fn uniforms(r: &mut Rng) -> [f32; 2] {
     [0; 2].map(|_| [0.0, LAST, r.unit(), r.unit()][(r.below(16) as usize).min(3)])
 }
 
-fn u24(r: &mut Rng) -> u32 {
+pub fn u24(r: &mut Rng) -> u32 {
     [0, (1 << 24) - 1, r.below(1 << 24)][(r.below(16) as usize).min(2)]
 }
 
@@ -384,24 +384,23 @@ fn cylinders() -> Vec<Twin> {
 
 /// Seven triangles that come after two others, and a table that comes after one entry.
 const MESH: &str = "
-uint triangle_cdf[9];
 vec3 corners[21];
 vec3 triangle_vertex(uint i, uint k) { return corners[3u * (i - 2u) + k]; }
 ";
-const FILL_MESH: &str = "uint n = 0u;
+pub const FILL_MESH: &str = "uint n = 0u;
     while (n < 8u) { triangle_cdf[n + 1u] = in_u(); n += 1u; }
     n = 0u;
     while (n < 21u) { corners[n] = in_vec3(); n += 1u; }
     vec3 p = in_vec3();";
 
-struct Mesh {
-    cdf: [u32; 8],
+pub struct Mesh {
+    pub cdf: [u32; 8],
     /// Two of another mesh first.
-    triangles: Vec<Triangle<f32>>,
+    pub triangles: Vec<Triangle<f32>>,
     p: Vec3<f32>,
 }
 
-fn read_mesh(i: &mut In) -> Mesh {
+pub fn read_mesh(i: &mut In) -> Mesh {
     let cdf = read_eight(i);
     let zero = Triangle {
         v: [Vec3::zero(); 3],
@@ -419,7 +418,7 @@ fn read_mesh(i: &mut In) -> Mesh {
     }
 }
 
-fn mesh_row(r: &mut Rng) -> (Row, [u32; 8]) {
+pub fn mesh_row(r: &mut Rng) -> (Row, [u32; 8]) {
     let size = r.log_range(1e-5, 1e5);
     let cdf = counts(r);
     let row = (0..7).fold(eight(Row::new(), cdf), |row, _| {
@@ -431,9 +430,15 @@ fn mesh_row(r: &mut Rng) -> (Row, [u32; 8]) {
     (row.vec3(r.vec3(-2.0 * size, 2.0 * size)), cdf)
 }
 
+/// A function of a mesh: [`MESH`] is what it reads.
+pub fn mesh(name: &'static str, file: &'static str) -> Twin {
+    light(name, file)
+        .prelude("uint triangle_cdf[9];\n")
+        .slot("triangles", Slot::Text(MESH.into()))
+}
+
 fn meshes() -> Vec<Twin> {
-    let on =
-        |name: &'static str| light(name, "light/mesh").slot("triangles", Slot::Text(MESH.into()));
+    let on = |name: &'static str| mesh(name, "light/mesh");
     vec![
         on("triangle_choice")
             .glsl(&format!("{FILL_MESH} out_u(triangle_choice(1u, 7u, in_u()));"))

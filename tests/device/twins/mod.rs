@@ -5,6 +5,7 @@ mod harness;
 mod bsdf;
 mod camera;
 mod elementary;
+mod emission;
 mod film;
 mod light;
 mod math;
@@ -61,6 +62,11 @@ fn platform_arithmetic() {
 }
 
 #[test]
+fn emission_functions() {
+    check(&emission::twins());
+}
+
+#[test]
 fn sampler_functions() {
     check(&sampler::twins());
 }
@@ -90,6 +96,10 @@ const EXCUSED: &[(&str, &str)] = &[
     ),
     ("integrator/path/direct/", READS_THE_SCENE),
     ("integrator/path/emission/", READS_THE_SCENE),
+    ("integrator/light/", READS_THE_SCENE),
+    ("light/emission/point", "a constant"),
+    ("path/blocks/", "a sum, and none"),
+    ("path/correction/", READS_THE_SCENE),
     ("path/extend", READS_THE_SCENE),
     ("path/flight", READS_THE_SCENE),
     ("path/medium/none", "a constant"),
@@ -121,6 +131,7 @@ fn all() -> Vec<Twin> {
         bsdf::twins(),
         camera::twins(),
         elementary::twins(),
+        emission::twins(),
         film::twins(),
         light::twins(),
         math::twins(),

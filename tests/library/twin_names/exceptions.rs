@@ -12,6 +12,10 @@ pub const HOMES: &[(&str, &str)] = &[
     ("generated", "world"),
     // the tables of the scene
     ("light/choice/", "world"),
+    ("light/emission/point", "light/emission"),
+    ("path/blocks/", "path/blocks"),
+    ("path/correction/", "path/correction"),
+    ("integrator/light/start/", "integrator/light/begin"),
     ("integrator/path/background/", "integrator/path"),
     ("path/crossing/", "path/vertex"),
     ("path/depth/", "path"),
@@ -26,7 +30,7 @@ pub const HOMES: &[(&str, &str)] = &[
 pub const KERNEL_ONLY: &[(&str, &str)] = &[
     ("film/moments/", "the buffer of moments, or none"),
     (
-        "light/mesh",
+        "light/triangle_choice",
         "a mesh's part of one long table; cdf_choice and cdf_probability, given a slice",
     ),
     ("leads_through", "wi.z < 0"),
@@ -37,6 +41,10 @@ pub const KERNEL_ONLY: &[(&str, &str)] = &[
         "flies a vertex's shadow ray one turn late, in one loop with the extension ray",
     ),
     ("integrator/path/record/", "the reference tells a Recorder"),
+    (
+        "integrator/light/shade",
+        "a turn of the loop in trace_light",
+    ),
     ("integrator/path/shade", "a turn of the loop in trace_path"),
     ("shape/bvh/", "each renderer has a hierarchy of its own"),
     (
@@ -45,6 +53,8 @@ pub const KERNEL_ONLY: &[(&str, &str)] = &[
     ),
     ("shape/triangle/corner", "reads a buffer"),
 ];
+
+const SAMPLE: &str = "the kernel has the sample's index in no SampleId";
 
 /// Functions whose arguments differ.
 pub const ARGUMENTS: &[(&str, &str)] = &[
@@ -56,7 +66,14 @@ pub const ARGUMENTS: &[(&str, &str)] = &[
         "connect",
         "the kernel keeps the path apart from its state: naga takes no `inout` of a member",
     ),
-    ("extend", "the kernel has the sample's index in no SampleId"),
+    ("begin_light_path", SAMPLE),
+    ("extend", SAMPLE),
+    ("light_start", SAMPLE),
+    (
+        "mesh_emission",
+        "the place of the mesh's part of the table instead of a slice",
+    ),
+    ("splat_vertex", "the kernel has the power in its state"),
     (
         "go_on",
         "the kernel keeps the path apart from its state: naga takes no `inout` of a member",
@@ -96,6 +113,7 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
     ("math/ulps", "measures errors; renders nothing"),
     ("path/flight", "the two halves of fly"),
     ("shape/linear", "the loops that a kernel has written out"),
+    ("trace_light", "the loop of light_trace.comp"),
     ("trace_path", "the loop of path_trace.comp"),
     ("vec3", "a constructor"),
 ];

@@ -28,11 +28,13 @@ impl fmt::Display for Function {
 }
 
 /// Types of arguments that stand for what a kernel has in its slots, buffers and push constants, or that record.
-const GIVEN_TO_RUST: [&str; 10] = [
+const GIVEN_TO_RUST: [&str; 12] = [
     "&Settings",
     "&World<F>",
     "&mut impl Recorder<F>",
     "SampleId",
+    "Origin",
+    "Window",
     "Absorption",
     "Connect",
     "Roulette",
@@ -41,7 +43,12 @@ const GIVEN_TO_RUST: [&str; 10] = [
     "Option<&[",
 ];
 /// Where a kernel keeps its counts, and the number of the pixel, which Rust has in a `SampleId`.
-const GIVEN_TO_KERNELS: [&str; 2] = ["inout FilmPixel pixel", "uint pixel_index"];
+const GIVEN_TO_KERNELS: [&str; 4] = [
+    "inout FilmPixel pixel",
+    "inout LightLane lane",
+    "inout LightState s",
+    "uint pixel_index",
+];
 
 /// The functions that a GLSL text defines: each head starts its line and ends it with a brace.
 pub fn glsl_functions(file: &str, text: &str) -> Vec<Function> {

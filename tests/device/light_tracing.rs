@@ -1,0 +1,196 @@
+//! Light tracing on a device: the same bits as the reference in f32, whatever tiles, dispatches and crops; and kernels with
+//! planted errors, which the comparison with path tracing must notice.
+
+use std::path::Path;
+
+use tempfile::NamedTempFile;
+use vkpt::film::{Aov, Film};
+use vkpt::gpu::DeviceKind;
+use vkpt::kernel::{OwnFile, file};
+use vkpt::render::{DispatchLimits, Job, KernelChoice, Outcome, Target};
+use vkpt::settings::{Integrator, Settings};
+
+use crate::common;
+use crate::common::render::{
+    difference, job, on_device, on_device_within, outcome, pixel_means, prepared,
+};
+use crate::common::scenes::{SMOOTH, TABLE, WIDE};
+use crate::common::stats::p_of_difference;
+
+fn light() -> Settings {
+    let mut settings = Settings::default();
+    settings.estimator.integrator = Integrator::Light;
+    settings
+}
+
+fn same(a: &Film, b: &Film, what: &str) {
+    if let Some(difference) = difference(a, b) {
+        panic!("{what}: {difference}");
+    }
+}
+
+/// A cube whose corners have normals of their own, so that shading and geometric normals part.
+fn rounded_cube() -> NamedTempFile {
+    common::meshes::ply(
+        "element vertex 8\nproperty float x\nproperty float y\nproperty float z\n\
+         property float nx\nproperty float ny\nproperty float nz\n\
+         element face 6\nproperty list uchar int vertex_indices\nend_header\n\
+         -1 -1 -1 -1 -1 -1\n1 -1 -1 1 -1 -1\n1 1 -1 1 1 -1\n-1 1 -1 -1 1 -1\n\
+         -1 -1 1 -1 -1 1\n1 -1 1 1 -1 1\n1 1 1 1 1 1\n-1 1 1 -1 1 1\n\
+         4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",
+    )
+}
+
+/// Such a cube, lit by another.
+fn meshes(cube: &Path) -> String {
+    format!(
+        "screen 32 24\ncamera 0 -6 2.5 .35 x 70\nlight 3 4 5\nmesh {0} 1.5 0 2 .5\n\
+         brdf .5 .5 .5 0 0 0 1\nbox -5 -5 -.1 10 10 .1\nbrdf .2 .3 .4 .3 .3 .3 .3\nmesh {0} -1 0 .8 .6\n",
+        cube.display()
+    )
+}
+
+#[test]
+fn a_cpu_device_equals_the_reference_bit_for_bit() {
+    let Some(device) = common::device() else {
+        return;
+    };
+    if device.info().kind != DeviceKind::Cpu {
+        println!(
+            "skipped: {} need not round as a CPU does",
+            device.info().name
+        );
+        return;
+    }
+    let cube = rounded_cube();
+    let meshes = meshes(cube.path());
+    for (name, text) in [
+        ("table", TABLE),
+        ("smooth", SMOOTH),
+        ("wide", WIDE),
+        ("meshes", &meshes),
+    ] {
+        for scaling in [true, false] {
+            let mut settings = light();
+            settings.model.radiance_scaling = scaling;
+            let scene = prepared(text, &settings);
+            let job = Job {
+                aovs: &[Aov::Stderr],
+                ..job(&scene, settings, 5, 3)
+            };
+            let cpu = outcome(&job, &Target::CpuF32);
+            let gpu = on_device(&job).expect("a device");
+            same(&gpu.film, &cpu.film, name);
+            let errors = |o: &Outcome| o.stderr.clone().expect("standard errors");
+            same(&errors(&gpu), &errors(&cpu), name);
+            assert_eq!(gpu.stats.rays, cpu.stats.rays, "{name}");
+        }
+    }
+}
+
+/// Tiles of light paths, paths handed over at every bounce or when their slots are full, samples one at a time.
+#[test]
+fn tiles_and_dispatches_leave_no_trace() {
+    let scene = prepared(TABLE, &light());
+    let job = job(&scene, light(), 24, 1);
+    let Some(whole) = on_device(&job) else { return };
+    for (tile_pixels, budget, read_first) in [
+        (7, 4000, true),
+        (100, 40, true),
+        (1 << 16, 1, false),
+        (768, 4000, true),
+    ] {
+        let limits = DispatchLimits {
+            tile_pixels,
+            budget,
+            read_first,
+        };
+        let other = on_device_within(&job, limits).expect("the same device");
+        same(&whole.film, &other.film, &format!("{limits:?}"));
+        assert_eq!(whole.stats.rays, other.stats.rays, "{limits:?}");
+    }
+}
+
+#[test]
+fn a_crop_is_a_piece_of_the_picture() {
+    let scene = prepared(TABLE, &light());
+    let job = job(&scene, light(), 4, 1);
+    let cropped = Job {
+        crop: Some([5, 3, 22, 20]),
+        ..job
+    };
+    let films = |job: &Job| {
+        let gpu = on_device(job).map(|o| o.film);
+        gpu.into_iter().chain([outcome(job, &Target::CpuF32).film])
+    };
+    for (whole, part) in films(&job).zip(films(&cropped)) {
+        let rows = whole.rgb.chunks(32).take(20).skip(3);
+        let piece = Film {
+            width: 17,
+            height: 17,
+            rgb: rows.flat_map(|row| row[5..22].to_vec()).collect(),
+        };
+        same(&part, &piece, "crop");
+    }
+}
+
+/// Two lamps that the eye sees, and what they shine on.
+const LAMPS: &str = "screen 32 24
+camera 0 -6 2 .35 x 75
+light 3 2 1
+sphere .8 0 1.6 .5
+light 1 2 3
+sphere -1.2 .5 1 .4
+brdf .5 .5 .5 0 0 0 1
+box -5 -5 -.1 10 10 .1
+brdf .6 .4 .3 0 0 0 1
+sphere 0 -1 .5 .5
+";
+
+/// Means of whole pictures by 16 seeds.
+fn whole(settings: Settings, first_seed: u32, kernel: KernelChoice) -> Option<Vec<f64>> {
+    let scene = prepared(LAMPS, &settings);
+    let mean = |seed| {
+        let job = Job {
+            kernel,
+            ..job(&scene, settings, 64, seed)
+        };
+        let pixels = pixel_means(&on_device(&job)?.film);
+        Some(pixels.iter().sum::<f64>() / pixels.len() as f64)
+    };
+    (first_seed..first_seed + 16).map(mean).collect()
+}
+
+/// A cosine too few at the camera and at the light, a distance forgotten, the light's choice left out of the density.
+#[test]
+fn planted_errors_are_noticed() {
+    let Some(paths) = whole(Settings::default(), 1, KernelChoice::Composed) else {
+        return;
+    };
+    let right = whole(light(), 101, KernelChoice::Composed).expect("a device");
+    let p = p_of_difference(&paths, &right);
+    assert!(p > 1e-3, "p = {p:e}");
+    for (name, right, wrong) in [
+        ("camera/eye", "* (z * z * z)", "* (z * z * distance)"),
+        ("camera/eye", "distance / (4.0", "1.0 / (4.0"),
+        (
+            "integrator/light/splat",
+            "(cosine * eye.importance)",
+            "eye.importance",
+        ),
+        (
+            "integrator/light/start/sample",
+            "light_pmf(light) * start.point.area_pdf",
+            "start.point.area_pdf",
+        ),
+    ] {
+        let text = file(name).expect("a shader");
+        assert!(text.contains(right), "{name}: {right}");
+        let text = text.replace(right, wrong);
+        let own = [OwnFile { name, text: &text }];
+        let planted = whole(light(), 101, KernelChoice::Own(&own)).expect("a device");
+        let p = p_of_difference(&paths, &planted);
+        println!("{name}, {wrong}: p = {p:.1e}");
+        assert!(p < 1e-3, "{name}, {wrong}: p = {p:e}");
+    }
+}
