@@ -195,7 +195,7 @@ impl<F: Real> World<F> {
             }
             LightKind::Cylinder => cylinder_emission(&self.cylinders[first], u24, u),
             LightKind::Mesh => {
-                let cdf = &self.triangle_cdf[l.cdf.0..l.cdf.1];
+                let cdf = self.triangles_of(l);
                 mesh_emission(&self.triangles, l.first, cdf, u24, u)
             }
             LightKind::Background => no_emission(),

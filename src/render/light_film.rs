@@ -33,7 +33,7 @@ impl<F: Real> LightFilm<F> {
         Self {
             sums: vec![PixelSum::zero(); pixels.area.pixels() as usize],
             pixels,
-            width: job.prepared.width,
+            width: job.prepared.camera.width,
             counts: LightCounts::default(),
             samples: 0,
         }

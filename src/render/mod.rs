@@ -108,8 +108,8 @@ impl Job<'_> {
         Tile {
             x: 0,
             y: 0,
-            width: self.prepared.width,
-            height: self.prepared.height,
+            width: self.prepared.camera.width,
+            height: self.prepared.camera.height,
         }
     }
 

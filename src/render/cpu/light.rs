@@ -22,7 +22,7 @@ impl<F: Real> Render<F> for LightFilm<F> {
         let row = |row: u32, sample: u32| {
             let mut splats: Vec<Splat<F>> = Vec::new();
             let mut counts = Vec::new();
-            for column in 0..job.prepared.width {
+            for column in 0..job.prepared.camera.width {
                 let id = SampleId {
                     column,
                     row,
@@ -36,7 +36,7 @@ impl<F: Real> Render<F> for LightFilm<F> {
             (splats, counts)
         };
         for sample in samples {
-            let rows = (0..job.prepared.height).into_par_iter();
+            let rows = (0..job.prepared.camera.height).into_par_iter();
             let rows: Vec<(Vec<Splat<F>>, Vec<LightCounts>)> =
                 rows.map(|y| row(y, sample)).collect();
             for (splats, counts) in rows {
