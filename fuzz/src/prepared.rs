@@ -28,20 +28,27 @@ fn is_finite(prepared: &Prepared) {
     let finite = |v: DVec3| v.as_vec3().is_finite();
     let camera = prepared.camera;
     assert!([camera.eye, camera.right, camera.up, camera.forward].map(finite) == [true; 4]);
-    for s in &prepared.spheres {
+    for s in &prepared.primitives.spheres {
         assert!(finite(s.centre) && s.radius as f32 > 0.0, "{s:?}");
     }
-    for b in &prepared.boxes {
+    for b in &prepared.primitives.boxes {
         assert!(finite(b.lo) && finite(b.hi), "{b:?}");
     }
-    for c in &prepared.cylinders {
+    for c in &prepared.primitives.cylinders {
         assert!([c.base, c.u, c.v, c.w].map(finite) == [true; 4], "{c:?}");
         assert!((c.height as f32).is_finite() && c.height > 0.0, "{c:?}");
     }
-    for t in &prepared.triangles {
+    for t in &prepared.primitives.triangles {
         assert!(t.v.map(finite) == [true; 3], "{t:?}");
     }
-    assert!(prepared.normals.as_flattened().iter().all(|n| finite(*n)));
+    assert!(
+        prepared
+            .primitives
+            .normals
+            .as_flattened()
+            .iter()
+            .all(|n| finite(*n))
+    );
     prepared.materials.iter().for_each(is_finite_material);
 }
 

@@ -64,11 +64,7 @@ pub fn primitives(p: &Prepared) -> usize {
 fn scene(p: &Prepared) -> u64 {
     let arrays = [
         size_of_val(&p.shapes[..]),
-        size_of_val(&p.spheres[..]),
-        size_of_val(&p.boxes[..]),
-        size_of_val(&p.cylinders[..]),
-        size_of_val(&p.triangles[..]),
-        size_of_val(&p.normals[..]),
+        p.primitives.bytes(),
         size_of_val(&p.materials[..]),
         size_of_val(&p.lights[..]),
         size_of_val(&p.light_cdf[..]),

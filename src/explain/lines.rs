@@ -59,7 +59,7 @@ fn lights(prepared: &Prepared, of: impl Fn(&Light) -> bool) -> Vec<usize> {
 /// Whether a mesh file gave normals to any corner.
 fn has_normals(prepared: &Prepared, shape: &Shape) -> bool {
     let (first, count) = (shape.first as usize, shape.count as usize);
-    let own = prepared.normals.get(first..first + count);
+    let own = prepared.primitives.normals.get(first..first + count);
     shape.kind == ShapeKind::Mesh
         && own.is_some_and(|own| own.iter().flatten().any(|n| *n != DVec3::ZERO))
 }

@@ -5,7 +5,7 @@ use super::lines::{lines, materials};
 use super::reasons::reason;
 use super::setting::by;
 use crate::features::Member;
-use crate::prepared::{LightKind, Material, NONE, ShapeKind};
+use crate::prepared::{LightKind, Material, NONE};
 use crate::report::explanation::Part;
 use crate::report::names::Named;
 use crate::settings::{Distribution, DistributionRule, Fresnel};
@@ -17,7 +17,7 @@ pub fn part(subject: &Subject, member: Member) -> Part {
     let why = match (present, found.is_empty()) {
         (true, false) => remark(subject, member),
         (true, true) => "--kernel full".to_owned(),
-        (false, _) => reason(subject, member).to_owned(),
+        (false, _) => reason(subject, member),
     };
     let (group, name) = name(subject, member);
     let first = found.first().copied().unwrap_or(0);
@@ -38,8 +38,8 @@ pub fn part(subject: &Subject, member: Member) -> Part {
 fn name(subject: &Subject, member: Member) -> (&'static str, String) {
     let lower = |name: &dyn std::fmt::Debug| format!("{name:?}").to_lowercase();
     match member {
-        Member::Shape(kind) => ("shape", shape(kind).to_owned()),
-        Member::InBvh(kind) => ("search", shape(kind).to_owned()),
+        Member::Shape(kind) => ("shape", kind.description().name.to_owned()),
+        Member::InBvh(kind) => ("search", kind.description().name.to_owned()),
         Member::Material(kind) => ("material", lower(&kind)),
         Member::DiffuseBeside => ("diffuse lobe", "and specular".to_owned()),
         Member::Distribution(distribution) => ("distribution", distribution.name().to_owned()),
@@ -51,16 +51,6 @@ fn name(subject: &Subject, member: Member) -> (&'static str, String) {
         },
         Member::Absorption(rule) => ("absorption", rule.name().to_owned()),
         Member::ShadingNormals => ("normals", "of meshes".to_owned()),
-    }
-}
-
-/// As the scene spells it.
-pub fn shape(kind: ShapeKind) -> &'static str {
-    match kind {
-        ShapeKind::Sphere => "sphere",
-        ShapeKind::Box => "box",
-        ShapeKind::Cylinder => "cylinder",
-        ShapeKind::Mesh => "mesh",
     }
 }
 

@@ -6,14 +6,16 @@ use crate::prepared::{LightKind, MaterialKind, ShapeKind};
 use crate::settings::{Distribution, DistributionRule, Fresnel};
 
 /// A few words that complete "it is left out: …".
-pub fn reason(subject: &Subject, member: Member) -> &'static str {
-    match member {
-        Member::Shape(kind) | Member::InBvh(kind) => shape(kind),
+pub fn reason(subject: &Subject, member: Member) -> String {
+    let words = match member {
+        Member::Shape(kind) | Member::InBvh(kind) => {
+            return format!("the scene has no {}", kind.description().name);
+        }
+        Member::Light(kind) => return light(kind),
         Member::Material(kind) => material(kind),
         Member::DiffuseBeside => "no surface has Kd beside Ks or Kt",
         Member::Distribution(which) => distribution(subject, which),
         Member::Fresnel(form) => fresnel(subject, form),
-        Member::Light(kind) => light(kind),
         Member::ManyLights => match subject.job.prepared.lights.len() {
             0 => "there is no light",
             _ => "one light needs no choice",
@@ -23,15 +25,14 @@ pub fn reason(subject: &Subject, member: Member) -> &'static str {
             true => "no mesh file gives normals",
             false => "there is no mesh",
         },
-    }
+    };
+    words.to_owned()
 }
 
-fn shape(kind: ShapeKind) -> &'static str {
-    match kind {
-        ShapeKind::Sphere => "the scene has no sphere",
-        ShapeKind::Box => "the scene has no box",
-        ShapeKind::Cylinder => "the scene has no cylinder",
-        ShapeKind::Mesh => "the scene has no mesh",
+fn light(kind: LightKind) -> String {
+    match kind.shape() {
+        Some(shape) => format!("no {} shines", shape.description().name),
+        None => "the background is black".to_owned(),
     }
 }
 
@@ -69,15 +70,5 @@ fn fresnel(subject: &Subject, form: Fresnel) -> &'static str {
         (true, _) => "nothing reflects like a mirror, smooth or rough",
         (false, Fresnel::Schlick) => "every surface that reflects goes by the exact form",
         (false, Fresnel::Exact) => "no surface with a Kt has the word, and no flag asks for it",
-    }
-}
-
-fn light(kind: LightKind) -> &'static str {
-    match kind {
-        LightKind::Sphere => "no sphere shines",
-        LightKind::Box => "no box shines",
-        LightKind::Cylinder => "no cylinder shines",
-        LightKind::Mesh => "no mesh shines",
-        LightKind::Background => "the background is black",
     }
 }

@@ -1,12 +1,11 @@
 //! How the nearest hit is found: primitives tried one by one, a hierarchy, or both.
 
 use super::Subject;
-use super::member::shape;
 use crate::features::WRITTEN_OUT;
 use crate::prepared::ShapeKind;
 use crate::render::KernelChoice;
 use crate::report::explanation::Part;
-use crate::report::human::{plural, thousands};
+use crate::report::human::thousands;
 
 /// One by one, and the hierarchy.
 pub fn parts(subject: &Subject) -> [Part; 2] {
@@ -50,18 +49,17 @@ fn part(name: &str, present: bool, why: &str, absent: &str) -> Part {
 fn counts(subject: &Subject, kinds: impl Iterator<Item = ShapeKind>) -> String {
     let prepared = subject.job.prepared;
     let all: Vec<String> = kinds
-        .map(|kind| primitives(prepared.primitives(kind), kind))
+        .map(|kind| primitives(prepared.primitives.count(kind), kind))
         .collect();
     all.join(", ")
 }
 
 /// `1 sphere`, `7 boxes`, `640 triangles`.
 fn primitives(n: usize, kind: ShapeKind) -> String {
-    let noun = match kind {
-        ShapeKind::Mesh => "triangle",
-        other => shape(other),
-    };
-    let count = thousands(n as u64);
-    let text = plural(n as u64, noun).replacen(&n.to_string(), &count, 1);
-    text.replace("boxs", "boxes")
+    let [one, several] = kind.description().primitives;
+    format!(
+        "{} {}",
+        thousands(n as u64),
+        if n == 1 { one } else { several }
+    )
 }

@@ -113,10 +113,8 @@ fn put<T: Ord>(set: &mut BTreeSet<T>, member: T, there: bool) {
 fn shape_needed(member: Member) -> Option<ShapeKind> {
     match member {
         Member::InBvh(kind) => Some(kind),
-        Member::Light(LightKind::Sphere) => Some(ShapeKind::Sphere),
-        Member::Light(LightKind::Box) => Some(ShapeKind::Box),
-        Member::Light(LightKind::Cylinder) => Some(ShapeKind::Cylinder),
-        Member::Light(LightKind::Mesh) | Member::ShadingNormals => Some(ShapeKind::Mesh),
+        Member::Light(kind) => kind.shape(),
+        Member::ShadingNormals => Some(ShapeKind::Mesh),
         _ => None,
     }
 }

@@ -93,7 +93,7 @@ impl Features {
                 .iter()
                 .any(|m| Prepared::is_transmissive(m) && m.sigma != DVec3::ZERO)
                 .then_some(settings.model.absorption),
-            shading_normals: !prepared.normals.is_empty(),
+            shading_normals: !prepared.primitives.normals.is_empty(),
             ..Self::bare(settings, aovs)
         }
     }
@@ -165,7 +165,7 @@ impl Features {
 fn in_bvh(prepared: &Prepared, shapes: &BTreeSet<ShapeKind>) -> BTreeSet<ShapeKind> {
     let mut kinds: Vec<(usize, ShapeKind)> = shapes
         .iter()
-        .map(|&kind| (prepared.primitives(kind), kind))
+        .map(|&kind| (prepared.primitives.count(kind), kind))
         .collect();
     kinds.sort_unstable();
     let mut total = 0;

@@ -23,17 +23,32 @@ pub fn camera(prepared: &Prepared, seed: u32) -> device::Camera {
 
 /// Nine floats a triangle: its corners.
 pub fn triangles(prepared: &Prepared) -> Vec<[[f32; 3]; 3]> {
-    prepared.triangles.iter().map(|t| t.v.map(f32x3)).collect()
+    prepared
+        .primitives
+        .triangles
+        .iter()
+        .map(|t| t.v.map(f32x3))
+        .collect()
 }
 
 /// The shape of each triangle.
 pub fn triangle_shapes(prepared: &Prepared) -> Vec<u32> {
-    prepared.triangles.iter().map(|t| t.shape).collect()
+    prepared
+        .primitives
+        .triangles
+        .iter()
+        .map(|t| t.shape)
+        .collect()
 }
 
 /// Nine floats a triangle: the shading normals of its corners; zero where its mesh gives none.
 pub fn normals(prepared: &Prepared) -> Vec<[[f32; 3]; 3]> {
-    prepared.normals.iter().map(|n| n.map(f32x3)).collect()
+    prepared
+        .primitives
+        .normals
+        .iter()
+        .map(|n| n.map(f32x3))
+        .collect()
 }
 
 fn f32x3(v: DVec3) -> [f32; 3] {

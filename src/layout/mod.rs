@@ -15,7 +15,7 @@ pub use kernel::{
     FilmMoments, FilmPixel, LightLane, LightSlice, LightState, PathOutcome, PathState, Ray, Record,
     ShadowRay, Slice, Splat, Subpath,
 };
-pub use record::{OnDevice, Vec3};
+pub use record::{OnDevice, Records, Vec3};
 
 /// A struct with the same bytes in Rust, in a uniform buffer (std140) and in a storage buffer (std430), alone and in an array.
 ///

@@ -13,6 +13,69 @@ pub trait OnDevice {
     fn record(&self) -> Self::Record;
 }
 
+/// What is on the device as it is.
+impl<T: GpuStruct> OnDevice for T {
+    type Record = T;
+
+    fn record(&self) -> T {
+        *self
+    }
+}
+
+/// An array of records, of whatever kind.
+pub trait Records {
+    /// The name of their struct in GLSL.
+    fn name(&self) -> &'static str;
+
+    /// Bytes of one on the device.
+    fn size(&self) -> usize;
+
+    fn count(&self) -> usize;
+
+    /// All of them as they lie on the device.
+    fn bytes(&self) -> Vec<u8>;
+}
+
+impl<T: OnDevice> Records for Vec<T> {
+    fn name(&self) -> &'static str {
+        T::Record::NAME
+    }
+
+    fn size(&self) -> usize {
+        size_of::<T::Record>()
+    }
+
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn bytes(&self) -> Vec<u8> {
+        let mut bytes = Vec::with_capacity(self.count() * self.size());
+        for record in self {
+            bytes.extend_from_slice(bytemuck::bytes_of(&record.record()));
+        }
+        bytes
+    }
+}
+
+impl<R: Records + ?Sized> Records for &R {
+    fn name(&self) -> &'static str {
+        R::name(self)
+    }
+
+    fn size(&self) -> usize {
+        R::size(self)
+    }
+
+    fn count(&self) -> usize {
+        R::count(self)
+    }
+
+    fn bytes(&self) -> Vec<u8> {
+        R::bytes(self)
+    }
+}
+
 /// Three components of the scalar `F`: GLSL's `vec3` in the `scalar` form of a record. `reference::math` computes with them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vec3<F> {
@@ -29,6 +92,11 @@ impl<F> Vec3<F> {
             y: round(v.y),
             z: round(v.z),
         }
+    }
+
+    /// The same components in f64, by `widen`.
+    pub fn widened(self, widen: impl Fn(F) -> f64) -> DVec3 {
+        DVec3::new(widen(self.x), widen(self.y), widen(self.z))
     }
 }
 
@@ -110,7 +178,7 @@ macro_rules! record {
     (@field { $doc:tt $name:ident [$($scalar:ident)?] $more:tt } $all:tt $device:tt $own:tt) => {
         $crate::record!(@host $doc $name $more $all);
         $crate::record!(@device $doc $name $all $device $own);
-        $( $crate::record!(@$scalar $doc $name $all); )?
+        $( $crate::record!(@$scalar $doc $name $more $all); )?
     };
 
     (@host [$($doc:literal)*] $name:ident [$($more:tt)*]
@@ -143,7 +211,7 @@ macro_rules! record {
             }
         }
     };
-    (@scalar [$($doc:literal)*] $name:ident
+    (@scalar [$($doc:literal)*] $name:ident $more:tt
      [$({ [$($field_doc:literal)*] $field:ident $glsl:tt $host:tt [$scalar:ty] })*]) => {
         /// The record in the scalar of the CPU reference.
         pub mod scalar {
@@ -163,7 +231,17 @@ macro_rules! record {
                 }
             }
         }
+        $crate::record!(@widened $name $more [$({ $field $glsl })*]);
     };
+    (@widened $name:ident [] [$({ $field:ident $glsl:tt })*]) => {
+        impl<F> scalar::$name<F> {
+            /// The same numbers in f64, by `widen`.
+            pub fn widened(self, widen: impl Fn(F) -> f64) -> $name {
+                $name { $( $field: $crate::record_field!(@widened $glsl self.$field, widen), )* }
+            }
+        }
+    };
+    (@widened $name:ident $more:tt $all:tt) => {};
 }
 
 /// The value of a field in another form of its record.
@@ -185,6 +263,8 @@ macro_rules! record_field {
     (@device [vec3] $x:expr) => {
         $x.as_vec3().to_array()
     };
+    (@widened [vec3] $x:expr, $widen:ident) => { $x.widened(&$widen) };
+    (@widened $glsl:tt $x:expr, $widen:ident) => { $crate::record_field!(@scalar $glsl $x, $widen) };
     (@scalar [uint as $kind:ident] $x:expr, $round:ident) => {
         $x
     };

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::cdf::{CdfError, quantised_cdf};
-use super::geometry::Placed;
+use super::placed::Placed;
 use super::{Light, LightKind, Material, NONE, Shape, ShapeKind};
 
 /// Emitters with the probabilities of choosing them.
@@ -30,7 +30,7 @@ impl Lights {
         let mut power = Vec::new();
         for (i, shape) in placed.shapes.iter().enumerate() {
             let radiance = materials[shape.material as usize].radiance;
-            let areas = areas(placed, shape);
+            let areas = placed.body(shape).areas();
             let area: f64 = areas.iter().sum();
             if radiance.max_element() > 0.0 && area > 0.0 {
                 all.add(shape, i as u32, radiance, &areas)?;
@@ -72,12 +72,7 @@ impl Lights {
             self.triangle_cdf.extend(quantised_cdf(areas)?);
         }
         self.lights.push(Light {
-            kind: match shape.kind {
-                ShapeKind::Sphere => LightKind::Sphere,
-                ShapeKind::Box => LightKind::Box,
-                ShapeKind::Cylinder => LightKind::Cylinder,
-                ShapeKind::Mesh => LightKind::Mesh,
-            },
+            kind: shape.kind.into(),
             shape: index,
             first: shape.first,
             count: shape.count,
@@ -85,25 +80,5 @@ impl Lights {
             radiance,
         });
         Ok(())
-    }
-}
-
-/// The area of each primitive of a shape.
-fn areas(placed: &Placed, shape: &Shape) -> Vec<f64> {
-    let first = shape.first as usize;
-    match shape.kind {
-        ShapeKind::Sphere => vec![4.0 * PI * placed.spheres[first].radius.powi(2)],
-        ShapeKind::Box => {
-            let d = placed.boxes[first].hi - placed.boxes[first].lo;
-            vec![2.0 * (d.x * d.y + d.y * d.z + d.z * d.x)]
-        }
-        ShapeKind::Cylinder => {
-            let c = &placed.cylinders[first];
-            vec![2.0 * PI * c.radius * (c.radius + c.height)]
-        }
-        ShapeKind::Mesh => placed.triangles[first..first + shape.count as usize]
-            .iter()
-            .map(|t| 0.5 * (t.v[1] - t.v[0]).cross(t.v[2] - t.v[0]).length())
-            .collect(),
     }
 }

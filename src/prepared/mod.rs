@@ -4,31 +4,28 @@
 //! Positions and lengths are in rendering space ([`Space`]): the scene moved so that the middle of its bounds is the
 //! origin, and scaled to about 1, which keeps f32 accurate whatever the scene's place and scale.
 
-mod bounds;
 pub mod cdf;
 mod contact;
 mod eye;
-mod geometry;
 mod lights;
 pub mod material;
 mod medium;
+mod placed;
 mod prepare;
 mod range;
 pub mod record;
-mod space;
 
 use glam::DVec3;
 
-pub use bounds::Bounds;
-
 pub use crate::scene::WordLines;
-pub use crate::shape::{Cuboid, Cylinder, Sphere};
+pub use crate::shape::{
+    Bounds, Cuboid, Cylinder, LightKind, Primitives, ShapeKind, Space, Sphere, Triangle,
+};
 pub use prepare::{PrepareError, prepare};
 pub use record::camera::Camera;
-pub use record::light::{Light, LightKind};
+pub use record::light::Light;
 pub use record::material::{Material, MaterialKind, OPAQUE_SIGMA};
-pub use record::shape::{Shape, ShapeKind};
-pub use space::Space;
+pub use record::shape::Shape;
 
 /// The records as the kernels read them.
 pub mod device {
@@ -49,13 +46,7 @@ pub struct Prepared {
     pub camera: Camera,
     /// Opaque shapes first, then file order: at equal distance the lower index is hit.
     pub shapes: Vec<Shape>,
-    pub spheres: Vec<Sphere>,
-    pub boxes: Vec<Cuboid>,
-    pub cylinders: Vec<Cylinder>,
-    /// All triangles of all meshes, in the order of their shapes.
-    pub triangles: Vec<Triangle>,
-    /// Shading normals of each triangle's corners; empty where no mesh gives any, zero for triangles without.
-    pub normals: Vec<[DVec3; 3]>,
+    pub primitives: Primitives,
     pub materials: Vec<Material>,
     pub lights: Vec<Light>,
     /// Choice of a light: light i is chosen where `light_cdf[i]` ≤ u24 < `light_cdf[i + 1]`, u24 an
@@ -73,10 +64,4 @@ pub struct Prepared {
     pub eye_medium: u32,
     /// What the user should know, each once.
     pub warnings: Vec<String>,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub struct Triangle {
-    pub v: [DVec3; 3],
-    pub shape: u32,
 }

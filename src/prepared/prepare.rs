@@ -3,11 +3,10 @@
 use glam::{DQuat, DVec3};
 
 use super::cdf::CdfError;
-use super::geometry::Placed;
 use super::lights::Lights;
+use super::placed::Placed;
 use super::{
-    Camera, Material, MaterialKind, NONE, Prepared, ShapeKind, Space, contact, eye, material,
-    medium, range,
+    Camera, Material, MaterialKind, NONE, Prepared, Space, contact, eye, material, medium, range,
 };
 use crate::scene::{self, MaterialKind as SceneMaterial, Scene};
 use crate::settings::Settings;
@@ -72,7 +71,9 @@ pub fn prepare(
     let eye_medium = medium::medium_at(camera.eye, &placed, &materials);
     let light_media = (lights.lights.iter())
         .map(|light| match placed.shapes.get(light.shape as usize) {
-            Some(shape) => medium::medium_at(placed.bounds(shape).centre(), &placed, &materials),
+            Some(shape) => {
+                medium::medium_at(placed.body(shape).bounds().centre(), &placed, &materials)
+            }
             None => NONE,
         })
         .collect();
@@ -86,11 +87,7 @@ pub fn prepare(
         space,
         camera,
         shapes,
-        spheres: placed.spheres,
-        boxes: placed.boxes,
-        cylinders: placed.cylinders,
-        triangles: placed.triangles,
-        normals: placed.normals,
+        primitives: placed.primitives,
         materials,
         lights: lights.lights,
         light_cdf: lights.light_cdf,
@@ -127,15 +124,5 @@ impl Prepared {
                 | MaterialKind::Weak
                 | MaterialKind::Nothing
         )
-    }
-
-    /// Number of primitives of a kind.
-    pub fn primitives(&self, kind: ShapeKind) -> usize {
-        match kind {
-            ShapeKind::Sphere => self.spheres.len(),
-            ShapeKind::Box => self.boxes.len(),
-            ShapeKind::Cylinder => self.cylinders.len(),
-            ShapeKind::Mesh => self.triangles.len(),
-        }
     }
 }

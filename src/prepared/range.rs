@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
-use super::geometry::Placed;
-use super::{Camera, Material, PrepareError, Shape, ShapeKind, Space};
+use super::placed::Placed;
+use super::{Camera, Material, PrepareError};
+use crate::shape::{Body, Space};
 
 /// An ulp of 1 in f32, 2⁻²³.
 const ULP: f64 = 1.0 / 8_388_608.0;
@@ -71,7 +72,10 @@ pub fn warn_of_narrow(camera: &Camera, line: usize, warnings: &mut Vec<String>) 
 
 /// Warns of shapes that are too small for where they are.
 pub fn warn_of_small(placed: &Placed, space: &Space, warnings: &mut Vec<String>) {
-    let sizes = placed.shapes.iter().map(|s| (s, Size::of(placed, s)));
+    let sizes = placed
+        .shapes
+        .iter()
+        .map(|s| (s, Size::of(&*placed.body(s))));
     let mut small = sizes.filter(|(_, size)| !size.is_resolved());
     let Some((first, size)) = small.next() else {
         return;
@@ -94,36 +98,25 @@ pub fn warn_of_small(placed: &Placed, space: &Space, warnings: &mut Vec<String>)
 /// Makes radii and heights that have no square in single precision the least that have one: they have been warned of, and
 /// what is divided by them stays finite.
 pub fn enlarge(placed: &mut Placed) {
-    for s in &mut placed.spheres {
-        s.radius = s.radius.max(LEAST_LENGTH);
-    }
-    for c in &mut placed.cylinders {
-        (c.radius, c.height) = (c.radius.max(LEAST_LENGTH), c.height.max(LEAST_LENGTH));
-    }
+    placed
+        .primitives
+        .iter_mut()
+        .for_each(|p| p.enlarge(LEAST_LENGTH));
 }
 
 /// How large a shape is, and how far from the middle of the scene it reaches.
 struct Size {
-    /// The least of a solid. A mesh may be flat, and its corners are moved without tearing it: its largest.
     thickness: f64,
     away: f64,
 }
 
 impl Size {
-    fn of(placed: &Placed, shape: &Shape) -> Self {
-        let first = shape.first as usize;
-        let bounds = placed.bounds(shape);
-        let thickness = match shape.kind {
-            ShapeKind::Sphere => 2.0 * placed.spheres[first].radius,
-            ShapeKind::Box => (bounds.hi - bounds.lo).min_element(),
-            ShapeKind::Cylinder => {
-                let c = &placed.cylinders[first];
-                c.height.min(2.0 * c.radius)
-            }
-            ShapeKind::Mesh => (bounds.hi - bounds.lo).max_element(),
-        };
-        let away = bounds.lo.abs().max(bounds.hi.abs()).max_element();
-        Self { thickness, away }
+    fn of(body: &dyn Body) -> Self {
+        let bounds = body.bounds();
+        Self {
+            thickness: body.thickness(),
+            away: bounds.lo.abs().max(bounds.hi.abs()).max_element(),
+        }
     }
 
     fn is_resolved(&self) -> bool {

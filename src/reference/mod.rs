@@ -18,6 +18,7 @@ pub mod integrator;
 pub mod light;
 pub mod math;
 pub mod path;
+pub mod primitives;
 pub mod sampler;
 pub mod shape;
 pub mod world;

@@ -1,11 +1,26 @@
-//! What a shape is, a file a kind.
+//! What a shape is, a file a kind: its record, and its place and size in f64.
+//!
+//! A solid is one primitive, a mesh many. [`Primitives`] has all of a scene, [`Body`] and [`Primitive`] are the questions
+//! that a kind answers.
 
+mod body;
+mod bounds;
 pub mod cuboid;
 pub mod cylinder;
+mod description;
+pub mod mesh;
+mod primitives;
+mod space;
 pub mod sphere;
 
+pub use body::{Body, Primitive};
+pub use bounds::Bounds;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
+pub use description::{Description, filled};
+pub use mesh::Triangle;
+pub use primitives::Primitives;
+pub use space::Space;
 pub use sphere::Sphere;
 
 /// The records as the kernels read them.
@@ -14,3 +29,49 @@ pub mod device {
     pub use super::cylinder::device::Cylinder;
     pub use super::sphere::device::Sphere;
 }
+
+macro_rules! kinds {
+    ($($kind:ident: $room:ident),*) => {
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[repr(u32)]
+        pub enum ShapeKind { $($kind),* }
+
+        impl ShapeKind {
+            pub const EVERY: [Self; [$(Self::$kind),*].len()] = [$(Self::$kind),*];
+
+            pub fn description(self) -> &'static Description {
+                match self {
+                    $(Self::$kind => &$room::DESCRIPTION,)*
+                }
+            }
+        }
+
+        /// What a light is: a shape of this kind, or everything outside.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[repr(u32)]
+        pub enum LightKind { $($kind,)* Background }
+
+        impl LightKind {
+            pub const EVERY: [Self; 1 + ShapeKind::EVERY.len()] = [$(Self::$kind,)* Self::Background];
+
+            /// The kind of the shape that shines.
+            pub fn shape(self) -> Option<ShapeKind> {
+                match self {
+                    $(Self::$kind => Some(ShapeKind::$kind),)*
+                    Self::Background => None,
+                }
+            }
+        }
+
+        impl From<ShapeKind> for LightKind {
+            fn from(kind: ShapeKind) -> Self {
+                match kind {
+                    $(ShapeKind::$kind => Self::$kind,)*
+                }
+            }
+        }
+    };
+}
+
+// Their order is that of the numbers by which the kernels and the hierarchy know them.
+kinds!(Sphere: sphere, Box: cuboid, Cylinder: cylinder, Mesh: mesh);

@@ -57,8 +57,11 @@ fn the_middle_of_the_scene_becomes_the_origin_and_its_size_about_1() {
     ));
     // The eye is 10,002 away, the power of two below it is 2¹³.
     assert_eq!(p.space.unit, 8192.0);
-    assert_eq!(p.spheres[0].centre, DVec3::new(-2.0, 0.0, 0.0) / 8192.0);
-    assert_eq!(p.spheres[0].radius, 1.0 / 8192.0);
+    assert_eq!(
+        p.primitives.spheres[0].centre,
+        DVec3::new(-2.0, 0.0, 0.0) / 8192.0
+    );
+    assert_eq!(p.primitives.spheres[0].radius, 1.0 / 8192.0);
     assert_eq!(p.camera.eye, DVec3::new(-10002.0, 0.0, 0.0) / 8192.0);
 }
 
@@ -204,10 +207,15 @@ fn what_overflows_single_precision_is_refused() {
 
 /// All lengths, and the corners of boxes and triangles, are at most 2 in rendering space (4 along a diagonal).
 fn within_2(p: &Prepared) -> bool {
-    let points = p.boxes.iter().flat_map(|b| [b.lo, b.hi]);
-    let points = points.chain(p.triangles.iter().flat_map(|t| t.v));
-    let points = points.chain(p.spheres.iter().map(|s| s.centre + s.radius));
-    let mut points = points.chain(p.cylinders.iter().map(|c| c.base + c.w * c.height));
+    let points = p.primitives.boxes.iter().flat_map(|b| [b.lo, b.hi]);
+    let points = points.chain(p.primitives.triangles.iter().flat_map(|t| t.v));
+    let points = points.chain(p.primitives.spheres.iter().map(|s| s.centre + s.radius));
+    let mut points = points.chain(
+        p.primitives
+            .cylinders
+            .iter()
+            .map(|c| c.base + c.w * c.height),
+    );
     points.all(|v| v.abs().max_element() <= 2.0)
 }
 

@@ -44,11 +44,9 @@ pub fn build(prepared: &Prepared, kinds: &[ShapeKind]) -> Bvh {
     let references = reference::references(prepared, kinds);
     let bounds: Vec<Bounds> = references
         .iter()
-        .map(|&r| match reference::decode(r) {
-            (ShapeKind::Sphere, i) => Bounds::of_sphere(&prepared.spheres[i]),
-            (ShapeKind::Box, i) => Bounds::of_box(&prepared.boxes[i]),
-            (ShapeKind::Cylinder, i) => Bounds::of_cylinder(&prepared.cylinders[i]),
-            (ShapeKind::Mesh, i) => Bounds::of_triangle(&prepared.triangles[i]),
+        .map(|&r| {
+            let (kind, i) = reference::decode(r);
+            Bounds::of(prepared.primitives.get(kind, i))
         })
         .collect();
     over(&references, &bounds)

@@ -6,23 +6,17 @@ use crate::prepared::{Prepared, ShapeKind};
 pub const INDEX_BITS: u32 = 30;
 pub const INDEX_MASK: u32 = (1 << INDEX_BITS) - 1;
 
+const _: () = assert!(
+    ShapeKind::EVERY.len() <= 1 << (32 - INDEX_BITS),
+    "more kinds of shapes than a reference tells apart: give the kind another bit"
+);
+
 /// Every primitive of a kind in `kinds`, in the order of `kinds`.
 pub fn references(prepared: &Prepared, kinds: &[ShapeKind]) -> Vec<u32> {
     kinds
         .iter()
-        .flat_map(|&kind| (0..count(prepared, kind)).map(move |i| encode(kind, i)))
+        .flat_map(|&kind| (0..prepared.primitives.count(kind)).map(move |i| encode(kind, i as u32)))
         .collect()
-}
-
-/// Primitives of a kind.
-fn count(prepared: &Prepared, kind: ShapeKind) -> u32 {
-    let count = match kind {
-        ShapeKind::Sphere => prepared.spheres.len(),
-        ShapeKind::Box => prepared.boxes.len(),
-        ShapeKind::Cylinder => prepared.cylinders.len(),
-        ShapeKind::Mesh => prepared.triangles.len(),
-    };
-    count as u32
 }
 
 /// kind·2³⁰ + index; index < 2³⁰.
@@ -32,12 +26,7 @@ pub fn encode(kind: ShapeKind, index: u32) -> u32 {
 
 /// The inverse of [`encode`].
 pub fn decode(reference: u32) -> (ShapeKind, usize) {
-    let kind = match reference >> INDEX_BITS {
-        0 => ShapeKind::Sphere,
-        1 => ShapeKind::Box,
-        2 => ShapeKind::Cylinder,
-        _ => ShapeKind::Mesh,
-    };
+    let kind = ShapeKind::EVERY[(reference >> INDEX_BITS) as usize];
     (kind, (reference & INDEX_MASK) as usize)
 }
 

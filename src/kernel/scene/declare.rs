@@ -135,24 +135,16 @@ fn constants(parameters: &Parameters) -> String {
 
 /// Only the records that the kernel reads.
 fn structs(features: &Features) -> String {
-    let has = |kind| features.shapes.contains(&kind);
     let mut text = device::Camera::glsl()
         + &device::Material::glsl()
         + &device::Shape::glsl()
         + &layout::Ray::glsl()
         + &layout::ShadowRay::glsl()
         + &layout::Subpath::glsl();
-    let optional = [
-        (has(ShapeKind::Sphere), device::Sphere::glsl()),
-        (has(ShapeKind::Box), device::Cuboid::glsl()),
-        (has(ShapeKind::Cylinder), device::Cylinder::glsl()),
-        (!features.lights.is_empty(), device::Light::glsl()),
-    ];
-    text.extend(
-        optional
-            .into_iter()
-            .filter(|(needed, _)| *needed)
-            .map(|(_, glsl)| glsl),
-    );
+    let primitives = (features.shapes.iter()).filter_map(|kind| kind.description().declaration);
+    text.extend(primitives.map(|declaration| declaration()));
+    if !features.lights.is_empty() {
+        text += &device::Light::glsl();
+    }
     text
 }

@@ -1,24 +1,6 @@
 //! Emitters.
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[repr(u32)]
-pub enum LightKind {
-    Sphere = 0,
-    Box = 1,
-    Cylinder = 2,
-    Mesh = 3,
-    Background = 4,
-}
-
-impl LightKind {
-    pub const EVERY: [Self; 5] = [
-        Self::Sphere,
-        Self::Box,
-        Self::Cylinder,
-        Self::Mesh,
-        Self::Background,
-    ];
-}
+use crate::shape::LightKind;
 
 crate::layout::record! {
     /// An emitter that is sampled explicitly.

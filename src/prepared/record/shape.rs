@@ -1,17 +1,6 @@
 //! Shapes: what they are made of, and their material.
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[repr(u32)]
-pub enum ShapeKind {
-    Sphere = 0,
-    Box = 1,
-    Cylinder = 2,
-    Mesh = 3,
-}
-
-impl ShapeKind {
-    pub const EVERY: [Self; 4] = [Self::Sphere, Self::Box, Self::Cylinder, Self::Mesh];
-}
+use crate::shape::ShapeKind;
 
 crate::layout::record! {
     /// A solid or a mesh.

@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 
-use crate::prepared::Bounds;
+use crate::shape::Bounds;
 
 const BINS: usize = 16;
 

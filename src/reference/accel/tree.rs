@@ -4,8 +4,8 @@ use glam::DVec3;
 
 use super::slabs::Slabs;
 use super::split::{Item, split};
-use crate::prepared::Bounds;
 use crate::reference::math::{Real, Vec3};
+use crate::shape::Bounds;
 
 /// Primitives that a leaf may hold.
 const LEAF: usize = 4;

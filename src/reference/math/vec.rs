@@ -34,7 +34,7 @@ impl<F: Real> Vec3<F> {
     }
     /// The exact values.
     pub fn f64(self) -> DVec3 {
-        DVec3::new(self.x.f64(), self.y.f64(), self.z.f64())
+        self.widened(F::f64)
     }
     /// All components are 0, of either sign.
     pub fn is_zero(self) -> bool {

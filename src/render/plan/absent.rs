@@ -45,7 +45,7 @@ pub fn background_light(prepared: &Prepared, features: &Features) -> Option<u32>
 /// The corners' shading normals: zeros, as for a mesh that gives none, where no mesh gives any.
 pub fn normals(prepared: &Prepared) -> Vec<[[f32; 3]; 3]> {
     let mut normals = flat::normals(prepared);
-    normals.resize(prepared.triangles.len(), [[0.0; 3]; 3]);
+    normals.resize(prepared.primitives.triangles.len(), [[0.0; 3]; 3]);
     normals
 }
 

@@ -3,7 +3,7 @@
 use bytemuck::NoUninit;
 
 use crate::kernel::scene::{Binding, Element};
-use crate::layout::{BufferUse, GpuStruct};
+use crate::layout::{BufferUse, GpuStruct, Records};
 
 /// An array that a kernel is to find in a buffer of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,13 +17,24 @@ pub struct ArrayPlan {
 impl ArrayPlan {
     /// `count` structs, or room for one: an array has one element at least, in GLSL and so in its buffer.
     pub fn records<T: GpuStruct>(name: &'static str, count: usize, buffer_use: BufferUse) -> Self {
+        Self::structs(name, T::NAME, count, size_of::<T>(), buffer_use)
+    }
+
+    /// The same by the name of the struct and its size.
+    fn structs(
+        name: &'static str,
+        ty: &'static str,
+        count: usize,
+        size: usize,
+        buffer_use: BufferUse,
+    ) -> Self {
         let binding = Binding {
             name,
-            element: Element::Struct(T::NAME),
+            element: Element::Struct(ty),
             count,
             buffer_use,
         };
-        let bytes = (count.max(1) * size_of::<T>()) as u64;
+        let bytes = (count.max(1) * size) as u64;
         Self { binding, bytes }
     }
 
@@ -64,21 +75,17 @@ impl<T: NoUninit> Content for &[T] {
 }
 
 impl<'a> SceneArray<'a> {
-    /// `count` structs, which `make` makes: a uniform where they fit into `uniform_buffer` bytes.
-    pub fn records<T: GpuStruct>(
-        name: &'static str,
-        count: usize,
-        uniform_buffer: u64,
-        make: impl Fn() -> Vec<T> + 'a,
-    ) -> Self {
-        let fits = (count.max(1) * size_of::<T>()) as u64 <= uniform_buffer;
+    /// Structs: a uniform where they fit into `uniform_buffer` bytes.
+    pub fn records(name: &'static str, records: impl Records + 'a, uniform_buffer: u64) -> Self {
+        let (count, size) = (records.count(), records.size());
+        let fits = (count.max(1) * size) as u64 <= uniform_buffer;
         let buffer_use = match fits {
             true => BufferUse::Uniform,
             false => BufferUse::Storage,
         };
         Self {
-            plan: ArrayPlan::records::<T>(name, count, buffer_use),
-            make: Box::new(move || Box::new(make())),
+            plan: ArrayPlan::structs(name, records.name(), count, size, buffer_use),
+            make: Box::new(move || Box::new(records.bytes())),
         }
     }
 

@@ -12,7 +12,7 @@ use crate::features::Features;
 use crate::flat::bvh::Bvh;
 use crate::flat::{self, bvh};
 use crate::kernel::scene::{Binding, Element, Parameters, Recording};
-use crate::layout::{BufferUse, GpuStruct};
+use crate::layout::{BufferUse, Records};
 use crate::prepared::{LightKind, Prepared, ShapeKind};
 use crate::render::Job;
 use crate::settings::Integrator;
@@ -49,10 +49,7 @@ impl<'a> ScenePlan<'a> {
             uniform_buffer: limits.uniform_buffer,
         };
         all.scene(job.prepared, job.seed);
-        all.solids(job.prepared, features);
-        if features.shapes.contains(&ShapeKind::Mesh) {
-            all.triangles(job.prepared, features);
-        }
+        all.primitives(job.prepared, features);
         all.lights(job.prepared, features);
         if let Some(bvh) = bvh {
             all.lent("bvh_words", Element::Uvec4, &bvh.nodes);
@@ -104,33 +101,23 @@ struct Arrays<'a> {
 impl<'a> Arrays<'a> {
     /// What every scene has.
     fn scene(&mut self, prepared: &'a Prepared, seed: u32) {
-        let (materials, shapes) = (prepared.materials.len(), prepared.shapes.len());
-        self.records(CAMERA, 1, move || vec![flat::camera(prepared, seed)]);
-        self.records("materials", materials, || {
-            flat::records(&prepared.materials)
-        });
-        self.records("shapes", shapes, || flat::records(&prepared.shapes));
+        self.records(CAMERA, vec![flat::camera(prepared, seed)]);
+        self.records("materials", &prepared.materials);
+        self.records("shapes", &prepared.shapes);
     }
 
-    fn solids(&mut self, prepared: &'a Prepared, features: &Features) {
-        let has = |kind| features.shapes.contains(&kind);
-        if has(ShapeKind::Sphere) {
-            let count = prepared.spheres.len();
-            self.records("spheres", count, || flat::records(&prepared.spheres));
-        }
-        if has(ShapeKind::Box) {
-            let count = prepared.boxes.len();
-            self.records("boxes", count, || flat::records(&prepared.boxes));
-        }
-        if has(ShapeKind::Cylinder) {
-            let count = prepared.cylinders.len();
-            self.records("cylinders", count, || flat::records(&prepared.cylinders));
+    fn primitives(&mut self, prepared: &'a Prepared, features: &Features) {
+        for &kind in &features.shapes {
+            match prepared.primitives.records(kind) {
+                Some(records) => self.records(kind.description().array, records),
+                None => self.triangles(prepared, features),
+            }
         }
     }
 
     fn triangles(&mut self, prepared: &'a Prepared, features: &Features) {
         let (float, uint) = (Element::Float, Element::Uint);
-        let count = prepared.triangles.len();
+        let count = prepared.primitives.triangles.len();
         self.words("triangle_words", float, count, || flat::triangles(prepared));
         self.words("triangle_shapes", uint, count, || {
             flat::triangle_shapes(prepared)
@@ -142,8 +129,7 @@ impl<'a> Arrays<'a> {
 
     fn lights(&mut self, prepared: &'a Prepared, features: &Features) {
         if !features.lights.is_empty() {
-            let lights = absent::lights(prepared, features);
-            self.records("lights", lights.len(), move || lights.clone());
+            self.records("lights", absent::lights(prepared, features));
         }
         if features.many_lights {
             let cdf = absent::light_cdf(prepared, features);
@@ -160,14 +146,9 @@ impl<'a> Arrays<'a> {
         }
     }
 
-    fn records<T: GpuStruct>(
-        &mut self,
-        name: &'static str,
-        count: usize,
-        make: impl Fn() -> Vec<T> + 'a,
-    ) {
-        let array = SceneArray::records(name, count, self.uniform_buffer, make);
-        self.all.push(array);
+    fn records(&mut self, name: &'static str, records: impl Records + 'a) {
+        self.all
+            .push(SceneArray::records(name, records, self.uniform_buffer));
     }
 
     fn words<T: NoUninit>(

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use glam::DVec3;
 
 use crate::layout::Record;
-use crate::prepared::{Prepared, ShapeKind};
+use crate::prepared::Prepared;
 use crate::reference::bsdf::{LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION};
 use crate::reference::integrator::path::PathState;
 use crate::reference::integrator::path::record::Recorder;
@@ -31,12 +31,7 @@ impl Names<'_> {
         let Some(s) = self.0.shapes.get(shape as usize) else {
             return "the background".to_owned();
         };
-        let kind = match s.kind {
-            ShapeKind::Sphere => "sphere",
-            ShapeKind::Box => "box",
-            ShapeKind::Cylinder => "cylinder",
-            ShapeKind::Mesh => "mesh",
-        };
+        let kind = s.kind.description().name;
         format!("shape {shape} ({kind} of line {})", s.line)
     }
 

@@ -17,7 +17,7 @@ use super::tree::ALL_KINDS;
 fn check<F: Real>(rays: u32) {
     for (name, prepared) in scenes::all() {
         let world = World::<F>::new(&prepared);
-        let primitives = world.primitives();
+        let primitives = &world.primitives;
         let accel = Accel::build(primitives);
         let mut source = Rays::new(&prepared, 21);
         let mut hits = 0;
@@ -69,13 +69,11 @@ fn hits_lie_in_the_boxes_of_their_primitives() {
 
 fn primitive_bounds(prepared: &Prepared, shape: u32, prim: u32) -> Bounds {
     let s = &prepared.shapes[shape as usize];
-    let first = s.first as usize;
-    match s.kind {
-        ShapeKind::Sphere => Bounds::of_sphere(&prepared.spheres[first]),
-        ShapeKind::Box => Bounds::of_box(&prepared.boxes[first]),
-        ShapeKind::Cylinder => Bounds::of_cylinder(&prepared.cylinders[first]),
-        ShapeKind::Mesh => Bounds::of_triangle(&prepared.triangles[prim as usize]),
-    }
+    let i = match s.kind {
+        ShapeKind::Mesh => prim,
+        _ => s.first,
+    };
+    Bounds::of(prepared.primitives.get(s.kind, i as usize))
 }
 
 #[test]

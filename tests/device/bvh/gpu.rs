@@ -57,13 +57,17 @@ impl<'a> Search<'a> {
             (
                 "Sphere",
                 "spheres",
-                bytes(&flat::records(&prepared.spheres)),
+                bytes(&flat::records(&prepared.primitives.spheres)),
             ),
-            ("Cuboid", "boxes", bytes(&flat::records(&prepared.boxes))),
+            (
+                "Cuboid",
+                "boxes",
+                bytes(&flat::records(&prepared.primitives.boxes)),
+            ),
             (
                 "Cylinder",
                 "cylinders",
-                bytes(&flat::records(&prepared.cylinders)),
+                bytes(&flat::records(&prepared.primitives.cylinders)),
             ),
             ("float", "triangle_words", bytes(&flat::triangles(prepared))),
             (
@@ -142,7 +146,7 @@ fn compose(
          const uint TRIANGLE_SHAPES = {}u;\n",
         bvh.stack,
         bvh.reach,
-        prepared.triangles.len()
+        prepared.primitives.triangles.len()
     );
     let structs = [
         layout::Ray::glsl(),

@@ -37,10 +37,11 @@ pub struct Rays<'a> {
 
 impl<'a> Rays<'a> {
     pub fn new(prepared: &'a Prepared, seed: u64) -> Self {
-        let corners = prepared.triangles.iter().flat_map(|t| t.v);
-        let spheres = prepared.spheres.iter().map(|s| s.centre.abs() + s.radius);
-        let boxes = prepared.boxes.iter().map(|b| b.lo.abs().max(b.hi.abs()));
-        let cylinders = (prepared.cylinders.iter()).map(|c| c.base.abs() + c.height + c.radius);
+        let p = &prepared.primitives;
+        let corners = p.triangles.iter().flat_map(|t| t.v);
+        let spheres = p.spheres.iter().map(|s| s.centre.abs() + s.radius);
+        let boxes = p.boxes.iter().map(|b| b.lo.abs().max(b.hi.abs()));
+        let cylinders = (p.cylinders.iter()).map(|c| c.base.abs() + c.height + c.radius);
         let all = corners.chain(spheres).chain(boxes).chain(cylinders);
         Self {
             prepared,
@@ -149,7 +150,7 @@ impl<'a> Rays<'a> {
     }
 
     fn anchor(&mut self) -> Anchor {
-        let p = self.prepared;
+        let p = &self.prepared.primitives;
         let solids = p.spheres.len() + p.boxes.len() + p.cylinders.len();
         let i = self.random.below(solids + p.triangles.len());
         if i >= solids {

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use vkpt::prepared::{
-    Camera, Cuboid, Cylinder, NONE, Prepared, Shape, ShapeKind, Space, Sphere, Triangle,
+    Camera, Cuboid, Cylinder, NONE, Prepared, Primitives, Shape, ShapeKind, Space, Sphere, Triangle,
 };
 
 use super::random::Random;
@@ -27,11 +27,7 @@ impl Builder {
                 forward: DVec3::Z,
             },
             shapes: Vec::new(),
-            spheres: Vec::new(),
-            boxes: Vec::new(),
-            cylinders: Vec::new(),
-            triangles: Vec::new(),
-            normals: Vec::new(),
+            primitives: Primitives::default(),
             materials: Vec::new(),
             lights: Vec::new(),
             light_media: Vec::new(),
@@ -58,8 +54,8 @@ impl Builder {
     }
 
     pub fn sphere(mut self, centre: DVec3, radius: f64) -> Self {
-        let shape = self.shape(ShapeKind::Sphere, self.0.spheres.len(), 1);
-        self.0.spheres.push(Sphere {
+        let shape = self.shape(ShapeKind::Sphere, self.0.primitives.spheres.len(), 1);
+        self.0.primitives.spheres.push(Sphere {
             centre,
             radius,
             shape,
@@ -68,17 +64,17 @@ impl Builder {
     }
 
     pub fn cuboid(mut self, lo: DVec3, hi: DVec3) -> Self {
-        let shape = self.shape(ShapeKind::Box, self.0.boxes.len(), 1);
-        self.0.boxes.push(Cuboid { lo, hi, shape });
+        let shape = self.shape(ShapeKind::Box, self.0.primitives.boxes.len(), 1);
+        self.0.primitives.boxes.push(Cuboid { lo, hi, shape });
         self
     }
 
     pub fn cylinder(mut self, base: DVec3, axis: DVec3, radius: f64) -> Self {
-        let shape = self.shape(ShapeKind::Cylinder, self.0.cylinders.len(), 1);
+        let shape = self.shape(ShapeKind::Cylinder, self.0.primitives.cylinders.len(), 1);
         let w = axis.normalize();
         let (u, v) = w.any_orthonormal_pair();
         let height = axis.length();
-        self.0.cylinders.push(Cylinder {
+        self.0.primitives.cylinders.push(Cylinder {
             base,
             u,
             v,
@@ -92,8 +88,13 @@ impl Builder {
 
     pub fn mesh(mut self, triangles: impl IntoIterator<Item = [DVec3; 3]>) -> Self {
         let triangles: Vec<_> = triangles.into_iter().collect();
-        let shape = self.shape(ShapeKind::Mesh, self.0.triangles.len(), triangles.len());
+        let shape = self.shape(
+            ShapeKind::Mesh,
+            self.0.primitives.triangles.len(),
+            triangles.len(),
+        );
         self.0
+            .primitives
             .triangles
             .extend(triangles.into_iter().map(|v| Triangle { v, shape }));
         self
@@ -184,16 +185,16 @@ pub fn mixed() -> Prepared {
 
 /// The scene in another unit of length.
 pub fn scaled(mut scene: Prepared, k: f64) -> Prepared {
-    for s in &mut scene.spheres {
+    for s in &mut scene.primitives.spheres {
         (s.centre, s.radius) = (s.centre * k, s.radius * k);
     }
-    for b in &mut scene.boxes {
+    for b in &mut scene.primitives.boxes {
         (b.lo, b.hi) = (b.lo * k, b.hi * k);
     }
-    for c in &mut scene.cylinders {
+    for c in &mut scene.primitives.cylinders {
         (c.base, c.height, c.radius) = (c.base * k, c.height * k, c.radius * k);
     }
-    for t in &mut scene.triangles {
+    for t in &mut scene.primitives.triangles {
         t.v = t.v.map(|v| v * k);
     }
     scene

@@ -77,12 +77,8 @@ fn walk(
 }
 
 pub fn bounds(prepared: &Prepared, reference: u32) -> Bounds {
-    match decode(reference) {
-        (ShapeKind::Sphere, i) => Bounds::of_sphere(&prepared.spheres[i]),
-        (ShapeKind::Box, i) => Bounds::of_box(&prepared.boxes[i]),
-        (ShapeKind::Cylinder, i) => Bounds::of_cylinder(&prepared.cylinders[i]),
-        (ShapeKind::Mesh, i) => Bounds::of_triangle(&prepared.triangles[i]),
-    }
+    let (kind, i) = decode(reference);
+    Bounds::of(prepared.primitives.get(kind, i))
 }
 
 fn walked(bvh: &Bvh, prepared: &Prepared) -> Walk {
@@ -105,10 +101,8 @@ fn check(name: &str, prepared: &Prepared) -> Bvh {
     let mut references = bvh.references.clone();
     references.sort_unstable();
     references.dedup();
-    let primitives = prepared.spheres.len()
-        + prepared.boxes.len()
-        + prepared.cylinders.len()
-        + prepared.triangles.len();
+    let p = &prepared.primitives;
+    let primitives = p.spheres.len() + p.boxes.len() + p.cylinders.len() + p.triangles.len();
     assert_eq!(references.len(), primitives, "{name}");
     assert_eq!(seen.nodes, bvh.nodes.len(), "{name}");
     assert_eq!(

@@ -5,16 +5,7 @@ use super::written_out::WrittenOut;
 use crate::features::Features;
 use crate::kernel::scene::Parameters;
 use crate::kernel::scene::dispatch::Dispatch;
-use crate::prepared::ShapeKind;
-
-fn shape_file(kind: ShapeKind) -> &'static str {
-    match kind {
-        ShapeKind::Sphere => "sphere",
-        ShapeKind::Box => "box",
-        ShapeKind::Cylinder => "cylinder",
-        ShapeKind::Mesh => "triangle",
-    }
-}
+use crate::shape::{ShapeKind, filled};
 
 /// One test after the other of the kinds of which there are few, then the hierarchy: the least (t, shape, prim) in any
 /// order. `read_primitives()` is to be called once, before.
@@ -23,14 +14,13 @@ pub fn nearest(features: &Features, parameters: &Parameters) -> String {
     let mut copies = String::new();
     let (mut read, mut test) = (String::new(), String::new());
     for kind in features.written_out() {
-        let written = WrittenOut::new(kind);
-        let count = parameters.count(written.array);
-        head += &format!("// uses: {}\n", written.file);
+        let written = WrittenOut::new(kind, |array| parameters.count(array));
+        head += &format!("// uses: {}\n", written.file());
         if parameters.read_first {
-            copies += &written.copies(count);
-            read += &written.read(count);
+            copies += &written.copies();
+            read += &written.read();
         }
-        test += &written.test(count, parameters.read_first);
+        test += &written.test(parameters.read_first);
     }
     if !features.in_bvh.is_empty() {
         head += "// uses: shape/bvh/nearest\n";
@@ -50,19 +40,14 @@ pub fn surface(features: &Features) -> String {
         selector: "shapes[hit.shape].kind",
     };
     let member = |&kind: &ShapeKind| {
-        let first = "shapes[hit.shape].first";
-        let call = match kind {
-            ShapeKind::Sphere => format!("sphere_surface(ray, hit, spheres[{first}])"),
-            ShapeKind::Box => format!("box_surface(ray, hit, boxes[{first}])"),
-            ShapeKind::Cylinder => format!("cylinder_surface(ray, hit, cylinders[{first}])"),
-            ShapeKind::Mesh => "triangle_surface(hit)".into(),
-        };
-        (kind as u32, call)
+        let shape = kind.description();
+        let x = filled(shape.element, &[("{i}", "shapes[hit.shape].first")]);
+        (kind as u32, filled(shape.surface, &[("{x}", &x)]))
     };
     let members: Vec<_> = features.shapes.iter().map(member).collect();
     let none = "Surface(ray.o, ray.d, ray.d)";
-    let files = features.shapes.iter().map(|&k| shape_file(k));
-    uses("shape/ray", "shape", files) + &dispatch.text(&members, none)
+    let files = (features.shapes.iter()).map(|kind| kind.description().surface_file);
+    uses("shape/ray", files) + &dispatch.text(&members, none)
 }
 
 /// Access to the buffers of triangles.

@@ -27,10 +27,8 @@ pub fn texts(features: &Features, parameters: &Parameters) -> Vec<(&'static str,
     texts
 }
 
-/// A `// uses:` line for files of one folder.
-fn uses(fixed: &str, folder: &str, files: impl Iterator<Item = &'static str>) -> String {
-    let all: Vec<String> = std::iter::once(fixed.to_owned())
-        .chain(files.map(|f| format!("{folder}/{f}")))
-        .collect();
-    format!("// uses: {}\n", all.join(", "))
+/// A `// uses:` line for these files.
+fn uses(fixed: &str, files: impl Iterator<Item = impl AsRef<str>>) -> String {
+    let more: String = files.map(|f| format!(", {}", f.as_ref())).collect();
+    format!("// uses: {fixed}{more}\n")
 }

@@ -43,8 +43,10 @@ pub fn bsdf(features: &Features) -> String {
         arguments: &[("Interaction", "at"), ("vec3", "wi")],
         selector: "at.material.kind",
     };
-    uses("bsdf/sample", "bsdf/kind", kinds.iter().map(|k| k.1))
-        + &sample.text(&members("sample(at, random)"), "no_sample()")
+    uses(
+        "bsdf/sample",
+        kinds.iter().map(|k| format!("bsdf/kind/{}", k.1)),
+    ) + &sample.text(&members("sample(at, random)"), "no_sample()")
         + &eval.text(&members("eval(at, wi)"), "no_value()")
 }
 
@@ -67,8 +69,8 @@ pub fn distribution(features: &Features) -> String {
         arguments,
         selector: "material.distribution",
     };
-    let files = features.distributions.iter().map(|&d| stem(d));
-    uses("math/vec", "bsdf/distribution", files)
+    let file = |&d| format!("bsdf/distribution/{}", stem(d));
+    uses("math/vec", features.distributions.iter().map(file))
         + &function(
             "float",
             "distribution_d",
@@ -114,9 +116,7 @@ pub fn fresnel(features: &Features) -> String {
         .iter()
         .map(|&f| (f as u32, format!("fresnel_{}(at, c)", stem(f))))
         .collect();
-    uses(
-        "bsdf/interaction",
-        "bsdf/fresnel",
-        features.fresnel.iter().map(|&f| stem(f)),
-    ) + &dispatch.text(&members, "vec3(0.0)")
+    let file = |&f| format!("bsdf/fresnel/{}", stem(f));
+    uses("bsdf/interaction", features.fresnel.iter().map(file))
+        + &dispatch.text(&members, "vec3(0.0)")
 }

@@ -1,103 +1,72 @@
 //! Primitives that are tried one by one, without a loop.
 //!
 //! On a CPU each is read into a variable of its own before any branch: lavapipe of Mesa 22.3 reads a uniform behind a
-//! branch lane by lane, whatever its index (`shaders/integrator/path/path_trace.comp`). A GPU reads it into scalar registers anywhere, and
-//! would run out of them if all were read at once: radv spills 436 on `scenes/glass-table.txt`.
+//! branch lane by lane, whatever its index (`shaders/integrator/path/path_trace.comp`). A GPU reads it into scalar
+//! registers anywhere, and would run out of them if all were read at once: radv spills 436 on `scenes/glass-table.txt`.
 
-use crate::prepared::ShapeKind;
+use crate::shape::{Description, ShapeKind, filled};
 
 /// How the primitives of a kind are written out.
 pub struct WrittenOut {
-    /// The array whose length is their number.
-    pub array: &'static str,
-    /// The file with the test.
-    pub file: &'static str,
-    ty: &'static str,
-    values: &'static str,
-    /// Primitive `{i}` in its buffer.
-    element: &'static str,
-    /// The test of `{x}`.
-    call: &'static str,
-    /// What comes before the tests.
-    before: &'static str,
+    kind: &'static Description,
+    count: usize,
 }
 
 impl WrittenOut {
-    pub fn new(kind: ShapeKind) -> Self {
-        match kind {
-            ShapeKind::Sphere => Self {
-                array: "spheres",
-                file: "shape/linear/sphere",
-                ty: "Sphere",
-                values: "sphere_values",
-                element: "spheres[{i}]",
-                call: "nearer_sphere(ray, skip, best, {x})",
-                before: "",
-            },
-            ShapeKind::Box => Self {
-                array: "boxes",
-                file: "shape/linear/box",
-                ty: "Cuboid",
-                values: "box_values",
-                element: "boxes[{i}]",
-                call: "nearer_box(ray, skip, best, {x})",
-                before: "",
-            },
-            ShapeKind::Cylinder => Self {
-                array: "cylinders",
-                file: "shape/linear/cylinder",
-                ty: "Cylinder",
-                values: "cylinder_values",
-                element: "cylinders[{i}]",
-                call: "nearer_cylinder(ray, skip, best, {x})",
-                before: "",
-            },
-            ShapeKind::Mesh => Self {
-                array: "triangle_shapes",
-                file: "shape/triangle/nearer",
-                ty: "Triangle",
-                values: "triangle_values",
-                element: "triangle_at({i}u)",
-                call: "nearer_triangle(ray, shear, skip, best, {x}, {i}u)",
-                before: "    RayShear shear = ray_shear(ray.d);\n",
-            },
+    /// So many of a kind.
+    pub fn new(kind: ShapeKind, count: impl Fn(&str) -> usize) -> Self {
+        let kind = kind.description();
+        Self {
+            kind,
+            count: count(kind.array),
         }
     }
 
+    /// The file with the test.
+    pub fn file(&self) -> &'static str {
+        self.kind.nearer_file
+    }
+
     /// Declares the variables; there is no array of no elements.
-    pub fn copies(&self, count: usize) -> String {
-        match count {
+    pub fn copies(&self) -> String {
+        match self.count {
             0 => String::new(),
-            _ => format!("{} {}[{count}];\n", self.ty, self.values),
+            count => format!("{} {}_values[{count}];\n", self.kind.ty, self.kind.name),
         }
     }
 
     /// Reads each primitive from its buffer.
-    pub fn read(&self, count: usize) -> String {
-        let line = |i| format!("    {} = {};\n", self.copy(i), number(self.element, i));
-        (0..count).map(line).collect()
+    pub fn read(&self) -> String {
+        let line = |i| format!("    {} = {};\n", self.copy(i), self.element(i));
+        (0..self.count).map(line).collect()
     }
 
     /// Tries each: its copy, where they were `read_first`.
-    pub fn test(&self, count: usize, read_first: bool) -> String {
+    pub fn test(&self, read_first: bool) -> String {
+        let once = format!("{}_once", self.kind.name);
         let line = |i| {
             let primitive = match read_first {
                 true => self.copy(i),
-                false => number(self.element, i),
+                false => self.element(i),
             };
-            format!(
-                "    best = {};\n",
-                number(self.call, i).replace("{x}", &primitive)
-            )
+            let places = [
+                ("{once}", &once[..]),
+                ("{best}", "best"),
+                ("{x}", &primitive),
+                ("{i}", &format!("{i}u")),
+            ];
+            format!("    best = {};\n", filled(self.kind.nearer, &places))
         };
-        self.before.to_owned() + &(0..count).map(line).collect::<String>()
+        let before =
+            (self.kind.once.iter()).map(|[ty, value]| format!("    {ty} {once} = {value};\n"));
+        before.chain((0..self.count).map(line)).collect()
+    }
+
+    fn element(&self, i: usize) -> String {
+        filled(self.kind.element, &[("{i}", &format!("{i}u"))])
     }
 
     fn copy(&self, i: usize) -> String {
-        format!("{}[{i}]", self.values)
+        format!("{}_values[{i}u]", self.kind.name)
     }
-}
-
-fn number(text: &str, i: usize) -> String {
-    text.replace("{i}", &i.to_string())
 }

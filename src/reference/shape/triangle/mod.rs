@@ -7,29 +7,15 @@ pub mod origin;
 
 use super::normal::interpolated_normal;
 use super::ray::{Hit, Surface};
-use crate::prepared;
 use crate::reference::math::{Real, Vec3};
+use crate::shape::mesh;
 use area::{triangle_area, triangle_point};
 pub use hit::{RayShear, TriangleHit, ray_shear, triangle_hit};
 pub use nearer::nearer_triangle;
 pub use origin::triangle_self_distance;
 
-/// Three corners, counter-clockwise as seen from outside.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Triangle<F> {
-    pub v: [Vec3<F>; 3],
-    pub shape: u32,
-}
-
-impl<F: Real> Triangle<F> {
-    /// Rounded to the scalar.
-    pub fn new(t: &prepared::Triangle) -> Self {
-        Self {
-            v: t.v.map(Vec3::new),
-            shape: t.shape,
-        }
-    }
-}
+/// A triangle in the scalar.
+pub type Triangle<F> = mesh::Triangle<Vec3<F>>;
 
 /// The point that was hit, by its weights; the normal from the edges, the shading normal from `normals`,
 /// those of the corners, where the mesh gives any.

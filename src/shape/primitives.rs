@@ -1,0 +1,81 @@
+//! The primitives of a scene.
+
+use std::ops::Range;
+
+use glam::DVec3;
+
+use super::mesh::Mesh;
+use super::{Body, Cuboid, Cylinder, Primitive, ShapeKind, Sphere, Triangle};
+use crate::layout::Records;
+
+/// The primitives of a scene, each kind in an array of its own.
+#[derive(Clone, Debug, Default)]
+pub struct Primitives {
+    pub spheres: Vec<Sphere>,
+    pub boxes: Vec<Cuboid>,
+    pub cylinders: Vec<Cylinder>,
+    /// All triangles of all meshes, in the order of their shapes.
+    pub triangles: Vec<Triangle>,
+    /// Shading normals of each triangle's corners; empty where no mesh gives any, zero for triangles without.
+    pub normals: Vec<[DVec3; 3]>,
+}
+
+impl Primitives {
+    /// How many there are of a kind.
+    pub fn count(&self, kind: ShapeKind) -> usize {
+        match kind {
+            ShapeKind::Sphere => self.spheres.len(),
+            ShapeKind::Box => self.boxes.len(),
+            ShapeKind::Cylinder => self.cylinders.len(),
+            ShapeKind::Mesh => self.triangles.len(),
+        }
+    }
+
+    /// Bytes of all arrays.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.spheres[..])
+            + size_of_val(&self.boxes[..])
+            + size_of_val(&self.cylinders[..])
+            + size_of_val(&self.triangles[..])
+            + size_of_val(&self.normals[..])
+    }
+
+    /// The array of a kind, where it is one of records; triangles lie on the device in several.
+    pub fn records(&self, kind: ShapeKind) -> Option<&dyn Records> {
+        match kind {
+            ShapeKind::Sphere => Some(&self.spheres),
+            ShapeKind::Box => Some(&self.boxes),
+            ShapeKind::Cylinder => Some(&self.cylinders),
+            ShapeKind::Mesh => None,
+        }
+    }
+
+    /// Primitive `index` of a kind.
+    pub fn get(&self, kind: ShapeKind, index: usize) -> &dyn Primitive {
+        match kind {
+            ShapeKind::Sphere => &self.spheres[index],
+            ShapeKind::Box => &self.boxes[index],
+            ShapeKind::Cylinder => &self.cylinders[index],
+            ShapeKind::Mesh => &self.triangles[index],
+        }
+    }
+
+    /// The shape that is made of these primitives of its kind, one or the triangles of a mesh.
+    pub fn body(&self, kind: ShapeKind, range: Range<usize>) -> Box<dyn Body + '_> {
+        match kind {
+            ShapeKind::Sphere => Box::new(self.spheres[range.start]),
+            ShapeKind::Box => Box::new(self.boxes[range.start]),
+            ShapeKind::Cylinder => Box::new(self.cylinders[range.start]),
+            ShapeKind::Mesh => Box::new(Mesh(&self.triangles[range])),
+        }
+    }
+
+    /// Every primitive.
+    pub fn iter_mut(&mut self) -> impl Iterator<Item = &mut dyn Primitive> {
+        let spheres = self.spheres.iter_mut().map(|p| p as &mut dyn Primitive);
+        spheres
+            .chain(self.boxes.iter_mut().map(|p| p as _))
+            .chain(self.cylinders.iter_mut().map(|p| p as _))
+            .chain(self.triangles.iter_mut().map(|p| p as _))
+    }
+}
