@@ -58,7 +58,9 @@ fn is_finite_material(m: &Material) {
     }
     // The exponent of a smooth surface may be infinite, and is not looked at.
     let alpha = match m.kind {
-        MaterialKind::Opaque | MaterialKind::Dielectric | MaterialKind::Weak => m.alpha,
+        MaterialKind::Opaque | MaterialKind::RoughDielectric | MaterialKind::WeakDielectric => {
+            m.alpha
+        }
         _ => 1.0,
     };
     let lobes = [alpha, m.width, m.p_d, m.p_r];

@@ -1,5 +1,5 @@
 // The rays of one turn: the pending shadow ray, then the extension ray.
-// uses: math/steps, shape/ray, <nearest>, <medium>, <straight>
+// uses: math/steps, shape/ray, <nearest>, <medium>, <null_interface>
 
 // Where the extension ray ended, how far it went from the last vertex, and that vertex; what became of the shadow ray.
 struct Flight {
@@ -39,14 +39,14 @@ Flight fly(inout Subpath path, inout ShadowRay shadow) {
         }
         Hit hit = nearest(ray, skip);
         vec3 transmittance = stretch_transmittance(ray.medium, hit.t);
-        if (goes_straight(hit)) {
-            Passage passage = pass(ray, hit);
+        if (is_null_interface(hit)) {
+            Skipped skipped = skip_intersection(ray, hit);
             if (phase == PHASE_SHADOW) {
-                shadow.contribution *= transmittance * passage.factor;
-                shadow.ray = passage.ray;
+                shadow.contribution *= transmittance * skipped.factor;
+                shadow.ray = skipped.ray;
             } else {
-                path.throughput *= transmittance * passage.factor;
-                path.ray = passage.ray;
+                path.throughput *= transmittance * skipped.factor;
+                path.ray = skipped.ray;
                 flight.distance += hit.t;
             }
         } else if (phase == PHASE_SHADOW) {

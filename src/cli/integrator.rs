@@ -33,14 +33,17 @@ pub fn only_path(settings: &Settings, flag: &str) -> Result<(), Failure> {
 
 /// What the integrator does not see of a scene.
 pub fn unseen(prepared: &Prepared, settings: &Settings) -> Option<String> {
-    use MaterialKind::{Glass, Mirror, Weak};
+    use MaterialKind::{Mirror, SmoothDielectric, WeakDielectric};
     let has = |kind| {
         let mut shapes = prepared.shapes.iter();
         shapes.any(|s| prepared.materials[s.material as usize].kind == kind)
     };
     let missing: Vec<&str> = [
         (has(Mirror), "what mirrors show"),
-        (has(Glass) || has(Weak), "what smooth glass shows"),
+        (
+            has(SmoothDielectric) || has(WeakDielectric),
+            "what smooth glass shows",
+        ),
         (prepared.background != DVec3::ZERO, "the background"),
     ]
     .into_iter()

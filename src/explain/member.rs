@@ -4,7 +4,7 @@ use super::Subject;
 use super::lines::{lines, materials};
 use super::reasons::reason;
 use super::setting::by;
-use crate::features::Member;
+use crate::features::{Member, words};
 use crate::prepared::{LightKind, Material, NONE};
 use crate::report::explanation::Part;
 use crate::report::names::Named;
@@ -36,15 +36,14 @@ pub fn part(subject: &Subject, member: Member) -> Part {
 }
 
 fn name(subject: &Subject, member: Member) -> (&'static str, String) {
-    let lower = |name: &dyn std::fmt::Debug| format!("{name:?}").to_lowercase();
     match member {
         Member::Shape(kind) => ("shape", kind.description().name.to_owned()),
         Member::InBvh(kind) => ("search", kind.description().name.to_owned()),
-        Member::Material(kind) => ("material", lower(&kind)),
+        Member::Material(kind) => ("material", words(&kind)),
         Member::DiffuseBeside => ("diffuse lobe", "and specular".to_owned()),
         Member::Distribution(distribution) => ("distribution", distribution.name().to_owned()),
         Member::Fresnel(form) => ("fresnel", form.name().to_owned()),
-        Member::Light(kind) => ("light", lower(&kind)),
+        Member::Light(kind) => ("light", words(&kind)),
         Member::ManyLights => match subject.job.prepared.lights.len() {
             n if n > 1 => ("light choice", format!("among {n}")),
             _ => ("light choice", "among many".to_owned()),

@@ -43,10 +43,10 @@ fn material(kind: MaterialKind) -> &'static str {
         MaterialKind::Diffuse => "no opaque surface has Kd alone",
         MaterialKind::Opaque => "no opaque surface has a Ks and is rough",
         MaterialKind::Mirror => "no opaque surface has a Ks and is perfectly smooth",
-        MaterialKind::Dielectric => "no surface with a Kt is rough",
-        MaterialKind::Glass => "no surface with a Kt is perfectly smooth",
-        MaterialKind::Weak => "no rough surface with a Kt has |ior - 1| < 1e-5 / alpha",
-        MaterialKind::Nothing => "no surface with a Kt has the index 1",
+        MaterialKind::RoughDielectric => "no surface with a Kt is rough",
+        MaterialKind::SmoothDielectric => "no surface with a Kt is perfectly smooth",
+        MaterialKind::WeakDielectric => "no rough surface with a Kt has |ior - 1| < 1e-5 / alpha",
+        MaterialKind::NullInterface => "no surface with a Kt has the index 1",
     }
 }
 

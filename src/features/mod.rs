@@ -18,6 +18,7 @@ use crate::settings::{
     Settings,
 };
 pub use member::Member;
+pub use names::words;
 
 /// Which of the three roulettes, apart from its parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -145,14 +146,14 @@ impl Features {
 
     /// A surface lets light through, refracted.
     pub fn transmits(&self) -> bool {
-        use MaterialKind::{Dielectric, Glass, Weak};
-        let kinds = [Dielectric, Glass, Weak];
+        use MaterialKind::{RoughDielectric, SmoothDielectric, WeakDielectric};
+        let kinds = [RoughDielectric, SmoothDielectric, WeakDielectric];
         kinds.iter().any(|kind| self.materials.contains(kind))
     }
 
     /// A surface of this scene is not there: |ior − 1| < 1e-7.
-    pub fn goes_straight(&self) -> bool {
-        self.materials.contains(&MaterialKind::Nothing)
+    pub fn is_null_interface(&self) -> bool {
+        self.materials.contains(&MaterialKind::NullInterface)
     }
 
     /// The kernel keeps each pixel's moments.
@@ -182,11 +183,11 @@ fn in_bvh(prepared: &Prepared, shapes: &BTreeSet<ShapeKind>) -> BTreeSet<ShapeKi
 
 /// Whether micro-normals are drawn on it.
 pub fn is_rough(kind: MaterialKind) -> bool {
-    use MaterialKind::{Dielectric, Opaque, Weak};
-    matches!(kind, Opaque | Dielectric | Weak)
+    use MaterialKind::{Opaque, RoughDielectric, WeakDielectric};
+    matches!(kind, Opaque | RoughDielectric | WeakDielectric)
 }
 
 /// Whether it reflects by Fresnel's law, rough or smooth.
 pub fn is_specular(kind: MaterialKind) -> bool {
-    is_rough(kind) || matches!(kind, MaterialKind::Mirror | MaterialKind::Glass)
+    is_rough(kind) || matches!(kind, MaterialKind::Mirror | MaterialKind::SmoothDielectric)
 }

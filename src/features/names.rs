@@ -16,15 +16,15 @@ impl Features {
             set("distributions", list(&self.distributions)),
             set("fresnel", list(&self.fresnel)),
             set("lights", list(&self.lights)),
-            set("integrator", lower(&self.integrator)),
-            set("normals", lower(&self.normals)),
-            set("lobe", lower(&self.lobe)),
-            set("connect", lower(&self.connect)),
-            set("sampler", lower(&self.sampler)),
-            set("roulette", lower(&self.roulette)),
+            set("integrator", words(&self.integrator)),
+            set("normals", words(&self.normals)),
+            set("lobe", words(&self.lobe)),
+            set("connect", words(&self.connect)),
+            set("sampler", words(&self.sampler)),
+            set("roulette", words(&self.roulette)),
         ];
         if let Some(absorption) = self.absorption {
-            names.push(set("absorption", lower(&absorption)));
+            names.push(set("absorption", words(&absorption)));
         }
         let optional = [
             (self.diffuse_beside, "diffuse beside specular"),
@@ -48,13 +48,21 @@ impl fmt::Display for Features {
     }
 }
 
-fn lower(member: &impl Debug) -> String {
-    format!("{member:?}").to_lowercase()
+/// The words of a member's name: `RoughDielectric` is a rough dielectric.
+pub fn words(member: &impl Debug) -> String {
+    let mut words = String::new();
+    for c in format!("{member:?}").chars() {
+        if c.is_uppercase() && !words.is_empty() {
+            words.push(' ');
+        }
+        words.extend(c.to_lowercase());
+    }
+    words
 }
 
 fn list<T: Debug>(set: &BTreeSet<T>) -> String {
     if set.is_empty() {
         return "none".into();
     }
-    set.iter().map(lower).collect::<Vec<_>>().join(", ")
+    set.iter().map(words).collect::<Vec<_>>().join(", ")
 }

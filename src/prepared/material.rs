@@ -144,13 +144,13 @@ fn kind(brdf: &Brdf, distribution: Distribution, alpha: f64) -> MaterialKind {
 fn transmissive_kind(smooth: bool, width: f64, ior: f64) -> MaterialKind {
     let contrast = (ior - 1.0).abs();
     if contrast < NOTHING_IOR {
-        MaterialKind::Nothing
+        MaterialKind::NullInterface
     } else if smooth {
-        MaterialKind::Glass
+        MaterialKind::SmoothDielectric
     } else if width * contrast < WEAK_REFRACTION {
-        MaterialKind::Weak
+        MaterialKind::WeakDielectric
     } else {
-        MaterialKind::Dielectric
+        MaterialKind::RoughDielectric
     }
 }
 
@@ -237,14 +237,14 @@ mod tests {
             (opaque(0.5, 0.5, 0.0), MaterialKind::Mirror),
             (opaque(0.0, 0.5, 2e8), MaterialKind::Opaque),
             (opaque(0.0, 0.5, 2.1e8), MaterialKind::Mirror),
-            (glass(0.3, 1.5), MaterialKind::Dielectric),
-            (glass(1e-4, 1.5), MaterialKind::Dielectric),
-            (glass(0.99e-4, 1.5), MaterialKind::Glass),
-            (glass(0.0, 0.7), MaterialKind::Glass),
-            (glass(0.1, 1.0 + 0.9e-4), MaterialKind::Weak),
-            (glass(0.1, 1.0 - 1.1e-4), MaterialKind::Dielectric),
-            (glass(0.1, 1.0 + 0.9e-7), MaterialKind::Nothing),
-            (glass(0.0, 1.0), MaterialKind::Nothing),
+            (glass(0.3, 1.5), MaterialKind::RoughDielectric),
+            (glass(1e-4, 1.5), MaterialKind::RoughDielectric),
+            (glass(0.99e-4, 1.5), MaterialKind::SmoothDielectric),
+            (glass(0.0, 0.7), MaterialKind::SmoothDielectric),
+            (glass(0.1, 1.0 + 0.9e-4), MaterialKind::WeakDielectric),
+            (glass(0.1, 1.0 - 1.1e-4), MaterialKind::RoughDielectric),
+            (glass(0.1, 1.0 + 0.9e-7), MaterialKind::NullInterface),
+            (glass(0.0, 1.0), MaterialKind::NullInterface),
         ] {
             assert_eq!(prepare(&b).kind, expected, "{b:?}");
         }

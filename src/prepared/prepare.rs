@@ -119,10 +119,10 @@ impl Prepared {
     pub fn is_transmissive(material: &Material) -> bool {
         matches!(
             material.kind,
-            MaterialKind::Dielectric
-                | MaterialKind::Glass
-                | MaterialKind::Weak
-                | MaterialKind::Nothing
+            MaterialKind::RoughDielectric
+                | MaterialKind::SmoothDielectric
+                | MaterialKind::WeakDielectric
+                | MaterialKind::NullInterface
         )
     }
 }

@@ -65,7 +65,7 @@ fn every_member_has_the_lines_that_brought_it_in() {
         ("material", "black", &[3]),
         ("material", "diffuse", &[5]),
         ("material", "opaque", &[10]),
-        ("material", "dielectric", &[8]),
+        ("material", "rough dielectric", &[8]),
         ("diffuse lobe", "and specular", &[10]),
         ("distribution", "ggx", &[8, 10]),
         ("fresnel", "schlick", &[8, 10]),
@@ -81,7 +81,7 @@ fn every_member_has_the_lines_that_brought_it_in() {
         ("material", "black", &[4]),
         ("material", "diffuse", &[6]),
         ("material", "mirror", &[11]),
-        ("material", "glass", &[9]),
+        ("material", "smooth dielectric", &[9]),
         ("fresnel", "schlick", &[11]),
         ("fresnel", "exact", &[9]),
         ("light", "box", &[5]),
@@ -163,7 +163,7 @@ fn what_a_scene_lacks_is_left_out_and_the_reason_told() {
     for (group, name, word) in [
         ("shape", "mesh", "mesh"),
         ("search", "hierarchy", "one by one"),
-        ("material", "glass", "Kt"),
+        ("material", "smooth dielectric", "Kt"),
         ("material", "opaque", "Ks"),
         ("diffuse lobe", "and specular", "Kd"),
         ("distribution", "ggx", "rough"),
@@ -226,7 +226,7 @@ fn a_planted_member_is_found() {
         ..job(&scene, settings, 1, 1)
     };
     let parts = explained(&planted, TABLE);
-    let full = find(&parts, "material", "glass");
+    let full = find(&parts, "material", "smooth dielectric");
     assert!(full.present && full.why == "--kernel full", "{full:?}");
     assert_eq!(find(&parts, "search", "hierarchy").why, "--kernel full");
     assert!(std::panic::catch_unwind(|| check_whole(&planted, TABLE, "planted")).is_err());

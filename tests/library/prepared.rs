@@ -85,7 +85,11 @@ fn the_eye_knows_the_medium_it_stands_in() {
         "cylinder 0 0 .1 0 0 2 1",
     ];
     for shape in inside {
-        assert_eq!(medium(shape), Some(MaterialKind::Dielectric), "{shape}");
+        assert_eq!(
+            medium(shape),
+            Some(MaterialKind::RoughDielectric),
+            "{shape}"
+        );
     }
     for shape in outside {
         assert_eq!(medium(shape), None, "{shape}");

@@ -104,7 +104,7 @@ fn constants(parameters: &Parameters) -> String {
     uint("NONE", NONE);
     uint("GROUPS", GROUPS);
     uint("KIND_BLACK", MaterialKind::Black as u32);
-    uint("KIND_NOTHING", MaterialKind::Nothing as u32);
+    uint("KIND_NULL_INTERFACE", MaterialKind::NullInterface as u32);
     uint("SHAPE_MESH", ShapeKind::Mesh as u32);
     for binding in parameters.bindings {
         uint(&binding.name.to_uppercase(), binding.count as u32);

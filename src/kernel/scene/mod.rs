@@ -153,10 +153,10 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
             },
         ),
         (
-            "straight",
-            match features.goes_straight() {
-                true => "path/straight/through",
-                false => "path/straight/none",
+            "null_interface",
+            match features.is_null_interface() {
+                true => "path/null_interface/through",
+                false => "path/null_interface/none",
             },
         ),
         (

@@ -16,13 +16,13 @@ pub enum MaterialKind {
     /// Opaque: perfect mirror, Kd possible.
     Mirror = 3,
     /// Rough reflection and rough transmission, Kd possible.
-    Dielectric = 4,
+    RoughDielectric = 4,
     /// Smooth reflection and smooth transmission, Kd possible.
-    Glass = 5,
+    SmoothDielectric = 5,
     /// Rough reflection, transmission that keeps one direction: α·|n − 1| < 1e-5. Kd possible.
-    Weak = 6,
+    WeakDielectric = 6,
     /// |ior − 1| < 1e-7: the surface is not there.
-    Nothing = 7,
+    NullInterface = 7,
 }
 
 impl MaterialKind {
@@ -31,10 +31,10 @@ impl MaterialKind {
         Self::Diffuse,
         Self::Opaque,
         Self::Mirror,
-        Self::Dielectric,
-        Self::Glass,
-        Self::Weak,
-        Self::Nothing,
+        Self::RoughDielectric,
+        Self::SmoothDielectric,
+        Self::WeakDielectric,
+        Self::NullInterface,
     ];
 }
 

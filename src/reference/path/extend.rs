@@ -28,6 +28,7 @@ pub struct Extension {
 
 /// Draws the next direction and moves the path onto it, where there is one. On a path from a light `settings` are those
 /// of the adjoint.
+#[inline]
 pub fn extend<F: Real>(
     settings: &Settings,
     from: Origin,

@@ -27,12 +27,12 @@ pub fn extend_ray<F: Real>(
             return (None, distance);
         }
         distance += hit.t;
-        if !goes_straight(world, hit) {
+        if !is_null_interface(world, hit) {
             return (Some(hit), distance);
         }
-        let passage = pass(world, settings, path.ray, hit);
-        path.throughput *= passage.factor;
-        path.ray = passage.ray;
+        let skipped = skip_intersection(world, settings, path.ray, hit);
+        path.throughput *= skipped.factor;
+        path.ray = skipped.ray;
     }
 }
 
@@ -62,32 +62,37 @@ pub fn shadow_ray<F: Real>(
         if hit.shape == NONE {
             return Some(c.contribution * transmittance);
         }
-        if !goes_straight(world, hit) {
+        if !is_null_interface(world, hit) {
             return None;
         }
-        let passage = pass(world, settings, c.ray, hit);
-        c.contribution *= transmittance * passage.factor;
-        c.ray = passage.ray;
+        let skipped = skip_intersection(world, settings, c.ray, hit);
+        c.contribution *= transmittance * skipped.factor;
+        c.ray = skipped.ray;
     }
 }
 
 /// Whether the surface is not there: |ior − 1| < 1e-7 (model.md, "The null interface").
-fn goes_straight<F: Real>(world: &World<F>, hit: Hit<F>) -> bool {
+fn is_null_interface<F: Real>(world: &World<F>, hit: Hit<F>) -> bool {
     let material = world.shapes[hit.shape as usize].material;
-    world.materials[material as usize].kind == MaterialKind::Nothing
+    world.materials[material as usize].kind == MaterialKind::NullInterface
 }
 
 /// The ray beyond a surface that is not there, and what `term` takes off on leaving.
-struct Passage<F> {
+struct Skipped<F> {
     ray: Ray<F>,
     factor: Vec3<F>,
 }
 
-fn pass<F: Real>(world: &World<F>, settings: &Settings, ray: Ray<F>, hit: Hit<F>) -> Passage<F> {
+fn skip_intersection<F: Real>(
+    world: &World<F>,
+    settings: &Settings,
+    ray: Ray<F>,
+    hit: Hit<F>,
+) -> Skipped<F> {
     let surface = world.hit_surface(ray, hit);
     let shape = &world.shapes[hit.shape as usize];
     let outside = dot3(ray.d, surface.ng) <= F::zero();
-    Passage {
+    Skipped {
         ray: Ray {
             o: surface.p,
             t_max: ray.t_max - hit.t,

@@ -76,7 +76,7 @@ pub fn facets(distribution: Distribution, width: f64, z: f64) -> f64 {
 fn rough(kind: MaterialKind) -> bool {
     matches!(
         kind,
-        MaterialKind::Opaque | MaterialKind::Dielectric | MaterialKind::Weak
+        MaterialKind::Opaque | MaterialKind::RoughDielectric | MaterialKind::WeakDielectric
     )
 }
 

@@ -109,7 +109,7 @@ const EXCUSED: &[(&str, &str)] = &[
     ("path/self_distance/", READS_THE_SCENE),
     ("integrator/path/shade", READS_THE_SCENE),
     ("path/spawn", READS_THE_SCENE),
-    ("path/straight/", READS_THE_SCENE),
+    ("path/null_interface/", READS_THE_SCENE),
     ("path/vertex", READS_THE_SCENE),
     (
         "shape/bvh/",

@@ -64,8 +64,10 @@ fn materials(distribution: Distribution, width: f64) -> Vec<prepared::Material> 
         let mut m = all[i];
         m.kind = match m.kind {
             MaterialKind::Mirror => MaterialKind::Opaque,
-            MaterialKind::Glass if width * (1.0 - m.eta[0]).abs() < 1e-5 => MaterialKind::Weak,
-            MaterialKind::Glass => MaterialKind::Dielectric,
+            MaterialKind::SmoothDielectric if width * (1.0 - m.eta[0]).abs() < 1e-5 => {
+                MaterialKind::WeakDielectric
+            }
+            MaterialKind::SmoothDielectric => MaterialKind::RoughDielectric,
             _ => continue,
         };
         all.push(m);

@@ -54,10 +54,15 @@ fn cases() -> Vec<Case> {
                     (m.fresnel, m.f0) = (fresnel, KS);
                     m
                 };
-                add("glass", MaterialKind::Glass, through(0.0, 1.5), outside);
+                add(
+                    "glass",
+                    MaterialKind::SmoothDielectric,
+                    through(0.0, 1.5),
+                    outside,
+                );
                 // α·|n − 1| = 9e-6
                 let weak = through(0.3, 1.0 + 3e-5);
-                add("weak", MaterialKind::Weak, weak, outside);
+                add("weak", MaterialKind::WeakDielectric, weak, outside);
             }
         }
     }
@@ -72,7 +77,7 @@ fn with_norms(mut m: Material, kd: DVec3) -> Material {
         (false, false) => (0.3, 0.4),
         (true, _) => (0.0, 0.4),
     };
-    if m.kind < MaterialKind::Dielectric {
+    if m.kind < MaterialKind::RoughDielectric {
         m.p_r = 1.0;
     }
     m
@@ -97,7 +102,10 @@ fn verdict(settings: &Settings, at: &Interaction<f64>, seed: u64, planted: f64) 
 }
 
 fn is_smooth(case: &Case) -> bool {
-    matches!(case.m.kind, MaterialKind::Mirror | MaterialKind::Glass)
+    matches!(
+        case.m.kind,
+        MaterialKind::Mirror | MaterialKind::SmoothDielectric
+    )
 }
 
 #[test]
@@ -117,7 +125,7 @@ fn what_has_a_density_fits_it() {
         assert!(v.p() > least, "{} {i}, {settings:?}: {v:?}", case.name);
         let off = verdict(&settings, &at, i as u64, 1.1);
         // exact reflectance at n = 1 + 3e-5: two in ten billion
-        let seldom = case.m.kind == MaterialKind::Weak
+        let seldom = case.m.kind == MaterialKind::WeakDielectric
             && (case.m.fresnel, lobe) == (Fresnel::Exact, LobeChoice::Fresnel)
             && case.m.kd == DVec3::ZERO;
         assert!(off.p() < 1e-6 || seldom, "{} {i}: {off:?}", case.name);
@@ -145,7 +153,7 @@ fn reflectance(m: &Material, outside: bool, c: f64) -> f64 {
 /// "Choice of lobe").
 fn probabilities(case: &Case, choice: LobeChoice, c: f64) -> [f64; 2] {
     let m = &case.m;
-    let transmits = m.kind >= MaterialKind::Dielectric;
+    let transmits = m.kind >= MaterialKind::RoughDielectric;
     let f = reflectance(m, case.outside, c);
     let p_d = match choice {
         LobeChoice::Norms => m.p_d,

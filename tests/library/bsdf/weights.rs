@@ -116,10 +116,10 @@ fn a_weak_interface_joins_the_rough_one() {
     for i in 0..5_000 {
         let d = DISTRIBUTIONS[i % 3];
         let m = dielectric(d, parameter(d, 0.3), 1.0 + 3e-5);
-        assert_eq!(m.kind, MaterialKind::Weak);
+        assert_eq!(m.kind, MaterialKind::WeakDielectric);
         let weak = seen(&m, i % 2 == 0, direction(r.unit(), 0.3));
         let mut rough = weak;
-        rough.material.kind = MaterialKind::Dielectric;
+        rough.material.kind = MaterialKind::RoughDielectric;
         let (lobe, reflect, um, ud) = (r.unit(), r.unit() * 1e-9, r.pair(), r.pair());
         for u_reflect in [reflect, 0.5] {
             let s = bsdf_sample(&settings, &weak, random(lobe, u_reflect, um, ud));

@@ -23,7 +23,7 @@ pub const HOMES: &[(&str, &str)] = &[
     ("path/self_distance/", "path/vertex"),
     ("integrator/path/begin", "integrator/path"),
     ("integrator/path/shade", "integrator/path"),
-    ("path/straight/", "path/flight"),
+    ("path/null_interface/", "path/flight"),
 ];
 
 /// Kernel functions without a twin, by name or by the start of their file.

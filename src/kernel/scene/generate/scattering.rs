@@ -9,13 +9,13 @@ use crate::settings::{Distribution, Fresnel};
 /// File of `bsdf/kind/` and stem of its functions; `None` for what never scatters.
 fn kind_file(kind: MaterialKind) -> Option<&'static str> {
     Some(match kind {
-        MaterialKind::Black | MaterialKind::Nothing => return None,
+        MaterialKind::Black | MaterialKind::NullInterface => return None,
         MaterialKind::Diffuse => "diffuse",
         MaterialKind::Opaque => "opaque",
         MaterialKind::Mirror => "mirror",
-        MaterialKind::Dielectric => "dielectric",
-        MaterialKind::Glass => "glass",
-        MaterialKind::Weak => "weak",
+        MaterialKind::RoughDielectric => "rough_dielectric",
+        MaterialKind::SmoothDielectric => "smooth_dielectric",
+        MaterialKind::WeakDielectric => "weak_dielectric",
     })
 }
 

@@ -10,7 +10,7 @@ use crate::reference::sampler::chance;
 /// S = F̄(wo·N), kept within [0.1, 0.9] where both lobes exist (model.md, "Choice of lobe").
 pub fn diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
     let kd = at.material.kd_mean;
-    let opaque = at.material.kind < MaterialKind::Dielectric;
+    let opaque = at.material.kind < MaterialKind::RoughDielectric;
     let specular = if opaque {
         mean3(fresnel(at, at.wo.z))
     } else {
@@ -25,7 +25,7 @@ pub fn diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
 
 /// R = F̄(c), as it can be drawn; 1 for opaque materials.
 pub fn reflect_probability<F: Real>(at: &Interaction<F>, _c: F, f_mean: F) -> F {
-    if at.material.kind < MaterialKind::Dielectric {
+    if at.material.kind < MaterialKind::RoughDielectric {
         F::one()
     } else {
         chance(f_mean)

@@ -4,12 +4,12 @@
 //! A kind's `_at` function takes the micro-normal: sampling hands it the one that was drawn, evaluation the
 //! half vector, which has lost digits where the surface is smooth.
 
-pub mod dielectric;
 pub mod diffuse;
-pub mod glass;
 pub mod mirror;
 pub mod opaque;
-pub mod weak;
+pub mod rough_dielectric;
+pub mod smooth_dielectric;
+pub mod weak_dielectric;
 
 use super::interaction::Interaction;
 use super::sample::{BsdfRandom, BsdfSample, BsdfValue, no_sample, no_value};
@@ -24,25 +24,33 @@ pub fn bsdf_sample<F: Real>(
     random: BsdfRandom<F>,
 ) -> BsdfSample<F> {
     match at.material.kind {
-        MaterialKind::Black | MaterialKind::Nothing => no_sample(),
+        MaterialKind::Black | MaterialKind::NullInterface => no_sample(),
         MaterialKind::Diffuse => diffuse::diffuse_sample(settings, at, random),
         MaterialKind::Opaque => opaque::opaque_sample(settings, at, random),
         MaterialKind::Mirror => mirror::mirror_sample(settings, at, random),
-        MaterialKind::Dielectric => dielectric::dielectric_sample(settings, at, random),
-        MaterialKind::Glass => glass::glass_sample(settings, at, random),
-        MaterialKind::Weak => weak::weak_sample(settings, at, random),
+        MaterialKind::RoughDielectric => {
+            rough_dielectric::rough_dielectric_sample(settings, at, random)
+        }
+        MaterialKind::SmoothDielectric => {
+            smooth_dielectric::smooth_dielectric_sample(settings, at, random)
+        }
+        MaterialKind::WeakDielectric => {
+            weak_dielectric::weak_dielectric_sample(settings, at, random)
+        }
     }
 }
 
 /// Value·|N·wi| and density of `wi`, for the lobes that have a density.
 pub fn bsdf_eval<F: Real>(settings: &Settings, at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
     match at.material.kind {
-        MaterialKind::Black | MaterialKind::Nothing => no_value(),
+        MaterialKind::Black | MaterialKind::NullInterface => no_value(),
         MaterialKind::Diffuse => diffuse::diffuse_eval(settings, at, wi),
         MaterialKind::Opaque => opaque::opaque_eval(settings, at, wi),
         MaterialKind::Mirror => mirror::mirror_eval(settings, at, wi),
-        MaterialKind::Dielectric => dielectric::dielectric_eval(settings, at, wi),
-        MaterialKind::Glass => glass::glass_eval(settings, at, wi),
-        MaterialKind::Weak => weak::weak_eval(settings, at, wi),
+        MaterialKind::RoughDielectric => rough_dielectric::rough_dielectric_eval(settings, at, wi),
+        MaterialKind::SmoothDielectric => {
+            smooth_dielectric::smooth_dielectric_eval(settings, at, wi)
+        }
+        MaterialKind::WeakDielectric => weak_dielectric::weak_dielectric_eval(settings, at, wi),
     }
 }

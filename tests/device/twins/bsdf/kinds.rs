@@ -2,7 +2,7 @@
 
 use vkpt::kernel::Slot;
 use vkpt::prepared::MaterialKind;
-use vkpt::reference::bsdf::kind::{dielectric, glass, weak};
+use vkpt::reference::bsdf::kind::{rough_dielectric, smooth_dielectric, weak_dielectric};
 use vkpt::reference::bsdf::normals::normals_sample;
 use vkpt::reference::bsdf::rough::{
     rough_draw, rough_reflection_at, rough_reflection_sample, rough_reflects,
@@ -37,22 +37,22 @@ const KINDS: [(&str, &str, &str, MaterialKind); 6] = [
         MaterialKind::Mirror,
     ),
     (
-        "dielectric_sample",
-        "dielectric_eval",
-        "bsdf/kind/dielectric",
-        MaterialKind::Dielectric,
+        "rough_dielectric_sample",
+        "rough_dielectric_eval",
+        "bsdf/kind/rough_dielectric",
+        MaterialKind::RoughDielectric,
     ),
     (
-        "glass_sample",
-        "glass_eval",
-        "bsdf/kind/glass",
-        MaterialKind::Glass,
+        "smooth_dielectric_sample",
+        "smooth_dielectric_eval",
+        "bsdf/kind/smooth_dielectric",
+        MaterialKind::SmoothDielectric,
     ),
     (
-        "weak_sample",
-        "weak_eval",
-        "bsdf/kind/weak",
-        MaterialKind::Weak,
+        "weak_dielectric_sample",
+        "weak_dielectric_eval",
+        "bsdf/kind/weak_dielectric",
+        MaterialKind::WeakDielectric,
     ),
 ];
 
@@ -125,54 +125,67 @@ fn parts(settings: Settings) -> Twin {
         "Interaction at = in_interaction(); vec3 wi = in_vec3(); vec2 u = in_vec2();
         vec3 m = normals_sample(at, u);
         BsdfValue v = rough_reflection_at(at, wi, m); {OUT_VALUE}
-        v = dielectric_at(at, wi, m); {OUT_VALUE}
-        BsdfSample s = weak_transmission(at, wi, m); {OUT_SAMPLE}
+        v = rough_dielectric_at(at, wi, m); {OUT_VALUE}
+        BsdfSample s = weak_dielectric_transmission(at, wi, m); {OUT_SAMPLE}
         BsdfRandom random = BsdfRandom(u.y, u.x, u, u);
-        s = glass_delta(at, random); {OUT_SAMPLE}
+        s = smooth_dielectric_delta(at, random); {OUT_SAMPLE}
         RoughDraw draw = rough_draw(at, random);
         out_b(draw.diffuse); out_vec3(draw.m); out_f(draw.c); out_b(rough_reflects(at, draw, random));
         s = rough_reflection_sample(at, draw, random); {OUT_SAMPLE}"
     );
-    twin("dielectric_at", "bsdf/kind/dielectric", &settings)
-        .also(&["weak_transmission", "glass_delta"])
-        .also(&[
-            "rough_reflection_at",
-            "rough_draw",
-            "rough_reflects",
-            "rough_reflection_sample",
-        ])
-        .file("bsdf/kind/weak")
-        .file("bsdf/kind/glass")
-        .glsl(&glsl)
-        .rust(move |i, o| {
-            let (at, wi, u) = (take(i), i.vec3(), i.vec2());
-            let m = normals_sample(&settings, &at, u);
-            out_value(o, rough_reflection_at(&settings, &at, wi, m));
-            out_value(o, dielectric::dielectric_at(&settings, &at, wi, m));
-            out_sample(o, weak::weak_transmission(&settings, &at, wi, m));
-            let random = BsdfRandom {
-                lobe: u[1],
-                reflect: u[0],
-                m: u,
-                d: u,
-            };
-            out_sample(o, glass::glass_delta(&settings, &at, random));
-            let draw = rough_draw(&settings, &at, random);
-            o.b(draw.diffuse);
-            o.vec3(draw.m);
-            o.f(draw.c);
-            o.b(rough_reflects(&settings, &at, draw, random));
-            out_sample(o, rough_reflection_sample(&settings, &at, draw, random));
-        })
-        .seeded(1000, |r| {
-            let kinds = [
-                MaterialKind::Dielectric,
-                MaterialKind::Glass,
-                MaterialKind::Weak,
-            ];
-            let (outside, at) = surface_of(r, true, &kinds);
-            put(Row::new(), outside, &at)
-                .vec3(r.direction())
-                .vec2(uniform2(r))
-        })
+    twin(
+        "rough_dielectric_at",
+        "bsdf/kind/rough_dielectric",
+        &settings,
+    )
+    .also(&["weak_dielectric_transmission", "smooth_dielectric_delta"])
+    .also(&[
+        "rough_reflection_at",
+        "rough_draw",
+        "rough_reflects",
+        "rough_reflection_sample",
+    ])
+    .file("bsdf/kind/weak_dielectric")
+    .file("bsdf/kind/smooth_dielectric")
+    .glsl(&glsl)
+    .rust(move |i, o| {
+        let (at, wi, u) = (take(i), i.vec3(), i.vec2());
+        let m = normals_sample(&settings, &at, u);
+        out_value(o, rough_reflection_at(&settings, &at, wi, m));
+        out_value(
+            o,
+            rough_dielectric::rough_dielectric_at(&settings, &at, wi, m),
+        );
+        out_sample(
+            o,
+            weak_dielectric::weak_dielectric_transmission(&settings, &at, wi, m),
+        );
+        let random = BsdfRandom {
+            lobe: u[1],
+            reflect: u[0],
+            m: u,
+            d: u,
+        };
+        out_sample(
+            o,
+            smooth_dielectric::smooth_dielectric_delta(&settings, &at, random),
+        );
+        let draw = rough_draw(&settings, &at, random);
+        o.b(draw.diffuse);
+        o.vec3(draw.m);
+        o.f(draw.c);
+        o.b(rough_reflects(&settings, &at, draw, random));
+        out_sample(o, rough_reflection_sample(&settings, &at, draw, random));
+    })
+    .seeded(1000, |r| {
+        let kinds = [
+            MaterialKind::RoughDielectric,
+            MaterialKind::SmoothDielectric,
+            MaterialKind::WeakDielectric,
+        ];
+        let (outside, at) = surface_of(r, true, &kinds);
+        put(Row::new(), outside, &at)
+            .vec3(r.direction())
+            .vec2(uniform2(r))
+    })
 }

@@ -3,24 +3,24 @@
 // uses: shape/ray, math/vec, <surface>, <self_distance>, <medium>
 
 // The ray beyond the surface, and what `term` takes off on leaving.
-struct Passage {
+struct Skipped {
     Ray ray;
     vec3 factor;
 };
 
-bool goes_straight(Hit hit) {
+bool is_null_interface(Hit hit) {
     // Any shape will do where none is hit: an `if` about the two reads crashed Mesa 22.3's compiler in kernels of one kind
     // of shape.
     uint shape = hit.shape == NONE ? 0u : hit.shape;
-    bool straight = materials[shapes[shape].material].kind == KIND_NOTHING;
-    return straight && hit.shape != NONE;
+    bool is_null = materials[shapes[shape].material].kind == KIND_NULL_INTERFACE;
+    return is_null && hit.shape != NONE;
 }
 
-Passage pass(Ray ray, Hit hit) {
+Skipped skip_intersection(Ray ray, Hit hit) {
     Surface surface = hit_surface(ray, hit);
     uint material = shapes[hit.shape].material;
     bool outside = dot3(ray.d, surface.ng) <= 0.0;
     Ray beyond = Ray(surface.p, ray.t_max - hit.t, ray.d, hit.shape, hit.prim, outside ? START_INSIDE : START_OUTSIDE,
                      self_distance(hit.shape, surface.p, surface.ng, ray.d), outside ? material : NONE);
-    return Passage(beyond, term_attenuation(material, outside, hit.t));
+    return Skipped(beyond, term_attenuation(material, outside, hit.t));
 }

@@ -1,4 +1,4 @@
-//! A rough interface that hardly refracts, α·|n − 1| < 1e-5; twin of `shaders/bsdf/kind/weak.glsl`.
+//! A rough interface that hardly refracts, α·|n − 1| < 1e-5; twin of `shaders/bsdf/kind/weak_dielectric.glsl`.
 //!
 //! The transmitted lobe is so narrow that f32 cannot tell its density at a given direction. It is drawn as
 //! that of any rough interface, but counts as a delta lobe: its weight needs no Jacobian, and it is not connected
@@ -21,7 +21,7 @@ use crate::reference::math::{Real, Vec3};
 use crate::settings::Settings;
 
 /// Transmission through the micro-normal `m`: D G (1 − F) c/wo.z, × eta² for radiance, over pm (1 − R), each per solid angle of m.
-pub fn weak_transmission<F: Real>(
+pub fn weak_dielectric_transmission<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
     wi: Vec3<F>,
@@ -37,8 +37,8 @@ pub fn weak_transmission<F: Real>(
     sample_or_none(valid, wi, value, LOBE_TRANSMISSION | LOBE_DELTA)
 }
 
-/// As [`dielectric_sample`](super::dielectric::dielectric_sample) draws, with refraction as a delta lobe.
-pub fn weak_sample<F: Real>(
+/// As [`rough_dielectric_sample`](super::rough_dielectric::rough_dielectric_sample) draws, with refraction as a delta lobe.
+pub fn weak_dielectric_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
     random: BsdfRandom<F>,
@@ -47,11 +47,15 @@ pub fn weak_sample<F: Real>(
     if draw.diffuse || rough_reflects(settings, at, draw, random) {
         rough_reflection_sample(settings, at, draw, random)
     } else {
-        weak_transmission(settings, at, refract_about(at, draw.m, draw.c), draw.m)
+        weak_dielectric_transmission(settings, at, refract_about(at, draw.m, draw.c), draw.m)
     }
 }
 
 /// Kd/π + E_r on wo's side; what is refracted has no density.
-pub fn weak_eval<F: Real>(settings: &Settings, at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
+pub fn weak_dielectric_eval<F: Real>(
+    settings: &Settings,
+    at: &Interaction<F>,
+    wi: Vec3<F>,
+) -> BsdfValue<F> {
     rough_reflection_at(settings, at, wi, reflection_half_vector(at.wo, wi))
 }

@@ -1,4 +1,4 @@
-//! A rough interface between two media, and Kd on wo's side; twin of `shaders/bsdf/kind/dielectric.glsl`.
+//! A rough interface between two media, and Kd on wo's side; twin of `shaders/bsdf/kind/rough_dielectric.glsl`.
 
 use crate::reference::bsdf::diffuse::mixed::{diffuse_direction, with_diffuse};
 use crate::reference::bsdf::facet::facet;
@@ -15,7 +15,7 @@ use crate::reference::math::{Real, Vec3};
 use crate::settings::Settings;
 
 /// Value and density of `wi` whose micro-normal is `m`.
-pub fn dielectric_at<F: Real>(
+pub fn rough_dielectric_at<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
     wi: Vec3<F>,
@@ -32,7 +32,7 @@ pub fn dielectric_at<F: Real>(
 
 /// Kd with probability p_d; else a micro-normal m, about which light is reflected with probability R(wo·m) and
 /// refracted otherwise (model.md, "Sampling a direction"). Weight value·|N·wi|/density by the m that was drawn.
-pub fn dielectric_sample<F: Real>(
+pub fn rough_dielectric_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
     random: BsdfRandom<F>,
@@ -66,13 +66,13 @@ pub fn dielectric_sample<F: Real>(
     } else {
         LOBE_TRANSMISSION
     };
-    let value = dielectric_at(settings, at, wi, m);
+    let value = rough_dielectric_at(settings, at, wi, m);
     sample_or_none(valid, wi, value, if diffuse { LOBE_DIFFUSE } else { lobe })
 }
 
 /// Kd/π + E_r on wo's side, E_t on the other, by the half vector that joins `wo` and `wi` (model.md,
 /// "Density and value").
-pub fn dielectric_eval<F: Real>(
+pub fn rough_dielectric_eval<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
     wi: Vec3<F>,
@@ -82,5 +82,5 @@ pub fn dielectric_eval<F: Real>(
     } else {
         transmission_half_vector(at, wi)
     };
-    dielectric_at(settings, at, wi, m)
+    rough_dielectric_at(settings, at, wi, m)
 }

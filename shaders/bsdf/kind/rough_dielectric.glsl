@@ -1,11 +1,11 @@
 // A rough interface between two media, and Kd on wo's side.
-// Twin of src/reference/bsdf/kind/dielectric.rs.
+// Twin of src/reference/bsdf/kind/rough_dielectric.rs.
 
 // uses: bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection, bsdf/refraction, bsdf/transmission, bsdf/rough
 // uses: <diffuse>
 
 // Value and density of wi whose micro-normal is m.
-BsdfValue dielectric_at(Interaction at, vec3 wi, vec3 m) {
+BsdfValue rough_dielectric_at(Interaction at, vec3 wi, vec3 m) {
     Facet x = facet(at, wi, m);
     BsdfValue r = reflection_lobe(at, wi, x);
     BsdfValue t = transmission_lobe(at, wi, x);
@@ -15,7 +15,7 @@ BsdfValue dielectric_at(Interaction at, vec3 wi, vec3 m) {
     return with_diffuse(at, wi, BsdfValue(value, pdf));
 }
 
-BsdfSample dielectric_sample(Interaction at, BsdfRandom random) {
+BsdfSample rough_dielectric_sample(Interaction at, BsdfRandom random) {
     RoughDraw draw = rough_draw(at, random);
     bool diffuse = draw.diffuse;
     bool reflects = rough_reflects(at, draw, random);
@@ -25,11 +25,11 @@ BsdfSample dielectric_sample(Interaction at, BsdfRandom random) {
     bool right_side = reflects ? wi.z > 0.0 : wi.z < 0.0;
     bool valid = diffuse || (draw.c > 0.0 && right_side);
     uint lobe = reflects ? LOBE_REFLECTION : LOBE_TRANSMISSION;
-    return sample_or_none(valid, wi, dielectric_at(at, wi, m), diffuse ? LOBE_DIFFUSE : lobe);
+    return sample_or_none(valid, wi, rough_dielectric_at(at, wi, m), diffuse ? LOBE_DIFFUSE : lobe);
 }
 
-BsdfValue dielectric_eval(Interaction at, vec3 wi) {
+BsdfValue rough_dielectric_eval(Interaction at, vec3 wi) {
     bool same_side = wi.z > 0.0;
     vec3 m = same_side ? reflection_half_vector(at.wo, wi) : transmission_half_vector(at, wi);
-    return dielectric_at(at, wi, m);
+    return rough_dielectric_at(at, wi, m);
 }

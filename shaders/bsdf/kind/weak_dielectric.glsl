@@ -1,5 +1,5 @@
 // A rough interface that hardly refracts, alpha |n - 1| < 1e-5.
-// Twin of src/reference/bsdf/kind/weak.rs.
+// Twin of src/reference/bsdf/kind/weak_dielectric.rs.
 // The transmitted lobe is so narrow that f32 cannot tell its density at a given direction. It is drawn as
 // that of any rough interface, but counts as a delta lobe: its weight needs no Jacobian, and it is not connected
 // to lights. Reflection is the rough one, with a density.
@@ -8,7 +8,7 @@
 // uses: <diffuse>, <scaling>
 
 // Transmission through the micro-normal m: D G (1 - F) c/wo.z, times eta^2 for radiance, over pm (1 - R), each per solid angle of m.
-BsdfSample weak_transmission(Interaction at, vec3 wi, vec3 m) {
+BsdfSample weak_dielectric_transmission(Interaction at, vec3 wi, vec3 m) {
     Facet x = facet(at, wi, m);
     float p_m = facet_probability(at);
     float pdf = p_m * x.pm * (1.0 - x.p_reflect);
@@ -17,18 +17,18 @@ BsdfSample weak_transmission(Interaction at, vec3 wi, vec3 m) {
     return sample_or_none(valid, wi, BsdfValue(value, pdf), LOBE_TRANSMISSION | LOBE_DELTA);
 }
 
-BsdfSample weak_sample(Interaction at, BsdfRandom random) {
+BsdfSample weak_dielectric_sample(Interaction at, BsdfRandom random) {
     RoughDraw draw = rough_draw(at, random);
     bool reflects = rough_reflects(at, draw, random);
     BsdfSample s;
     if (draw.diffuse || reflects) {
         s = rough_reflection_sample(at, draw, random);
     } else {
-        s = weak_transmission(at, refract_about(at, draw.m, draw.c), draw.m);
+        s = weak_dielectric_transmission(at, refract_about(at, draw.m, draw.c), draw.m);
     }
     return s;
 }
 
-BsdfValue weak_eval(Interaction at, vec3 wi) {
+BsdfValue weak_dielectric_eval(Interaction at, vec3 wi) {
     return rough_reflection_at(at, wi, reflection_half_vector(at.wo, wi));
 }

@@ -1,11 +1,11 @@
 // A smooth interface between two media, and Kd on wo's side.
-// Twin of src/reference/bsdf/kind/glass.rs.
+// Twin of src/reference/bsdf/kind/smooth_dielectric.rs.
 
 // uses: math/vec, bsdf/interaction, bsdf/sample, bsdf/snell, bsdf/refraction
 // uses: <fresnel>, <choice>, <scaling>, <diffuse>
 
 // The delta lobes: the micro-normal is N', F reflects, (1 - F) is refracted, times eta^2 for radiance, times A(t).
-BsdfSample glass_delta(Interaction at, BsdfRandom random) {
+BsdfSample smooth_dielectric_delta(Interaction at, BsdfRandom random) {
     float c = at.wo.z;
     vec3 f = fresnel(at, c);
     float p_m = facet_probability(at);
@@ -22,17 +22,17 @@ BsdfSample glass_delta(Interaction at, BsdfRandom random) {
 }
 
 // The smooth interface has no density: Kd alone.
-BsdfValue glass_eval(Interaction at, vec3 wi) {
+BsdfValue smooth_dielectric_eval(Interaction at, vec3 wi) {
     return with_diffuse(at, wi, no_value());
 }
 
-BsdfSample glass_sample(Interaction at, BsdfRandom random) {
+BsdfSample smooth_dielectric_sample(Interaction at, BsdfRandom random) {
     BsdfSample s;
     if (diffuse_chosen(at, random.lobe)) {
         vec3 wi = diffuse_direction(random.d);
-        s = sample_or_none(true, wi, glass_eval(at, wi), LOBE_DIFFUSE);
+        s = sample_or_none(true, wi, smooth_dielectric_eval(at, wi), LOBE_DIFFUSE);
     } else {
-        s = glass_delta(at, random);
+        s = smooth_dielectric_delta(at, random);
     }
     return s;
 }

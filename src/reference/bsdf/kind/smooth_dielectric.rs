@@ -1,4 +1,4 @@
-//! A smooth interface between two media, and Kd on wo's side; twin of `shaders/bsdf/kind/glass.glsl`.
+//! A smooth interface between two media, and Kd on wo's side; twin of `shaders/bsdf/kind/smooth_dielectric.glsl`.
 
 use crate::reference::bsdf::choice::reflect_probability;
 use crate::reference::bsdf::diffuse::mixed::{
@@ -17,7 +17,7 @@ use crate::reference::math::{Real, Vec3, mean3, vec3};
 use crate::settings::Settings;
 
 /// The delta lobes: the micro-normal is N', F reflects, (1 − F) is refracted, × eta² for radiance, × A(t).
-pub fn glass_delta<F: Real>(
+pub fn smooth_dielectric_delta<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
     random: BsdfRandom<F>,
@@ -47,20 +47,29 @@ pub fn glass_delta<F: Real>(
 }
 
 /// Kd with probability p_d, else one of the delta lobes.
-pub fn glass_sample<F: Real>(
+pub fn smooth_dielectric_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
     random: BsdfRandom<F>,
 ) -> BsdfSample<F> {
     if diffuse_chosen(settings, at, random.lobe) {
         let wi = diffuse_direction(random.d);
-        sample_or_none(true, wi, glass_eval(settings, at, wi), LOBE_DIFFUSE)
+        sample_or_none(
+            true,
+            wi,
+            smooth_dielectric_eval(settings, at, wi),
+            LOBE_DIFFUSE,
+        )
     } else {
-        glass_delta(settings, at, random)
+        smooth_dielectric_delta(settings, at, random)
     }
 }
 
 /// The smooth interface has no density: Kd alone.
-pub fn glass_eval<F: Real>(settings: &Settings, at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
+pub fn smooth_dielectric_eval<F: Real>(
+    settings: &Settings,
+    at: &Interaction<F>,
+    wi: Vec3<F>,
+) -> BsdfValue<F> {
     with_diffuse(settings, at, wi, no_value())
 }
