@@ -4,6 +4,9 @@ use crate::scene::WordLines;
 use crate::settings::{Distribution, Fresnel};
 
 /// What a surface does with light; one file of `bsdf/` each.
+///
+/// The order counts: kinds before [`MaterialKind::RoughDielectric`] are opaque, those from it on transmit
+/// (`bsdf/choice/fresnel` of both renderers compares with it).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[repr(u32)]
 pub enum MaterialKind {
@@ -24,6 +27,16 @@ pub enum MaterialKind {
     /// |ior − 1| < 1e-7: the surface is not there.
     NullInterface = 7,
 }
+
+const _: () = {
+    use MaterialKind::{Black, Diffuse, Mirror, NullInterface, Opaque, RoughDielectric};
+    use MaterialKind::{SmoothDielectric, WeakDielectric};
+    let transmits = RoughDielectric as u32;
+    assert!((Black as u32) < transmits && (Diffuse as u32) < transmits);
+    assert!((Opaque as u32) < transmits && (Mirror as u32) < transmits);
+    assert!(SmoothDielectric as u32 > transmits && WeakDielectric as u32 > transmits);
+    assert!(NullInterface as u32 > transmits);
+};
 
 impl MaterialKind {
     pub const EVERY: [Self; 8] = [
