@@ -93,7 +93,7 @@ fn json_holds_every_field_by_name() {
         "seed": 7,
         "settings": {
             "fresnel": "scene", "distribution": "scene", "absorption": "segment", "radiance_scaling": true,
-            "max_depth": null, "lobe": "fresnel", "normals": "visible", "roulette": "throughput",
+            "max_depth": null, "integrator": "path", "lobe": "fresnel", "normals": "visible", "roulette": "throughput",
             "connect": "mis", "sampler": "sobol",
         },
         "device": "llvmpipe",
