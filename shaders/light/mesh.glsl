@@ -13,9 +13,7 @@ LightSample mesh_light_sample(vec3 p, uint first, uint count, uint cdf, uint u24
     vec3 v1 = triangle_vertex(first + i, 1u);
     vec3 v2 = triangle_vertex(first + i, 2u);
     TriangleArea surface = triangle_area(v0, v1, v2);
-    // The square folded onto the triangle: sqrt(u1) is the part of the way from v0 to its opposite edge.
-    float s = sqrt(u.x);
-    vec3 point = triangle_point(v0, v1, v2, vec2(s * (1.0 - u.y), s * u.y));
+    vec3 point = triangle_sample(v0, v1, v2, u);
     float density = triangle_pmf(cdf, i) * area_density(surface.area);
     return area_sample(point - p, surface.ng, density, first + i);
 }

@@ -151,8 +151,8 @@ impl Features {
         kinds.iter().any(|kind| self.materials.contains(kind))
     }
 
-    /// A surface of this scene is not there: |ior − 1| < 1e-7.
-    pub fn is_null_interface(&self) -> bool {
+    /// A surface of this scene is a null interface: |ior − 1| < 1e-7.
+    pub fn has_null_interface(&self) -> bool {
         self.materials.contains(&MaterialKind::NullInterface)
     }
 

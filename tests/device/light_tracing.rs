@@ -4,28 +4,21 @@
 use std::path::Path;
 
 use tempfile::NamedTempFile;
-use vkpt::film::{Aov, Film};
+use vkpt::film::Aov;
 use vkpt::kernel::{OwnFile, file};
-use vkpt::render::{DispatchLimits, Job, KernelChoice, Outcome, Target};
+use vkpt::render::{Job, KernelChoice, Outcome, Target};
 use vkpt::settings::{Integrator, Settings};
 
 use crate::common;
-use crate::common::render::{
-    difference, job, on_device, on_device_within, outcome, pixel_means, prepared,
-};
+use crate::common::render::{job, on_device, outcome, pixel_means, prepared};
 use crate::common::scenes::{SMOOTH, TABLE, WIDE};
 use crate::common::stats::p_of_difference;
+use crate::same_bits::{crops_are_pieces, limits_leave_no_trace, same};
 
 fn light() -> Settings {
     let mut settings = Settings::default();
     settings.estimator.integrator = Integrator::Light;
     settings
-}
-
-fn same(a: &Film, b: &Film, what: &str) {
-    if let Some(difference) = difference(a, b) {
-        panic!("{what}: {difference}");
-    }
 }
 
 /// A cube whose corners have normals of their own, so that shading and geometric normals part.
@@ -80,50 +73,15 @@ fn a_cpu_device_equals_the_reference_bit_for_bit() {
     }
 }
 
-/// Tiles of light paths, paths handed over at every bounce or when their slots are full, samples one at a time.
+/// Of 24 samples a thread brings more splats than it has slots for.
 #[test]
 fn tiles_and_dispatches_leave_no_trace() {
-    let scene = prepared(TABLE, &light());
-    let job = job(&scene, light(), 24, 1);
-    let Some(whole) = on_device(&job) else { return };
-    for (tile_pixels, budget, read_first) in [
-        (7, 4000, true),
-        (100, 40, true),
-        (1 << 16, 1, false),
-        (768, 4000, true),
-    ] {
-        let limits = DispatchLimits {
-            tile_pixels,
-            budget,
-            read_first,
-        };
-        let other = on_device_within(&job, limits).expect("the same device");
-        same(&whole.film, &other.film, &format!("{limits:?}"));
-        assert_eq!(whole.stats.rays, other.stats.rays, "{limits:?}");
-    }
+    limits_leave_no_trace(light(), 24);
 }
 
 #[test]
 fn a_crop_is_a_piece_of_the_picture() {
-    let scene = prepared(TABLE, &light());
-    let job = job(&scene, light(), 4, 1);
-    let cropped = Job {
-        crop: Some([5, 3, 22, 20]),
-        ..job
-    };
-    let films = |job: &Job| {
-        let gpu = on_device(job).map(|o| o.film);
-        gpu.into_iter().chain([outcome(job, &Target::CpuF32).film])
-    };
-    for (whole, part) in films(&job).zip(films(&cropped)) {
-        let rows = whole.rgb.chunks(32).take(20).skip(3);
-        let piece = Film {
-            width: 17,
-            height: 17,
-            rgb: rows.flat_map(|row| row[5..22].to_vec()).collect(),
-        };
-        same(&part, &piece, "crop");
-    }
+    crops_are_pieces(light());
 }
 
 /// Two lamps that the eye sees, and what they shine on.

@@ -15,7 +15,7 @@ use crate::common::scenes::{SMOOTH, TABLE, WIDE, scene_files};
 use crate::common::settings::{estimators, models};
 use crate::common::{self, cpu_driver};
 
-fn same(a: &Film, b: &Film, what: &str) {
+pub fn same(a: &Film, b: &Film, what: &str) {
     if let Some(difference) = difference(a, b) {
         panic!("{what}: {difference}");
     }
@@ -56,7 +56,11 @@ fn the_same_seed_makes_the_same_picture_and_another_seed_another() {
 
 #[test]
 fn a_crop_is_a_piece_of_the_picture() {
-    let settings = Settings::default();
+    crops_are_pieces(Settings::default());
+}
+
+/// Each crop of a picture, on the device and by the reference, is what the whole has there.
+pub fn crops_are_pieces(settings: Settings) {
     let scene = prepared(TABLE, &settings);
     let whole = films(&job(&scene, settings, 4, 1));
     for crop in [
@@ -82,13 +86,16 @@ fn a_crop_is_a_piece_of_the_picture() {
     }
 }
 
-/// Tiles of less than a row, of some rows, of all; paths handed over at every bounce, now and then, never; primitives
-/// read first or where they are tried.
 #[test]
 fn tiles_and_dispatches_leave_no_trace() {
-    let settings = Settings::default();
+    limits_leave_no_trace(Settings::default(), 6);
+}
+
+/// Tiles of less than a row, of some rows, of all; paths handed over at every bounce, now and then, never; primitives
+/// read first or where they are tried.
+pub fn limits_leave_no_trace(settings: Settings, spp: u32) {
     let scene = prepared(TABLE, &settings);
-    let job = job(&scene, settings, 6, 1);
+    let job = job(&scene, settings, spp, 1);
     let Some(whole) = on_device(&job) else { return };
     for (tile_pixels, budget, read_first) in [
         (7, 4000, true),
@@ -96,6 +103,7 @@ fn tiles_and_dispatches_leave_no_trace() {
         (1 << 16, 1, false),
         (1 << 16, 40, true),
         (768, 4000, false),
+        (768, 4000, true),
     ] {
         let limits = DispatchLimits {
             tile_pixels,

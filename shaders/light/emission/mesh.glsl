@@ -10,8 +10,6 @@ Emission mesh_emission(uint first, uint count, uint cdf, uint u24, vec2 u) {
     vec3 v1 = triangle_vertex(first + i, 1u);
     vec3 v2 = triangle_vertex(first + i, 2u);
     TriangleArea surface = triangle_area(v0, v1, v2);
-    // The square folded onto the triangle: sqrt(u1) is the part of the way from v0 to its opposite edge.
-    float s = sqrt(u.x);
-    vec3 p = triangle_point(v0, v1, v2, vec2(s * (1.0 - u.y), s * u.y));
+    vec3 p = triangle_sample(v0, v1, v2, u);
     return Emission(p, surface.ng, triangle_pmf(cdf, i) * area_density(surface.area), first + i);
 }

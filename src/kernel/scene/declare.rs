@@ -6,7 +6,7 @@ use crate::features::Features;
 use crate::layout::{self, BufferUse, GpuStruct};
 use crate::prepared::{MaterialKind, NONE, ShapeKind, device};
 use crate::sample::GROUPS;
-use crate::settings::Roulette;
+use crate::settings::{Integrator, Roulette};
 
 /// What an array is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -120,7 +120,9 @@ fn constants(parameters: &Parameters) -> String {
         Recording::Events(n) => uint("RECORDS", n),
         Recording::Outcomes(n) => uint("OUTCOMES", n),
     }
-    uint("SPLATS", SPLATS);
+    if parameters.settings.estimator.integrator == Integrator::Light {
+        uint("SPLATS", SPLATS);
+    }
     if let Some((stack, _)) = parameters.bvh {
         uint("STACK", stack.max(1));
     }

@@ -154,7 +154,7 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
         ),
         (
             "null_interface",
-            match features.is_null_interface() {
+            match features.has_null_interface() {
                 true => "path/null_interface/through",
                 false => "path/null_interface/none",
             },

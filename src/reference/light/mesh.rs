@@ -4,7 +4,7 @@ use super::choice::{cdf_choice, cdf_probability};
 use super::sample::{LightSample, area_density, area_sample, solid_angle_pdf};
 use crate::reference::math::{Real, Vec3};
 use crate::reference::shape::Triangle;
-use crate::reference::shape::triangle::area::{triangle_area, triangle_point};
+use crate::reference::shape::triangle::area::{triangle_area, triangle_sample};
 
 /// A point of a mesh: the triangle by `u24` < 2²⁴ from the mesh's own n + 1 entries `cdf`, then a point
 /// uniform in it. `first` is the mesh's first triangle among all, `triangles`.
@@ -22,9 +22,7 @@ pub fn mesh_light_sample<F: Real>(
     let i = cdf_choice(cdf, u24);
     let [v0, v1, v2] = triangles[(first + i) as usize].v;
     let surface = triangle_area(v0, v1, v2);
-    // The square folded onto the triangle: √u₁ is the part of the way from v0 to its opposite edge.
-    let s = u[0].sqrt();
-    let point = triangle_point(v0, v1, v2, [s * (F::one() - u[1]), s * u[1]]);
+    let point = triangle_sample(v0, v1, v2, u);
     let density = cdf_probability::<F>(cdf, i) * area_density(surface.area);
     area_sample(point - p, surface.ng, density, first + i)
 }

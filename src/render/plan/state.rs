@@ -58,14 +58,16 @@ impl StatePlan {
     }
 
     /// Bytes that the host keeps of each pixel of the picture.
-    pub fn film_bytes(&self) -> u64 {
-        match self {
-            Self::Path(p) => {
-                let moments = p.moments.map_or(0, |_| size_of::<FilmMoments>());
-                (size_of::<FilmPixel>() + moments) as u64
+    pub fn film_bytes(&self, features: &Features) -> u64 {
+        let moments = match features.keeps_moments() {
+            true => size_of::<FilmMoments>() as u64,
+            false => 0,
+        };
+        moments
+            + match self {
+                Self::Path(_) => size_of::<FilmPixel>() as u64,
+                Self::Light(_) => LightFilm::<f32>::PIXEL_BYTES,
             }
-            Self::Light(_) => LightFilm::<f32>::PIXEL_BYTES,
-        }
     }
 }
 

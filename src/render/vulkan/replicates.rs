@@ -16,6 +16,8 @@ pub struct Replicates<R, F> {
     run: R,
     slices: Slices,
     films: Vec<Replicate<F>>,
+    /// The replicate whose film the run has.
+    current: Option<usize>,
     compile_s: f64,
 }
 
@@ -43,9 +45,24 @@ impl<'a, R: Rendering<'a>> Replicates<R, R::Film> {
         Ok(Self {
             films: seeds.iter().map(film).collect(),
             run,
+            current: None,
             slices: Slices::new(),
             compile_s,
         })
+    }
+
+    /// Has the run go on with the film of replicate `i`.
+    fn take_up(&mut self, i: usize) -> Result<(), RenderError> {
+        if self.current == Some(i) {
+            return Ok(());
+        }
+        let film = self.films[i].film.take();
+        let film = film.unwrap_or_else(|| self.run.empty());
+        let before = self.run.exchange(film, self.films[i].seed)?;
+        if let Some(previous) = self.current.replace(i) {
+            self.films[previous].film = Some(before);
+        }
+        Ok(())
     }
 
     /// Slices of samples from `done` to `spp`; returns how many there are.
@@ -62,10 +79,8 @@ impl<'a, R: Rendering<'a>> Replicates<R, R::Film> {
 
 impl<'a, R: Rendering<'a>> Growing for Replicates<R, R::Film> {
     fn advance(&mut self, i: usize, spp: u32, stop: &AtomicBool) -> Result<Took, RenderError> {
-        let Replicate { seed, done, .. } = self.films[i];
-        let film = self.films[i].film.take();
-        let film = film.unwrap_or_else(|| self.run.empty());
-        let idle = self.run.exchange(film, seed)?;
+        self.take_up(i)?;
+        let done = self.films[i].done;
         let (start, gpu) = (Instant::now(), self.run.costs().gpu_time);
         let now = self.sample(done, spp, stop)?;
         let took = Took {
@@ -73,7 +88,6 @@ impl<'a, R: Rendering<'a>> Growing for Replicates<R, R::Film> {
             gpu_s: Some((self.run.costs().gpu_time - gpu).as_secs_f64()),
         };
         self.films[i].done = now;
-        self.films[i].film = Some(self.run.exchange(idle, seed)?);
         Ok(took)
     }
 

@@ -5,7 +5,7 @@ use crate::reference::light::choice::{cdf_choice, cdf_probability};
 use crate::reference::light::sample::area_density;
 use crate::reference::math::Real;
 use crate::reference::shape::Triangle;
-use crate::reference::shape::triangle::area::{triangle_area, triangle_point};
+use crate::reference::shape::triangle::area::{triangle_area, triangle_sample};
 
 /// The triangle by `u24` < 2²⁴ from the mesh's own n + 1 entries `cdf`, then a point uniform in it. `first` is the
 /// mesh's first triangle among all, `triangles`.
@@ -19,10 +19,8 @@ pub fn mesh_emission<F: Real>(
     let i = cdf_choice(cdf, u24);
     let [v0, v1, v2] = triangles[(first + i) as usize].v;
     let surface = triangle_area(v0, v1, v2);
-    // The square folded onto the triangle: √u₁ is the part of the way from v0 to its opposite edge.
-    let s = u[0].sqrt();
     Emission {
-        p: triangle_point(v0, v1, v2, [s * (F::one() - u[1]), s * u[1]]),
+        p: triangle_sample(v0, v1, v2, u),
         n: surface.ng,
         area_pdf: cdf_probability::<F>(cdf, i) * area_density(surface.area),
         prim: first + i,

@@ -4,7 +4,9 @@ use vkpt::kernel::Slot;
 use vkpt::prepared::NONE;
 use vkpt::reference::math::{Vec3, vec3};
 use vkpt::reference::shape::normal::interpolated_normal;
-use vkpt::reference::shape::triangle::area::{abs3, triangle_area, triangle_point};
+use vkpt::reference::shape::triangle::area::{
+    abs3, triangle_area, triangle_point, triangle_sample,
+};
 use vkpt::reference::shape::triangle::hit::axis_last;
 use vkpt::reference::shape::triangle::origin::is_origin;
 use vkpt::reference::shape::{
@@ -92,6 +94,19 @@ fn points() -> Vec<Twin> {
                 let size = scale(r);
                 let v = corners(r, size);
                 three(Row::new(), v).vec2(weights(r))
+            }),
+        Twin::new("triangle_sample", "shape/triangle/area")
+            .glsl(&format!(
+                "{read} out_vec3(triangle_sample(v0, v1, v2, in_vec2()));"
+            ))
+            .rust(|i, o| {
+                let (a, b, c) = (i.vec3(), i.vec3(), i.vec3());
+                o.vec3(triangle_sample(a, b, c, i.vec2()));
+            })
+            .seeded(1000, |r| {
+                let size = scale(r);
+                let v = corners(r, size);
+                three(Row::new(), v).vec2([r.unit(), r.unit()])
             }),
         Twin::new("triangle_area", "shape/triangle/area")
             .glsl(&format!(
