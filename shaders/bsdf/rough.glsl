@@ -1,7 +1,7 @@
 // What the kinds with micro-normals share: how a sample begins, and their reflecting side.
 // Twin of src/reference/bsdf/rough.rs.
 
-// uses: math/vec, bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection
+// uses: constants/lobe, math/vec, bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection
 // uses: <fresnel>, <choice>, <normals>, <diffuse>
 
 // What a sample of a rough surface draws first.

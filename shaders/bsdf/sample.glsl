@@ -1,15 +1,7 @@
 // What sampling and evaluation take and return.
 // Twin of src/reference/bsdf/sample.rs.
 
-// uses: math/finite
-
-// No direction was found: the path ends.
-const uint LOBE_NONE = 0u;
-const uint LOBE_DIFFUSE = 1u;
-const uint LOBE_REFLECTION = 2u;
-const uint LOBE_TRANSMISSION = 3u;
-// Flag beside the lobe: the direction has no density, so no light connection could have found it.
-const uint LOBE_DELTA = 4u;
+// uses: constants/lobe, math/finite
 
 // What sampling draws from, uniform in [0, 1).
 struct BsdfRandom {

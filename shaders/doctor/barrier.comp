@@ -1,14 +1,14 @@
 // A sum over a workgroup in shared memory, by halves, with a barrier after each; lanes arrive after loops of different
 // lengths. Drivers have let lanes of other subgroups read before the barrier. No kernel of vkpt's shares memory.
 
-// uses: sampler/pcg4d
+// uses: constants/workgroup, sampler/pcg4d
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP) in;
 layout(std430, set = 0, binding = 2) buffer Results {
     uint words[];
 } results;
 
-shared uint sums[64];
+shared uint sums[WORKGROUP];
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
@@ -21,7 +21,7 @@ void main() {
     }
     sums[lane] = word;
     barrier();
-    uint half_of = 32u;
+    uint half_of = WORKGROUP / 2u;
     while (half_of > 0u) {
         if (lane < half_of) {
             sums[lane] += sums[lane + half_of];

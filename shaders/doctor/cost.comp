@@ -1,8 +1,8 @@
 // Calls the subject 64 times an invocation on numbers in [0, 1), to tell what a call takes.
 
-// uses: <subject>
+// uses: constants/workgroup, <subject>
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP) in;
 layout(std430, set = 0, binding = 0) buffer Results {
     uint words[];
 } results;

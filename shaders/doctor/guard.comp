@@ -2,9 +2,9 @@
 // side. Compilers that flatten branches must keep what is written in them apart. (naga evaluates both sides of `&&`
 // and `||`, on every device alike: no kernel guards anything with those.)
 
-// uses: sampler/pcg4d
+// uses: constants/workgroup, sampler/pcg4d
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP) in;
 layout(std430, set = 0, binding = 1) readonly buffer Given {
     uint words[];
 } given;

@@ -1,9 +1,9 @@
 // One of several dispatches, each of which reads what other lanes of the last one wrote: unfinished paths are handed
 // over so. Without a barrier between them, caches may hold older words.
 
-// uses: sampler/pcg4d
+// uses: constants/workgroup, sampler/pcg4d
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP) in;
 layout(std430, set = 0, binding = 1) readonly buffer Given {
     uint words[];
 } given;

@@ -1,8 +1,8 @@
 // Each invocation runs once: every word is changed by its own, in a way that a second time would not undo.
 
-// uses:
+// uses: constants/workgroup
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP) in;
 layout(std430, set = 0, binding = 2) buffer Results {
     uint words[];
 } results;

@@ -1,9 +1,9 @@
 // Loops in a loop, left by lanes at different steps: Collatz's sequence from i + 1 to i + 8, given up at a number
 // that ends in 37 of 64. What the lanes that have left must not do is count on.
 
-// uses:
+// uses: constants/workgroup
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP) in;
 layout(std430, set = 0, binding = 2) buffer Results {
     uint words[];
 } results;

@@ -1,9 +1,9 @@
 // Random lives, one after the other, in a loop with one exit at its head: the form of every loop of vkpt. Lanes begin
 // their next life at different steps.
 
-// uses: sampler/pcg4d
+// uses: constants/workgroup, sampler/pcg4d
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP) in;
 layout(std430, set = 0, binding = 2) buffer Results {
     uint words[];
 } results;

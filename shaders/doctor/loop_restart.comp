@@ -2,9 +2,9 @@
 // restart after it. Mesa 22.3's lavapipe miscompiled such a loop of a path tracer: some lanes lived twice. No loop of
 // vkpt is written like this.
 
-// uses: sampler/pcg4d
+// uses: constants/workgroup, sampler/pcg4d
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP) in;
 layout(std430, set = 0, binding = 2) buffer Results {
     uint words[];
 } results;

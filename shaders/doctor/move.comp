@@ -1,9 +1,9 @@
 // Moves floats from buffer to buffer through a choice, as floats: Vulkan lets a driver make any NaN of a NaN and 0 of
 // a denormal even where nothing is computed. vkpt keeps words of bits in words.
 
-// uses:
+// uses: constants/workgroup
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP) in;
 layout(std430, set = 0, binding = 0) readonly buffer Arguments {
     float values[];
 } arguments;

@@ -1,9 +1,9 @@
 // A stack in a private array without an initial value, pushed and popped at indices that differ from lane to lane: the
 // traversal of a hierarchy. naga gives such arrays zeros at each call, which vkpt strips from the SPIR-V.
 
-// uses: sampler/pcg4d
+// uses: constants/workgroup, sampler/pcg4d
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP) in;
 layout(std430, set = 0, binding = 2) buffer Results {
     uint words[];
 } results;

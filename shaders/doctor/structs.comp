@@ -1,9 +1,9 @@
 // Structs within structs, copied whole, chosen, and changed by functions that take them inout: a copy must stay what
 // it was. Drivers take such structs apart into scalars, and naga's copies with them.
 
-// uses: sampler/pcg4d
+// uses: constants/workgroup, sampler/pcg4d
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP) in;
 layout(std430, set = 0, binding = 2) buffer Results {
     uint words[];
 } results;

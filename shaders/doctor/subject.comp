@@ -3,9 +3,9 @@
 // is missing (Mesa 22 and 25); GLSL's own log 3100 units of the last place off near 1 (lavapipe), sin 1.9e-4
 // (SwiftShader).
 
-// uses: <subject>
+// uses: constants/workgroup, <subject>
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP) in;
 layout(std430, set = 0, binding = 0) readonly buffer Arguments {
     uint words[];
 } arguments;

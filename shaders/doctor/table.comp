@@ -1,9 +1,9 @@
 // An array in a uniform buffer, read at an index of each lane's own: materials, lights and shapes of a scene. Hardware
 // whose constant reads are meant to be one for all lanes serves them one after the other.
 
-// uses: sampler/pcg4d
+// uses: constants/workgroup, sampler/pcg4d
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP) in;
 layout(std140, set = 0, binding = 0) uniform Table {
     uvec4 rows[1024];
 } table;

@@ -1,7 +1,7 @@
 // The constant background as a light.
 // Twin of src/reference/light/background.rs.
 
-// uses: light/sample
+// uses: constants/none, light/sample
 
 // 1/4pi
 float background_light_pdf() {

@@ -1,7 +1,7 @@
 // Axis-aligned boxes as lights.
 // Twin of src/reference/light/box.rs.
 
-// uses: math/vec, light/sample
+// uses: constants/none, math/vec, light/sample
 
 // How many faces across each axis are sampled from p, 0 to 2: from outside those that show their front, at most one an
 // axis; from inside, or from a point on the box that sees none, all six.

@@ -1,7 +1,7 @@
 // Capped cylinders as lights.
 // Twin of src/reference/light/cylinder.rs.
 
-// uses: math/vec, math/frame, math/elementary/sincos, shape/cylinder, light/sample
+// uses: constants/none, math/vec, math/frame, math/elementary/sincos, shape/cylinder, light/sample
 
 const float PI = 3.141592653589793;
 

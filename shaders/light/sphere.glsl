@@ -1,7 +1,7 @@
 // Spheres as lights.
 // Twin of src/reference/light/sphere.rs.
 
-// uses: math/vec, math/frame, math/elementary/sincos, light/sample
+// uses: constants/none, math/vec, math/frame, math/elementary/sincos, light/sample
 
 // 4pi and 1/2pi
 const float FOUR_PI = 12.566370614359172;

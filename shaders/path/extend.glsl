@@ -1,6 +1,6 @@
 // Where a path goes on from a vertex.
 // Twin of src/reference/path/extend.rs.
-// uses: math/finite, path/vertex, path/spawn, path/throughput, sampler/dimensions, sampler/unit_float, sampler/chance, <sampler>, <blocks>, <bsdf>, <correction>, <crossing>, <roulette>
+// uses: constants/lobe, math/finite, path/vertex, path/spawn, path/throughput, sampler/dimensions, sampler/unit_float, sampler/chance, <sampler>, <blocks>, <bsdf>, <correction>, <crossing>, <roulette>
 
 // What came of the attempt.
 struct Extension {

@@ -1,5 +1,5 @@
 // The rays of one turn: the pending shadow ray, then the extension ray.
-// uses: math/steps, shape/ray, <nearest>, <medium>, <null_interface>
+// uses: constants/none, math/steps, shape/ray, <nearest>, <medium>, <null_interface>
 
 // Where the extension ray ended, how far it went from the last vertex, and that vertex; what became of the shadow ray.
 struct Flight {

@@ -1,6 +1,6 @@
 // The ray that leaves a vertex.
 // Twin of src/reference/path/spawn.rs.
-// uses: shape/ray, path/vertex, <crossing>, <self_distance>
+// uses: constants/ray, shape/ray, path/vertex, <crossing>, <self_distance>
 
 // Along wi, through the surface or not, by a path that has come through `medium`.
 Ray spawn_ray(Vertex v, vec3 wi, bool through, uint medium) {

@@ -16,9 +16,6 @@
 
 // uses:
 
-// Far beyond the blocks of any eye path, also after the multiplication by GROUPS in sampler/sobol.
-const uint LIGHT_PATH = 1073741824u;
-
 // Where in its pixel the camera ray goes through.
 uint camera_block() {
     return 0u;

@@ -1,6 +1,6 @@
 // Owen-scrambled Sobol points, four dimensions at a time: the samples of a pixel are spread evenly.
 // Twin of src/reference/sampler/sobol.rs.
-// uses: sampler/pcg4d, sampler/owen, sampler/sobol_digits
+// uses: constants/groups, sampler/pcg4d, sampler/owen, sampler/sobol_digits
 
 // Wellons, Prospecting for Hash Functions, 2018: lowbias32.
 uint lowbias32(uint x) {

@@ -1,12 +1,7 @@
 // Capped cylinders.
 // Twin of src/reference/shape/cylinder.rs.
 
-// uses: math/vec, math/frame, shape/ray, shape/slab
-
-// Parts of a cylinder, as in `prim` of a hit: the side, the cap at z = 0, the cap at z = height.
-const uint CYLINDER_SIDE = 0u;
-const uint CYLINDER_BASE = 1u;
-const uint CYLINDER_TOP = 2u;
+// uses: constants/cylinder, constants/ray, math/vec, math/frame, shape/ray, shape/slab
 
 // Distance to a cylinder, or -1, and the part hit.
 struct CylinderHit {

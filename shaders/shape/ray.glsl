@@ -1,17 +1,7 @@
 // Rays, hits, surfaces, and the order among hits.
 // Twin of src/reference/shape/ray.rs; struct Ray comes with the layout of buffers.
 
-// uses:
-
-// Farther than anything: the limit of a ray that has none.
-const float FAR = 3.0e38;
-
-// The ray does not start on a surface, or not on that of the shape in question.
-const uint START_ELSEWHERE = 0u;
-// The ray starts on the shape's surface and leaves to its outside.
-const uint START_OUTSIDE = 1u;
-// The ray starts on the shape's surface and leaves to its inside.
-const uint START_INSIDE = 2u;
+// uses: constants/none, constants/ray
 
 // What a shadow ray leads to and must not be stopped by: a solid (prim NONE), or one triangle of a mesh.
 struct Target {

@@ -1,17 +1,13 @@
 // The part of a ray between two parallel planes.
 // Twin of src/reference/shape/slab.rs.
 
-// uses: math/vec, shape/ray
+// uses: constants/ray, math/vec, shape/ray
 
 // A stretch of a ray; empty where near > far.
 struct Slab {
     float near;
     float far;
 };
-
-// Below this a component of a unit vector moves no ray by a noticeable part of its length: the ray counts as parallel,
-// and no quotient overflows.
-const float PARALLEL = 1e-30;
 
 // The stretch with lo <= o + t d <= hi along one axis. A parallel ray is between the planes or it is not; sliding along
 // one of them it misses, unless it starts there to the inside.

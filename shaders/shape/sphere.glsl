@@ -1,7 +1,7 @@
 // Spheres.
 // Twin of src/reference/shape/sphere.rs.
 
-// uses: math/vec, shape/ray
+// uses: constants/ray, math/vec, shape/ray
 
 // Distance to the sphere's surface along the unit vector d, or -1.
 //

@@ -2,9 +2,7 @@
 
 use crate::gpu::{Buffer, BufferUse, Device, GpuError, Pipeline};
 use crate::kernel::{Composer, OwnFile, Slot, Spirv, compile, unaudited};
-
-/// Invocations of a workgroup in every shader of `shaders/doctor/`.
-pub const GROUP: usize = 64;
+use crate::layout::constants::workgroup::WORKGROUP;
 
 /// The device on the bench.
 pub struct Bench<'a> {
@@ -115,7 +113,7 @@ pub struct Caller<'a> {
 
 impl<'a> Caller<'a> {
     pub fn new(device: &'a Device, kernel: &Spirv, rows: usize) -> Result<Self, GpuError> {
-        let words = rows.next_multiple_of(GROUP) as u64;
+        let words = rows.next_multiple_of(WORKGROUP as usize) as u64;
         let storage = BufferUse::Storage;
         Ok(Self {
             device,
@@ -129,7 +127,7 @@ impl<'a> Caller<'a> {
     pub fn call(&self, table: &[[u32; 3]]) -> Result<Vec<u32>, GpuError> {
         self.arguments.write(bytemuck::cast_slice(table))?;
         let buffers = [&self.arguments, &self.results];
-        let groups = table.len().div_ceil(GROUP) as u32;
+        let groups = (table.len() as u32).div_ceil(WORKGROUP);
         self.device
             .dispatch(&self.pipeline, &buffers, &[], [groups, 1, 1])?;
         let mut results = vec![0u32; table.len()];

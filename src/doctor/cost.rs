@@ -2,9 +2,10 @@
 
 use std::time::Duration;
 
-use super::bench::{Bench, GROUP, Subject};
+use super::bench::{Bench, Subject};
 use crate::gpu::{Buffer, BufferUse, GpuError, Pipeline};
 use crate::kernel::unaudited::Arithmetic;
+use crate::layout::constants::workgroup::WORKGROUP;
 use crate::report::doctor::Cost;
 
 const INVOCATIONS: u32 = 1 << 16;
@@ -70,7 +71,7 @@ pub fn costs(bench: &Bench) -> Result<Vec<Cost>, GpuError> {
 /// Seconds of each, its quickest round: what else runs on the machine only adds, and on lavapipe adds much. Not the first
 /// round, in which drivers compile.
 fn quickest(bench: &Bench, pipelines: &[Pipeline], results: &Buffer) -> Result<Vec<f64>, GpuError> {
-    let groups = [INVOCATIONS / GROUP as u32, 1, 1];
+    let groups = [INVOCATIONS / WORKGROUP, 1, 1];
     let run = |p: &Pipeline| bench.device.dispatch(p, &[results], &[], groups);
     let mut times = vec![Duration::MAX; pipelines.len()];
     for round in 0..=ROUNDS {

@@ -1,5 +1,6 @@
 //! What each invocation of the self-tests must leave, by its index; twins of the files of `shaders/doctor/`.
 
+use crate::layout::constants::workgroup::WORKGROUP;
 use crate::reference::sampler::pcg4d::pcg4d;
 
 /// `invocations.comp`, once, on a word that held the index.
@@ -133,7 +134,10 @@ pub fn barrier(i: u32) -> u32 {
         let steps = pcg4d([i, 5, 0, 0])[0] >> 27;
         (0..steps).fold(i, |word, _| congruential(word))
     };
-    let group = i & !63;
-    let sum = (group..group + 64).map(word).fold(0, u32::wrapping_add);
-    sum.wrapping_add(i & 63)
+    let lane = i % WORKGROUP;
+    let group = i - lane;
+    let sum = (group..group + WORKGROUP)
+        .map(word)
+        .fold(0, u32::wrapping_add);
+    sum.wrapping_add(lane)
 }

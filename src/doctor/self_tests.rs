@@ -1,9 +1,10 @@
 //! Small kernels whose results are known, each of what a driver has got wrong or a path tracer lives by. The files of
 //! `shaders/doctor/` say what was seen where.
 
-use super::bench::{Bench, GROUP};
+use super::bench::Bench;
 use super::models;
 use crate::gpu::{BufferUse, GpuError};
+use crate::layout::constants::workgroup::WORKGROUP;
 use crate::report::doctor::{Outcome, SelfTest};
 
 /// A kernel and its results.
@@ -18,7 +19,7 @@ struct Test {
     stands_for: &'static str,
 }
 
-/// A multiple of [`GROUP`]; `shaders/doctor/hand_over.comp` and its model know it.
+/// A multiple of [`WORKGROUP`]; `shaders/doctor/hand_over.comp` and its model know it.
 const INVOCATIONS: u32 = 1 << 16;
 /// Rows of the uniform table: 16 KiB, which every device has to allow.
 const TABLE: u32 = 1024;
@@ -137,7 +138,7 @@ fn run(bench: &Bench, test: &Test) -> Result<SelfTest, GpuError> {
             &pipeline,
             &[&table, given, results],
             &[],
-            [INVOCATIONS / GROUP as u32, 1, 1],
+            [INVOCATIONS / WORKGROUP, 1, 1],
         )?;
         std::mem::swap(&mut given, &mut results);
     }

@@ -1,12 +1,14 @@
 //! Which files a kernel holds, and in which order.
 //!
 //! A file says in its header what it builds on, `// uses: math/vec, math/frame, <normals>`: paths below
-//! `shaders/` without `.glsl`, and slots, which the composer fills with a file or with generated text. A file
-//! is in the kernel, once, or it is not; there is no `#ifdef`.
+//! `shaders/` without `.glsl`, `constants/NAME`, which the host declares, and slots, which the composer fills with a file
+//! or with generated text. A file is in the kernel, once, or it is not; there is no `#ifdef`.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::composed::Composed;
+use super::constants;
 use super::error::KernelError;
 use super::sources;
 
@@ -76,11 +78,12 @@ impl Composer {
         Ok(walk.out)
     }
 
-    fn text(&self, name: &str) -> Option<&str> {
-        self.added
-            .get(name)
-            .map(String::as_str)
+    fn text(&self, name: &str) -> Option<Cow<'_, str>> {
+        let added = self.added.get(name).map(String::as_str);
+        added
             .or_else(|| sources::file(name))
+            .map(Cow::from)
+            .or_else(|| constants::text(name).map(Cow::from))
     }
 }
 
@@ -112,7 +115,7 @@ impl Walk<'_> {
                     .composer
                     .text(name)
                     .ok_or_else(|| self.unknown_file(name))?;
-                self.file(name, text)?;
+                self.file(name, &text)?;
             }
         }
         self.open.pop();

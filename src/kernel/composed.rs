@@ -99,6 +99,9 @@ fn heading(name: &str) -> String {
     match name {
         "<prelude>" => "constants, structs and buffers of the scene".to_owned(),
         slot if slot.starts_with('<') => format!("{slot}: made for the scene"),
+        constants if constants.starts_with("constants/") => {
+            format!("{constants}: shared with the host")
+        }
         root if root.ends_with(".comp") => format!("shaders/{root}"),
         file => format!("shaders/{file}.glsl"),
     }

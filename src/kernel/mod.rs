@@ -17,6 +17,7 @@ mod audit;
 mod compile;
 mod compose;
 mod composed;
+mod constants;
 mod error;
 mod no_contraction;
 mod reflect;

@@ -1,9 +1,11 @@
 //! One declaration → a `#[repr(C)]` struct, its GLSL text, and the offsets that both must share.
 //!
 //! [`gpu_struct!`](crate::gpu_struct) declares what the kernels alone keep ([`kernel`]), [`record!`](crate::record) what
-//! they read of a scene, with the forms in which the CPU has it. [`types`] are the GLSL types that both are made of.
+//! they read of a scene, with the forms in which the CPU has it. [`types`] are the GLSL types that both are made of,
+//! [`constants`] the numbers that both must have.
 
 mod buffer_use;
+pub mod constants;
 pub mod kernel;
 mod macros;
 mod record;

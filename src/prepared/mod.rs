@@ -17,6 +17,7 @@ pub mod record;
 
 use glam::DVec3;
 
+pub use crate::layout::constants::none::NONE;
 pub use crate::scene::WordLines;
 pub use crate::shape::{
     Bounds, Cuboid, Cylinder, LightKind, Primitives, ShapeKind, Space, Sphere, Triangle,
@@ -35,9 +36,6 @@ pub mod device {
     pub use super::record::shape::device::Shape;
     pub use crate::shape::device::{Cuboid, Cylinder, Sphere};
 }
-
-/// "none" for indices of materials, lights and media.
-pub const NONE: u32 = u32::MAX;
 
 /// A scene ready to be rendered.
 #[derive(Clone, Debug)]

@@ -135,8 +135,8 @@ fn every_self_test_fails_on_its_mistake() {
         ),
         (
             "doctor/barrier.comp",
-            "uint half_of = 32u",
-            "uint half_of = 16u",
+            "uint half_of = WORKGROUP / 2u",
+            "uint half_of = WORKGROUP / 4u",
         ),
     ];
     let texts = mistakes.map(|(name, from, to)| altered(name, from, to));

@@ -1,10 +1,7 @@
 // Choice of lobe by Fresnel's share.
 // Twin of src/reference/bsdf/choice/fresnel.rs. Fills the slot <choice>.
 
-// uses: math/vec, sampler/chance, bsdf/interaction, <fresnel>
-
-// prepared::MaterialKind; the kinds from here on transmit.
-const uint KIND_ROUGH_DIELECTRIC = 4u;
+// uses: constants/material_kind, math/vec, sampler/chance, bsdf/interaction, <fresnel>
 
 // p_d = kd/(kd + 1) of a transmissive material, kd the mean of Kd, where reflection and refraction share the 1.
 // Opaque: kd/(kd + S), S the mean of F(wo.N), kept within [0.1, 0.9] where both lobes exist.

@@ -1,7 +1,7 @@
 // Kd alone.
 // Twin of src/reference/bsdf/kind/diffuse.rs.
 
-// uses: bsdf/interaction, bsdf/sample, bsdf/diffuse/lambert
+// uses: constants/lobe, bsdf/interaction, bsdf/sample, bsdf/diffuse/lambert
 
 BsdfSample diffuse_sample(Interaction at, BsdfRandom random) {
     vec3 wi = cosine_lobe(random.d);

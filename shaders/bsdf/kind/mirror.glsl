@@ -1,7 +1,7 @@
 // Opaque: a perfect mirror, and Kd.
 // Twin of src/reference/bsdf/kind/mirror.rs.
 
-// uses: bsdf/interaction, bsdf/sample, <fresnel>, <diffuse>
+// uses: constants/lobe, bsdf/interaction, bsdf/sample, <fresnel>, <diffuse>
 
 // The mirror has no density: Kd alone.
 BsdfValue mirror_eval(Interaction at, vec3 wi) {

@@ -1,7 +1,7 @@
 // A rough interface between two media, and Kd on wo's side.
 // Twin of src/reference/bsdf/kind/rough_dielectric.rs.
 
-// uses: bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection, bsdf/refraction, bsdf/transmission, bsdf/rough
+// uses: constants/lobe, bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection, bsdf/refraction, bsdf/transmission, bsdf/rough
 // uses: <diffuse>
 
 // Value and density of wi whose micro-normal is m.

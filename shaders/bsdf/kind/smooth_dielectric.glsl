@@ -1,7 +1,7 @@
 // A smooth interface between two media, and Kd on wo's side.
 // Twin of src/reference/bsdf/kind/smooth_dielectric.rs.
 
-// uses: math/vec, bsdf/interaction, bsdf/sample, bsdf/snell, bsdf/refraction
+// uses: constants/lobe, math/vec, bsdf/interaction, bsdf/sample, bsdf/snell, bsdf/refraction
 // uses: <fresnel>, <choice>, <scaling>, <diffuse>
 
 // The delta lobes: the micro-normal is N', F reflects, (1 - F) is refracted, times eta^2 for radiance, times A(t).

@@ -4,7 +4,7 @@
 // that of any rough interface, but counts as a delta lobe: its weight needs no Jacobian, and it is not connected
 // to lights. Reflection is the rough one, with a density.
 
-// uses: bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection, bsdf/refraction, bsdf/transmission, bsdf/rough
+// uses: constants/lobe, bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection, bsdf/refraction, bsdf/transmission, bsdf/rough
 // uses: <diffuse>, <scaling>
 
 // Transmission through the micro-normal m: D G (1 - F) c/wo.z, times eta^2 for radiance, over pm (1 - R), each per solid angle of m.

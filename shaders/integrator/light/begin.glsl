@@ -1,6 +1,6 @@
 // The start of a light path: a point of a light, and a direction about its normal.
 // Twin of src/reference/integrator/light/begin.rs.
-// uses: math/frame, shape/ray, bsdf/diffuse/lambert, sampler/dimensions, sampler/unit_float, <sampler>, <blocks>, <light_start>, <self_distance>
+// uses: constants/ray, math/frame, shape/ray, bsdf/diffuse/lambert, sampler/dimensions, sampler/unit_float, <sampler>, <blocks>, <light_start>, <self_distance>
 
 // A ray from that vertex.
 Ray emitted_ray(LightStart start, vec3 d) {

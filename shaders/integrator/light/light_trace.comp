@@ -6,8 +6,8 @@
 // them to the film. A thread whose slots are full, or whose budget is spent, goes on in the next dispatch.
 //
 // Twin: src/reference/integrator/light/.
-// uses: math/steps, integrator/light/begin, integrator/light/splat, integrator/light/shade, path/flight
-layout(local_size_x = 64) in;
+// uses: constants/workgroup, math/steps, integrator/light/begin, integrator/light/splat, integrator/light/shade, path/flight
+layout(local_size_x = WORKGROUP) in;
 
 bool unfinished(LightState s, Subpath path, ShadowRay shadow) {
     return path.alive != 0u || shadow.pending != 0u || s.index < job.sample_end;

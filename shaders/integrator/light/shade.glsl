@@ -1,5 +1,5 @@
 // A vertex of a light path: its connection to the eye, and where the path goes on.
-// uses: math/finite, path/vertex, path/flight, path/extend, integrator/light/splat, <depth>
+// uses: constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/flight, path/extend, integrator/light/splat, <depth>
 
 void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Flight flight, inout LightLane lane,
            uint pixel_index) {

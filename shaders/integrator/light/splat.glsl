@@ -1,6 +1,6 @@
 // A vertex of a light path joined to the eye: what arrives there is a splat on the pixel that sees the vertex.
 // Twin of src/reference/integrator/light/splat.rs.
-// uses: math/finite, camera/eye, integrator/light/begin, path/spawn, path/vertex, <bsdf>, <correction>, <crossing>
+// uses: constants/none, math/finite, camera/eye, integrator/light/begin, path/spawn, path/vertex, <bsdf>, <correction>, <crossing>
 
 // Whether a pixel is among those that are rendered.
 bool in_film(EyeSample eye) {

@@ -1,5 +1,5 @@
 // The start of a path: a camera ray through a point of the pixel.
-// uses: shape/ray, camera/pinhole, sampler/dimensions, sampler/unit_float, <sampler>
+// uses: constants/none, constants/ray, shape/ray, camera/pinhole, sampler/dimensions, sampler/unit_float, <sampler>
 
 Subpath begin_path(uint column, uint row, uint sample_index) {
     uvec4 u = sampler_block(row * camera.width + column, sample_index, camera_block(), camera.seed);

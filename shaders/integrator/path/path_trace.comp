@@ -9,8 +9,8 @@
 // watchdog and no limit on loops (Mesa 22: 65,535 iterations a subgroup and dispatch) can touch the picture.
 //
 // Twin: src/reference/integrator/path/, which takes the same decisions in the same order, one sample at a time.
-// uses: math/steps, film/film_pixel, <moments>, integrator/path/begin, path/flight, integrator/path/shade, <record>
-layout(local_size_x = 64) in;
+// uses: constants/workgroup, math/steps, film/film_pixel, <moments>, integrator/path/begin, path/flight, integrator/path/shade, <record>
+layout(local_size_x = WORKGROUP) in;
 
 bool unfinished(PathState s, Subpath path) {
     return path.alive != 0u || s.ended != 0u || s.index < job.sample_end;

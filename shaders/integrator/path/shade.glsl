@@ -1,5 +1,5 @@
 // A vertex of the path: what it emits, its connection to a light, and where the path goes on.
-// uses: math/finite, path/vertex, path/flight, path/extend, sampler/dimensions, sampler/unit_float, <sampler>, <background>, <emission>, <direct>, <depth>, <record>
+// uses: constants/lobe, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/flight, path/extend, sampler/dimensions, sampler/unit_float, <sampler>, <background>, <emission>, <direct>, <depth>, <record>
 
 void end_path(inout PathState s, inout Subpath path) {
     path.alive = 0u;

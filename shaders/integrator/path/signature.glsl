@@ -1,15 +1,6 @@
 // The decisions of a path as one word: two paths that decided alike have the same.
 // Twin of src/reference/integrator/path/signature.rs.
-// uses: math/vec, sampler/pcg4d
-
-const uint DECISION_SHAPE = 1u;
-const uint DECISION_LIGHT = 2u;
-const uint DECISION_ARRIVAL = 3u;
-const uint DECISION_LOBE = 4u;
-const uint DECISION_ESCAPE = 5u;
-
-// 2^-64
-const float DARK = 5.421010862427522e-20;
+// uses: constants/decision, math/vec, sampler/pcg4d
 
 // `chain` with one more decision, its kind and what was decided; as it was where that makes no difference.
 uint decide(uint chain, bool matters, uint decision, uint what) {

@@ -1,7 +1,7 @@
 // Points of axis-aligned boxes.
 // Twin of src/reference/light/emission/box.rs.
 
-// uses: light/sample, light/emission/point
+// uses: constants/none, light/sample, light/emission/point
 
 // Uniform over the six faces; the face is chosen by u24 < 2^24: first the lower faces across x, y and z, then the upper.
 Emission box_emission(vec3 lo, vec3 hi, uint u24, vec2 u) {

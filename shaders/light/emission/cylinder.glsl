@@ -1,7 +1,7 @@
 // Points of capped cylinders.
 // Twin of src/reference/light/emission/cylinder.rs.
 
-// uses: math/frame, math/elementary/sincos, shape/cylinder, light/sample, light/emission/point
+// uses: constants/none, math/frame, math/elementary/sincos, shape/cylinder, light/sample, light/emission/point
 
 // Uniform over side, base and top, chosen by u24 < 2^24: 2pi r h, pi r^2 and pi r^2.
 Emission cylinder_emission(Cylinder cylinder, uint u24, vec2 u) {

@@ -1,7 +1,7 @@
 // Where a light path begins.
 // Twin of src/reference/light/emission/mod.rs.
 
-// uses: light/sample
+// uses: constants/none, light/sample
 
 // A point of a light, uniform over its area.
 struct Emission {

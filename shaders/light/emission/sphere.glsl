@@ -1,7 +1,7 @@
 // Points of spheres.
 // Twin of src/reference/light/emission/sphere.rs.
 
-// uses: light/sample, light/emission/point
+// uses: constants/none, light/sample, light/emission/point
 
 // Uniform over the sphere, p_A = 1/(4pi r^2).
 Emission sphere_emission(vec3 centre, float radius, vec2 u) {

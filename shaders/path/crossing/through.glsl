@@ -1,6 +1,6 @@
 // What changes where a path crosses a surface. Fills the slot <crossing>.
 
-// uses: path/vertex, <scaling>
+// uses: constants/none, path/vertex, <scaling>
 
 // Whether a direction in the frame of N' leads through the surface.
 bool leads_through(vec3 wi) {

@@ -1,5 +1,5 @@
 // Absorption on every stretch of a path inside a medium, shadow rays too.
-// uses: path/medium/beer
+// uses: constants/none, path/medium/beer
 
 vec3 stretch_transmittance(uint medium, float t) {
     vec3 transmittance = vec3(1.0);

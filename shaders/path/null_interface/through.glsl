@@ -1,6 +1,6 @@
 // Surfaces with |ior − 1| < 1e-7 are not there: paths and shadow rays go straight through, attenuated (model.md,
 // "The null interface"). No bounce is counted and no random number drawn.
-// uses: shape/ray, math/vec, <surface>, <self_distance>, <medium>
+// uses: constants/material_kind, constants/none, constants/ray, shape/ray, math/vec, <surface>, <self_distance>, <medium>
 
 // The ray beyond the surface, and what `term` takes off on leaving.
 struct Skipped {

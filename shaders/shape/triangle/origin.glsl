@@ -1,7 +1,7 @@
 // A ray that starts on a mesh, and the hits that are only its origin's rounding error.
 // Twin of src/reference/shape/triangle/origin.rs.
 
-// uses: math/vec, shape/ray, shape/triangle/area, shape/triangle/hit
+// uses: constants/ray, math/vec, shape/ray, shape/triangle/area, shape/triangle/hit
 
 // How far rounding may lift a ray's origin off its triangle, relative to the largest coordinate: 16 half-ulps, 16 * 2^-24.
 // The Rust twin counts them.

@@ -3,9 +3,8 @@
 use super::integrator::Own;
 use super::{Parameters, Recording, SPLATS};
 use crate::features::Features;
-use crate::layout::{self, BufferUse, GpuStruct};
-use crate::prepared::{MaterialKind, NONE, ShapeKind, device};
-use crate::sample::GROUPS;
+use crate::layout::{self, BufferUse, GpuStruct, constants};
+use crate::prepared::device;
 use crate::settings::{Integrator, Roulette};
 
 /// What an array is made of.
@@ -76,7 +75,7 @@ pub fn declare_binding(binding: &Binding, index: usize) -> String {
 }
 
 pub fn prelude(features: &Features, parameters: &Parameters) -> String {
-    let mut text = constants(parameters);
+    let mut text = numbers(parameters);
     text += &structs(features);
     for (i, binding) in parameters.bindings.iter().enumerate() {
         text += &declare_binding(binding, i);
@@ -98,14 +97,9 @@ fn state_buffer(ty: &str, name: &str, index: usize) -> String {
     )
 }
 
-fn constants(parameters: &Parameters) -> String {
+fn numbers(parameters: &Parameters) -> String {
     let mut text = String::new();
-    let mut uint = |name: &str, value: u32| text += &format!("const uint {name} = {value}u;\n");
-    uint("NONE", NONE);
-    uint("GROUPS", GROUPS);
-    uint("KIND_BLACK", MaterialKind::Black as u32);
-    uint("KIND_NULL_INTERFACE", MaterialKind::NullInterface as u32);
-    uint("SHAPE_MESH", ShapeKind::Mesh as u32);
+    let mut uint = |name: &str, value: u32| text += &constants::uint(name, value);
     for binding in parameters.bindings {
         uint(&binding.name.to_uppercase(), binding.count as u32);
     }

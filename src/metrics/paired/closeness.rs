@@ -1,9 +1,7 @@
 //! How close two radiances of the same path are.
 
+pub use crate::layout::constants::decision::DARK;
 use crate::sample::Address;
-
-/// Radiance that counts as none, W·sr⁻¹·m⁻²: 2⁻⁶⁴, as in the signatures of paths (`reference::integrator::path::signature`).
-pub const DARK: f64 = 5.421010862427522e-20;
 
 /// The most, over the channels, of |a − b| / max(|a|, |b|, [`DARK`]): in [0, 1] for radiances of one sign.
 /// `None` where neither brings light: no channel above `DARK`.

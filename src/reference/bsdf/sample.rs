@@ -1,15 +1,10 @@
 //! What sampling and evaluation take and return; twin of `shaders/bsdf/sample.glsl`.
 
+pub use crate::layout::constants::lobe::{
+    LOBE_DELTA, LOBE_DIFFUSE, LOBE_NONE, LOBE_REFLECTION, LOBE_TRANSMISSION,
+};
 use crate::reference::math::finite::is_finite;
 use crate::reference::math::{Real, Vec3, vec3};
-
-/// No direction was found: the path ends.
-pub const LOBE_NONE: u32 = 0;
-pub const LOBE_DIFFUSE: u32 = 1;
-pub const LOBE_REFLECTION: u32 = 2;
-pub const LOBE_TRANSMISSION: u32 = 3;
-/// Flag beside the lobe: the direction has no density, so no light connection could have found it.
-pub const LOBE_DELTA: u32 = 4;
 
 /// What sampling draws from, uniform in [0, 1).
 #[derive(Clone, Copy, Debug)]

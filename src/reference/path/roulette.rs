@@ -1,12 +1,9 @@
 //! Russian roulette (Arvo & Kirk, Particle Transport and Image Synthesis, SIGGRAPH 1990); twin of
 //! `shaders/path/roulette/`.
 
+pub use crate::layout::constants::path::LONG_PATH;
 use crate::reference::math::{Real, Vec3, max_component, min2};
 use crate::settings::Roulette;
-
-/// From this bounce on a path survives with at most .95: a lossless one (light in a smooth glass box, two
-/// mirrors) would never end (model.md, "Roulette").
-pub const LONG_PATH: u32 = 1000;
 
 /// Probability in (0, 1] that a path of this throughput goes on after bounce number `bounce` (from 0).
 ///

@@ -13,8 +13,7 @@
 //! A light path has blocks of its own, [`LIGHT_PATH`] + the same numbers: `camera_block` chooses its light (x), the
 //! primitive (y) and the point (z, w), `light_block(0)` its direction (x, y).
 
-/// Far beyond the blocks of any eye path, also after the multiplication by `GROUPS` in [`sobol`](super::sobol).
-pub const LIGHT_PATH: u32 = 1 << 30;
+pub use crate::layout::constants::path::LIGHT_PATH;
 
 /// Where in its pixel the camera ray goes through.
 pub fn camera_block() -> u32 {

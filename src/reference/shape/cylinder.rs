@@ -1,17 +1,12 @@
 //! Capped cylinders; twin of `shaders/shape/cylinder.glsl`.
 
-use super::ray::{FAR, Hit, Ray, START_INSIDE, Surface, start_on};
-use super::slab::{PARALLEL, Slab, enters, first_of, slab};
+use super::ray::{Hit, Ray, Surface, start_on};
+use super::slab::{Slab, enters, first_of, slab};
+pub use crate::layout::constants::cylinder::{CYLINDER_BASE, CYLINDER_SIDE, CYLINDER_TOP};
+use crate::layout::constants::ray::{FAR, PARALLEL, START_INSIDE};
 use crate::reference::math::frame::{Frame, to_local};
 use crate::reference::math::{Real, Vec3, max2, min2};
 pub use crate::shape::cylinder::scalar::Cylinder;
-
-/// Parts of a cylinder, as in `prim` of a hit.
-pub const CYLINDER_SIDE: u32 = 0;
-/// The cap at z = 0.
-pub const CYLINDER_BASE: u32 = 1;
-/// The cap at z = height.
-pub const CYLINDER_TOP: u32 = 2;
 
 /// The cylinder's own axes.
 pub fn cylinder_frame<F: Real>(cylinder: &Cylinder<F>) -> Frame<F> {

@@ -1,17 +1,8 @@
 //! Rays, hits, surfaces, and the order among hits; twin of `shaders/shape/ray.glsl`.
 
+pub use crate::layout::constants::ray::{FAR, START_ELSEWHERE, START_INSIDE, START_OUTSIDE};
 use crate::prepared::NONE;
 use crate::reference::math::{Real, Vec3};
-
-/// Farther than anything: the limit of a ray that has none.
-pub const FAR: f64 = 3.0e38;
-
-/// The ray does not start on a surface, or not on that of the shape in question.
-pub const START_ELSEWHERE: u32 = 0;
-/// The ray starts on the shape's surface and leaves to its outside.
-pub const START_OUTSIDE: u32 = 1;
-/// The ray starts on the shape's surface and leaves to its inside.
-pub const START_INSIDE: u32 = 2;
 
 /// The half-line o + t d, 0 < t < t_max, what it starts on and what it travels in.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! The part of a ray between two parallel planes; twin of `shaders/shape/slab.glsl`.
 
-use super::ray::{FAR, START_ELSEWHERE, START_INSIDE};
+use crate::layout::constants::ray::{FAR, PARALLEL, START_ELSEWHERE, START_INSIDE};
 use crate::reference::math::{Real, max2, min2};
 
 /// A stretch of a ray; empty where near > far.
@@ -9,10 +9,6 @@ pub struct Slab<F> {
     pub near: F,
     pub far: F,
 }
-
-/// Below this a component of a unit vector moves no ray by a noticeable part of its length: the ray counts
-/// as parallel, and no quotient overflows.
-pub const PARALLEL: f64 = 1e-30;
 
 /// The stretch with lo ≤ o + t d ≤ hi along one axis. A parallel ray is between the planes or it is not;
 /// sliding along one of them it misses, unless it starts there to the inside.

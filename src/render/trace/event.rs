@@ -5,6 +5,7 @@ use std::fmt::Write;
 use glam::DVec3;
 
 use crate::layout::Record;
+use crate::layout::constants::record::{RECORD_CONNECTION, RECORD_VERTEX};
 use crate::prepared::Prepared;
 use crate::reference::bsdf::{LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION, LOBE_TRANSMISSION};
 use crate::reference::integrator::path::PathState;
@@ -103,22 +104,18 @@ impl<F: Real> Recorder<F> for Events<'_> {
     }
 }
 
-/// `event` of a vertex and of a connection in `shaders/integrator/path/record/`; anything else is an escape.
-const VERTEX: u32 = 1;
-const CONNECTION: u32 = 2;
-
 /// What the device wrote down. It flies the connection of a vertex a turn later, so that one comes after the other.
 pub fn event(names: Names, r: &Record) -> Event {
     let wide = |v: [f32; 3]| v.map(f64::from).to_vec();
     let (direction, throughput, radiance) = (wide(r.p), wide(r.throughput), wide(r.radiance));
     let on = names.of(r.shape);
     match r.event {
-        VERTEX => {
+        RECORD_VERTEX => {
             let p = names.place(glam::Vec3::from(r.p).as_dvec3());
             let numbers = [p, vec![f64::from(r.pdf)], throughput, radiance];
             vertex(r.lobe, &on, r.prim, numbers)
         }
-        CONNECTION => {
+        RECORD_CONNECTION => {
             let mut event = connection(&on, direction, (r.lobe != 0).then_some(throughput));
             event.numbers.push(("radiance", radiance));
             event

@@ -8,11 +8,9 @@ use crate::features::Features;
 use crate::gpu::{Buffer, Device, Pipeline};
 use crate::kernel::scene::Recording;
 use crate::layout::GpuStruct;
+use crate::layout::constants::workgroup::WORKGROUP;
 use crate::render::plan::{ArrayPlan, PlanLimits, ScenePlan, compiled, composed, hierarchy};
 use crate::render::{Job, RenderError};
-
-/// Threads of a workgroup; `local_size_x` of the kernels in `shaders/integrator/`.
-const WORKGROUP: u32 = 64;
 
 /// What an integrator dispatches, the arrays of the scene with it.
 pub struct Kernel<'a> {

@@ -5,7 +5,7 @@ use vkpt::flat::{self, bvh, bvh::Bvh};
 use vkpt::gpu::{Buffer, BufferUse, Device, Pipeline};
 use vkpt::kernel::{Composer, Slot, compile};
 use vkpt::layout::{self, GpuStruct};
-use vkpt::prepared::{NONE, Prepared, device};
+use vkpt::prepared::{Prepared, device};
 use vkpt::reference::shape::Hit;
 
 use super::brute::{World, bits};
@@ -142,7 +142,7 @@ fn compose(
     edit: impl Fn(&str, &str) -> String,
 ) -> vkpt::kernel::Spirv {
     let prelude = format!(
-        "const uint NONE = {NONE}u;\nconst uint STACK = {}u;\nconst float REACH = {:?};\n\
+        "const uint STACK = {}u;\nconst float REACH = {:?};\n\
          const uint TRIANGLE_SHAPES = {}u;\n",
         bvh.stack,
         bvh.reach,

@@ -6,7 +6,6 @@ use vkpt::reference::sampler::sobol_digits::{sobol_digits_1, sobol_digits_2, sob
 use vkpt::reference::sampler::{
     bsdf_block, camera_block, chance, light_block, random, roulette_block, sobol, unit_float,
 };
-use vkpt::sample::GROUPS;
 
 use super::harness::{In, Row, Twin};
 
@@ -24,7 +23,6 @@ fn words(i: &mut In) -> [u32; 4] {
 /// A function of four words to four words.
 fn hash(name: &'static str, file: &'static str, call: &str, f: fn([u32; 4]) -> [u32; 4]) -> Twin {
     Twin::new(name, file)
-        .prelude(format!("const uint GROUPS = {GROUPS}u;\n"))
         .glsl(&format!(
             "uint x = in_u(); uint y = in_u(); uint z = in_u(); uint w = in_u();
              uvec4 h = {call}; out_u(h.x); out_u(h.y); out_u(h.z); out_u(h.w);"
@@ -112,7 +110,6 @@ fn scrambling() -> Vec<Twin> {
     };
     vec![
         Twin::new("lowbias32", "sampler/sobol")
-            .prelude(format!("const uint GROUPS = {GROUPS}u;\n"))
             .glsl("out_u(lowbias32(in_u()));")
             .rust(|i, o| o.u(sobol::lowbias32(i.u())))
             .edges([0, 1, 1 << 31, u32::MAX].map(|x| Row::from([x])))

@@ -1,5 +1,5 @@
 // Nothing shines: no light path begins. Fills the slot <light_start>.
-// uses: integrator/light/start/point
+// uses: constants/none, integrator/light/start/point
 
 LightStart light_start(uint pixel_index, uint sample_index) {
     return LightStart(no_emission(), vec3(0.0), 0u, NONE, false);

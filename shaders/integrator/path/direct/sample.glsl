@@ -1,6 +1,6 @@
 // Explicit connection of a vertex to a point on a light. Comes before roulette, which scales only the extension
 // (model.md, "Roulette").
-// uses: math/finite, path/vertex, path/spawn, sampler/dimensions, sampler/unit_float, <sampler>, <light_choice>, <light>, <bsdf>, <connect>, <crossing>, <record>
+// uses: constants/ray, math/finite, path/vertex, path/spawn, sampler/dimensions, sampler/unit_float, <sampler>, <light_choice>, <light>, <bsdf>, <connect>, <crossing>, <record>
 
 ShadowRay connect(inout PathState s, Subpath path, Vertex v, uint pixel_index) {
     uvec4 u = sampler_block(pixel_index, job.sample_begin + s.index - 1u, light_block(path.bounce), camera.seed);

@@ -1,5 +1,5 @@
 // Light that a path finds by hitting an emitter.
-// uses: math/vec, path/vertex, <light>, <light_choice>, <connect>
+// uses: constants/none, math/vec, path/vertex, <light>, <light_choice>, <connect>
 
 // Radiance · weight. The density runs from the last real vertex, `origin`, `distance` away.
 vec3 emission_seen(Subpath path, Vertex v, vec3 origin, float distance) {

@@ -1,9 +1,5 @@
 // Every event of a path, in order, for `--trace`; what does not fit is left out.
-// uses: path/vertex
-
-const uint RECORD_VERTEX = 1u;
-const uint RECORD_CONNECTION = 2u;
-const uint RECORD_ESCAPE = 3u;
+// uses: constants/none, constants/record, path/vertex
 
 void record(inout PathState s, Record event) {
     if (s.recorded < RECORDS) {

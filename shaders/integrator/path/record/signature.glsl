@@ -1,7 +1,7 @@
 // The decisions of every path, hashed, for `compare --paired`, and what each sample came to. The kernel flies a
 // connection a turn after its vertex: vertices and connections each have a chain, both in the order of the reference.
 // Twin of src/reference/integrator/path/signature.rs.
-// uses: path/vertex, integrator/path/signature
+// uses: constants/decision, path/vertex, integrator/path/signature
 
 void record_hit(inout PathState s, Subpath path, Vertex v) {
     s.recorded = decide(s.recorded, is_light(path.throughput), DECISION_SHAPE, v.shape);

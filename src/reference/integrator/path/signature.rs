@@ -13,20 +13,13 @@
 
 use super::PathState;
 use super::record::Recorder;
+use crate::layout::constants::decision::{
+    DARK, DECISION_ARRIVAL, DECISION_ESCAPE, DECISION_LIGHT, DECISION_LOBE, DECISION_SHAPE,
+};
 use crate::reference::math::{Real, Vec3, max_component};
 use crate::reference::path::flight::ShadowRay;
 use crate::reference::path::vertex::Vertex;
 use crate::reference::sampler::pcg4d::pcg4d;
-
-const DECISION_SHAPE: u32 = 1;
-const DECISION_LIGHT: u32 = 2;
-const DECISION_ARRIVAL: u32 = 3;
-const DECISION_LOBE: u32 = 4;
-const DECISION_ESCAPE: u32 = 5;
-
-/// What counts as no light, in a throughput or in W·sr⁻¹·m⁻²: 2⁻⁶⁴. The least normal number of f32 is 2⁻¹²⁶; that
-/// leaves 2⁶² for what a factor that small may be multiplied by, the radiance of a light or the inverse of a density.
-pub const DARK: f64 = 5.421010862427522e-20;
 
 /// `chain` with one more decision, its kind and what was decided; as it was where that makes no difference.
 pub fn decide(chain: u32, matters: bool, decision: u32, what: u32) -> u32 {

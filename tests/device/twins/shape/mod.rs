@@ -28,10 +28,7 @@ pub fn twins() -> Vec<Twin> {
 
 /// What every kernel declares.
 pub fn prelude() -> String {
-    "const uint NONE = 0xffffffffu;
-"
-    .to_owned()
-        + &layout::Ray::glsl()
+    layout::Ray::glsl()
 }
 
 /// Reads a ray, writes a hit, writes a surface.
