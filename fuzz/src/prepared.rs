@@ -58,7 +58,7 @@ fn is_finite_material(m: &Material) {
     }
     // The exponent of a smooth surface may be infinite, and is not looked at.
     let alpha = match m.kind {
-        MaterialKind::Opaque | MaterialKind::RoughDielectric | MaterialKind::WeakDielectric => {
+        MaterialKind::Glossy | MaterialKind::RoughDielectric | MaterialKind::WeakDielectric => {
             m.alpha
         }
         _ => 1.0,

@@ -86,9 +86,9 @@ fn chosen(subject: &Subject, m: &Material, distribution: Distribution) -> String
 
 /// Who chose the form of Fresnel's reflectance: a flag, a word of the scene, or nobody.
 fn form_of(subject: &Subject, m: &Material, form: Fresnel) -> String {
-    use crate::prepared::MaterialKind::{Mirror, Opaque};
+    use crate::prepared::MaterialKind::{Glossy, Mirror};
     match (subject.job.settings.model.fresnel, m.words.fresnel) {
-        _ if matches!(m.kind, Opaque | Mirror) => "opaque: no index for the exact form".to_owned(),
+        _ if matches!(m.kind, Glossy | Mirror) => "opaque: no index for the exact form".to_owned(),
         (Some(_), _) => format!("--fresnel {}", form.name()),
         (None, 0) => "the default".to_owned(),
         (None, line) => format!("line {line}: {}", subject.quote(line)),

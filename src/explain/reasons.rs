@@ -41,7 +41,7 @@ fn material(kind: MaterialKind) -> &'static str {
     match kind {
         MaterialKind::Black => "no shape is a light or perfectly black",
         MaterialKind::Diffuse => "no opaque surface has Kd alone",
-        MaterialKind::Opaque => "no opaque surface has a Ks and is rough",
+        MaterialKind::Glossy => "no opaque surface has a Ks and is rough",
         MaterialKind::Mirror => "no opaque surface has a Ks and is perfectly smooth",
         MaterialKind::RoughDielectric => "no surface with a Kt is rough",
         MaterialKind::SmoothDielectric => "no surface with a Kt is perfectly smooth",

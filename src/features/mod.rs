@@ -183,8 +183,8 @@ fn in_bvh(prepared: &Prepared, shapes: &BTreeSet<ShapeKind>) -> BTreeSet<ShapeKi
 
 /// Whether micro-normals are drawn on it.
 pub fn is_rough(kind: MaterialKind) -> bool {
-    use MaterialKind::{Opaque, RoughDielectric, WeakDielectric};
-    matches!(kind, Opaque | RoughDielectric | WeakDielectric)
+    use MaterialKind::{Glossy, RoughDielectric, WeakDielectric};
+    matches!(kind, Glossy | RoughDielectric | WeakDielectric)
 }
 
 /// Whether it reflects by Fresnel's law, rough or smooth.

@@ -27,7 +27,7 @@ crate::gpu_struct! {
         ray: Ray,
         /// What arrives if nothing stands in its way.
         contribution: vec3,
-        /// 1: it has still to be flown.
+        /// 1: it has still to be traced.
         pending: uint,
         /// The light's shape, and the triangle of a mesh or NONE: they do not stop the ray.
         target_shape: uint,

@@ -7,7 +7,7 @@ use super::{Material, MaterialKind, OPAQUE_SIGMA, Space};
 use crate::scene::{Brdf, WordLines};
 use crate::settings::{Distribution, DistributionRule, Fresnel, Model};
 
-/// Below this |ior − 1| the surface is not there.
+/// Below this |ior − 1| a surface is a null interface.
 const NOTHING_IOR: f64 = 1e-7;
 /// Below this width a surface is perfectly smooth: the error of D at a recomputed half vector grows as 1e-8/α.
 const SMOOTH_WIDTH: f64 = 1e-4;
@@ -132,7 +132,7 @@ fn kind(brdf: &Brdf, distribution: Distribution, alpha: f64) -> MaterialKind {
     } else if brdf.ks != DVec3::ZERO {
         match smooth {
             true => MaterialKind::Mirror,
-            false => MaterialKind::Opaque,
+            false => MaterialKind::Glossy,
         }
     } else if brdf.kd != DVec3::ZERO {
         MaterialKind::Diffuse
@@ -233,9 +233,9 @@ mod tests {
         for (b, expected) in [
             (opaque(0.0, 0.0, 0.3), MaterialKind::Black),
             (opaque(0.5, 0.0, 0.0), MaterialKind::Diffuse),
-            (opaque(0.5, 0.5, 0.3), MaterialKind::Opaque),
+            (opaque(0.5, 0.5, 0.3), MaterialKind::Glossy),
             (opaque(0.5, 0.5, 0.0), MaterialKind::Mirror),
-            (opaque(0.0, 0.5, 2e8), MaterialKind::Opaque),
+            (opaque(0.0, 0.5, 2e8), MaterialKind::Glossy),
             (opaque(0.0, 0.5, 2.1e8), MaterialKind::Mirror),
             (glass(0.3, 1.5), MaterialKind::RoughDielectric),
             (glass(1e-4, 1.5), MaterialKind::RoughDielectric),

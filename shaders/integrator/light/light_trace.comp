@@ -6,7 +6,7 @@
 // them to the film. A thread whose slots are full, or whose budget is spent, goes on in the next dispatch.
 //
 // Twin: src/reference/integrator/light/.
-// uses: constants/workgroup, math/steps, integrator/light/begin, integrator/light/splat, integrator/light/shade, path/flight
+// uses: constants/workgroup, math/steps, integrator/light/begin, integrator/light/splat, integrator/light/shade, path/trace
 layout(local_size_x = WORKGROUP) in;
 
 bool unfinished(LightState s, Subpath path, ShadowRay shadow) {
@@ -32,14 +32,14 @@ void trace_light(uint thread) {
             s.index += 1u;
             shadow = splat_light(s, start);
         }
-        Flight flight = fly(path, shadow);
-        lane.rays += flight.rays;
-        if (flight.visible) {
+        Traced traced = trace_rays(path, shadow);
+        lane.rays += traced.rays;
+        if (traced.visible) {
             splats[lane.splats * threads + thread] = Splat(shadow.contribution, s.pixel, s.splat_sample, 0u, 0u, 0u);
             lane.splats += 1u;
         }
         if (path.alive != 0u) {
-            shade(s, path, shadow, flight, lane, pixel_index);
+            shade(s, path, shadow, traced, lane, pixel_index);
         }
     }
     // A driver that ends loops by itself (Mesa 22) leaves their end conditions unmet: the picture would be wrong.

@@ -1,11 +1,11 @@
 // A vertex of a light path: its connection to the eye, and where the path goes on.
-// uses: constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/flight, path/extend, integrator/light/splat, <depth>
+// uses: constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, integrator/light/splat, <depth>
 
-void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Flight flight, inout LightLane lane,
+void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Traced traced, inout LightLane lane,
            uint pixel_index) {
     bool alive = false;
-    if (flight.hit.shape != NONE) {
-        Vertex v = path_vertex(flight.ray, flight.hit, flight.distance);
+    if (traced.hit.shape != NONE) {
+        Vertex v = path_vertex(traced.ray, traced.hit, traced.distance);
         // A path sets out with some light: what has none has lost it to absorption.
         bool absorbed = is_black(path.throughput);
         lane.underflows += absorbed ? 1u : 0u;

@@ -1,7 +1,7 @@
 // Path tracing: pixel → camera ray → path loop → film. Read this first.
 //
 // A thread owns a pixel and follows its samples one after the other. A turn of the loop is a bounce: begin a path if
-// none is alive, fly the shadow ray that the last vertex left pending and then the extension ray (through one call
+// none is alive, trace the shadow ray that the last vertex left pending and then the extension ray (through one call
 // of nearest(), the heaviest function there is), add a sample that has ended to the film, shade the next vertex.
 // A path that ends leaves its shadow ray pending while the thread already carries its next camera ray.
 //
@@ -9,7 +9,7 @@
 // watchdog and no limit on loops (Mesa 22: 65,535 iterations a subgroup and dispatch) can touch the picture.
 //
 // Twin: src/reference/integrator/path/, which takes the same decisions in the same order, one sample at a time.
-// uses: constants/workgroup, math/steps, film/film_pixel, <moments>, integrator/path/begin, path/flight, integrator/path/shade, <record>
+// uses: constants/workgroup, math/steps, film/film_pixel, <moments>, integrator/path/begin, path/trace, integrator/path/shade, <record>
 layout(local_size_x = WORKGROUP) in;
 
 bool unfinished(PathState s, Subpath path) {
@@ -29,11 +29,11 @@ void trace_pixel(uint lane) {
             path = begin_path(column, row, job.sample_begin + s.index);
             s.index += 1u;
         }
-        Flight flight = fly(path, shadow);
-        pixel.rays += flight.rays;
-        if (flight.connected) {
-            s.radiance += flight.visible ? shadow.contribution : vec3(0.0);
-            record_connection(s, shadow, flight.visible);
+        Traced traced = trace_rays(path, shadow);
+        pixel.rays += traced.rays;
+        if (traced.connected) {
+            s.radiance += traced.visible ? shadow.contribution : vec3(0.0);
+            record_connection(s, shadow, traced.visible);
         }
         if (s.ended != 0u) {
             record_sample(s, lane, pixel.samples);
@@ -43,7 +43,7 @@ void trace_pixel(uint lane) {
             s.ended = 0u;
         }
         if (path.alive != 0u) {
-            shade(s, path, shadow, flight, pixel, row * camera.width + column);
+            shade(s, path, shadow, traced, pixel, row * camera.width + column);
         }
     }
     // A driver that ends loops by itself (Mesa 22) leaves their end conditions unmet: the picture would be wrong.

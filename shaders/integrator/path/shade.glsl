@@ -1,5 +1,5 @@
 // A vertex of the path: what it emits, its connection to a light, and where the path goes on.
-// uses: constants/lobe, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/flight, path/extend, sampler/dimensions, sampler/unit_float, <sampler>, <background>, <emission>, <direct>, <depth>, <record>
+// uses: constants/lobe, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, sampler/dimensions, sampler/unit_float, <sampler>, <background>, <emission>, <direct>, <depth>, <record>
 
 void end_path(inout PathState s, inout Subpath path) {
     path.alive = 0u;
@@ -19,17 +19,17 @@ void go_on(inout PathState s, inout Subpath path, Vertex v, inout FilmPixel pixe
     record_vertex(s, path, v, e.lobe);
 }
 
-void shade(inout PathState s, inout Subpath path, inout ShadowRay shadow, Flight flight, inout FilmPixel pixel,
+void shade(inout PathState s, inout Subpath path, inout ShadowRay shadow, Traced traced, inout FilmPixel pixel,
            uint pixel_index) {
     shadow.pending = 0u;
-    if (flight.hit.shape == NONE) {
+    if (traced.hit.shape == NONE) {
         s.radiance += path.throughput * background_seen(path);
         record_escape(s, path);
         end_path(s, path);
     } else {
-        Vertex v = path_vertex(flight.ray, flight.hit, flight.distance);
+        Vertex v = path_vertex(traced.ray, traced.hit, traced.distance);
         record_hit(s, path, v);
-        s.radiance += path.throughput * emission_seen(path, v, flight.origin, flight.distance);
+        s.radiance += path.throughput * emission_seen(path, v, traced.origin, traced.distance);
         // A path sets out with some light: what has none has lost it to absorption.
         bool absorbed = is_black(path.throughput);
         pixel.underflows += absorbed ? 1u : 0u;

@@ -1,4 +1,4 @@
-// Surfaces with |ior − 1| < 1e-7 are not there: paths and shadow rays go straight through, attenuated (model.md,
+// Surfaces with |ior − 1| < 1e-7 are null interfaces: paths and shadow rays go straight through, attenuated (model.md,
 // "The null interface"). No bounce is counted and no random number drawn.
 // uses: constants/material_kind, constants/none, constants/ray, shape/ray, math/vec, <surface>, <self_distance>, <medium>
 

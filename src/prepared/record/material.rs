@@ -15,7 +15,7 @@ pub enum MaterialKind {
     /// Kd only.
     Diffuse = 1,
     /// Opaque: rough reflection, Kd possible.
-    Opaque = 2,
+    Glossy = 2,
     /// Opaque: perfect mirror, Kd possible.
     Mirror = 3,
     /// Rough reflection and rough transmission, Kd possible.
@@ -24,16 +24,16 @@ pub enum MaterialKind {
     SmoothDielectric = 5,
     /// Rough reflection, transmission that keeps one direction: α·|n − 1| < 1e-5. Kd possible.
     WeakDielectric = 6,
-    /// |ior − 1| < 1e-7: the surface is not there.
+    /// |ior − 1| < 1e-7: light goes straight through.
     NullInterface = 7,
 }
 
 const _: () = {
-    use MaterialKind::{Black, Diffuse, Mirror, NullInterface, Opaque, RoughDielectric};
+    use MaterialKind::{Black, Diffuse, Glossy, Mirror, NullInterface, RoughDielectric};
     use MaterialKind::{SmoothDielectric, WeakDielectric};
     let transmits = RoughDielectric as u32;
     assert!((Black as u32) < transmits && (Diffuse as u32) < transmits);
-    assert!((Opaque as u32) < transmits && (Mirror as u32) < transmits);
+    assert!((Glossy as u32) < transmits && (Mirror as u32) < transmits);
     assert!(SmoothDielectric as u32 > transmits && WeakDielectric as u32 > transmits);
     assert!(NullInterface as u32 > transmits);
 };
@@ -42,7 +42,7 @@ impl MaterialKind {
     pub const EVERY: [Self; 8] = [
         Self::Black,
         Self::Diffuse,
-        Self::Opaque,
+        Self::Glossy,
         Self::Mirror,
         Self::RoughDielectric,
         Self::SmoothDielectric,

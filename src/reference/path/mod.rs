@@ -3,11 +3,11 @@
 pub mod blocks;
 pub mod correction;
 pub mod extend;
-pub mod flight;
 pub mod medium;
 pub mod roulette;
 pub mod spawn;
 pub mod throughput;
+pub mod trace;
 pub mod vertex;
 
 use super::math::Vec3;

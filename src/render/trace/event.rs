@@ -12,7 +12,7 @@ use crate::reference::integrator::path::PathState;
 use crate::reference::integrator::path::record::Recorder;
 use crate::reference::math::finite::is_finite3;
 use crate::reference::math::{Real, Vec3};
-use crate::reference::path::flight::ShadowRay;
+use crate::reference::path::trace::ShadowRay;
 use crate::reference::path::vertex::Vertex;
 
 /// What happened to a path, in words and numbers.
@@ -104,7 +104,7 @@ impl<F: Real> Recorder<F> for Events<'_> {
     }
 }
 
-/// What the device wrote down. It flies the connection of a vertex a turn later, so that one comes after the other.
+/// What the device wrote down. It traces the connection of a vertex a turn later, so that one comes after the other.
 pub fn event(names: Names, r: &Record) -> Event {
     let wide = |v: [f32; 3]| v.map(f64::from).to_vec();
     let (direction, throughput, radiance) = (wide(r.p), wide(r.throughput), wide(r.radiance));

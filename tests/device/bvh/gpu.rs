@@ -1,11 +1,12 @@
 //! The kernels' hierarchy, on the device, against brute force on the CPU.
 
 use rayon::prelude::*;
+use vkpt::flat::bvh::reference::decode;
 use vkpt::flat::{self, bvh, bvh::Bvh};
 use vkpt::gpu::{Buffer, BufferUse, Device, Pipeline};
 use vkpt::kernel::{Composer, Slot, compile};
 use vkpt::layout::{self, GpuStruct};
-use vkpt::prepared::{Prepared, device};
+use vkpt::prepared::{NONE, Prepared, device};
 use vkpt::reference::shape::Hit;
 
 use super::brute::{World, bits};
@@ -196,6 +197,22 @@ fn hit(bytes: &[u8]) -> Hit<f32> {
     }
 }
 
+/// A query, what the kernel found and what brute force finds.
+type Answer = (Query<f32>, Hit<f32>, Hit<f32>);
+
+/// At most [`BATCH`] more queries.
+fn answers(search: &Search, world: &World<f32>, source: &mut Rays, count: usize) -> Vec<Answer> {
+    let queries: Vec<Query<f32>> = (0..count).map(|_| source.next()).collect();
+    let found = search.nearest(&queries);
+    let both = queries.into_par_iter().zip(found);
+    both.map(|(q, found)| (q, found, world.nearest(&q)))
+        .collect()
+}
+
+fn differ((_, found, expected): &Answer) -> bool {
+    bits(*found) != bits(*expected)
+}
+
 /// The first of `count` queries whose answer differs from brute force in any bit, as text.
 fn first_difference(search: &Search, prepared: &Prepared, count: usize) -> Option<String> {
     let world = World::<f32>::new(prepared);
@@ -203,14 +220,9 @@ fn first_difference(search: &Search, prepared: &Prepared, count: usize) -> Optio
     let mut left = count;
     while left > 0 {
         let n = left.min(BATCH);
-        let queries: Vec<Query<f32>> = (0..n).map(|_| source.next()).collect();
-        let found = search.nearest(&queries);
-        let difference = queries.par_iter().zip(&found).find_map_first(|(q, found)| {
-            let expected = world.nearest(q);
-            (bits(*found) != bits(expected)).then(|| format!("{q:?}\n{found:?}\n{expected:?}"))
-        });
-        if difference.is_some() {
-            return difference;
+        let answers = answers(search, &world, &mut source, n);
+        if let Some((q, found, expected)) = answers.into_iter().find(differ) {
+            return Some(format!("{q:?}\n{found:?}\n{expected:?}"));
         }
         left -= n;
     }
@@ -240,9 +252,9 @@ fn gpu_equals_brute_force_at_length() {
     check(1_000_000);
 }
 
-/// Without padding a box hides hits on its faces; a box that is a plane too small hides what lies behind it.
+/// Without padding a box hides hits on its faces, and nothing is hit that is not there.
 #[test]
-fn planted_errors_are_noticed() {
+fn boxes_without_padding_hide_hits() {
     let Some(device) = common::device() else {
         return;
     };
@@ -251,15 +263,49 @@ fn planted_errors_are_noticed() {
     let unpadded = Search::new(device, &prepared, &bvh, |_, text| {
         text.replace("3.814697265625e-6", "0.0")
     });
-    assert!(first_difference(&unpadded, &prepared, 20_000).is_some());
+    let world = World::<f32>::new(&prepared);
+    let mut answers = answers(&unpadded, &world, &mut Rays::new(&prepared, 23), 20_000);
+    answers.retain(differ);
+    assert!(!answers.is_empty());
+    for (q, found, expected) in answers {
+        assert!(found.t > expected.t, "{q:?}\n{found:?}\n{expected:?}");
+    }
+}
 
+/// Of a hierarchy that has lost a leaf, the queries whose nearest hit was in it notice, all of them and no others.
+#[test]
+fn a_lost_leaf_is_noticed_by_the_rays_that_hit_it() {
+    let Some(device) = common::device() else {
+        return;
+    };
     let prepared = scenes::blob();
     let mut bvh = bvh::build(&prepared, &ALL_KINDS);
-    for node in &mut bvh.nodes {
-        // The upper planes in x of the first four children, each one lower.
-        let planes = node[10].to_le_bytes().map(|q| q.saturating_sub(1));
-        node[10] = u32::from_le_bytes(planes);
+    let lost = lose_a_leaf(&mut bvh);
+    let search = Search::new(device, &prepared, &bvh, |_, text| text.to_owned());
+    let world = World::<f32>::new(&prepared);
+    let answers = answers(&search, &world, &mut Rays::new(&prepared, 23), 20_000);
+    let was_lost = |hit: &Hit<f32>| hit.shape != NONE && lost.contains(&hit.prim);
+    assert!(answers.iter().any(|(_, _, expected)| was_lost(expected)));
+    for answer in &answers {
+        assert_eq!(differ(answer), was_lost(&answer.2), "{answer:?}");
     }
-    let shrunken = Search::new(device, &prepared, &bvh, |_, text| text.to_owned());
-    assert!(first_difference(&shrunken, &prepared, 20_000).is_some());
+}
+
+/// Empties the first leaf of the first node that has one; the triangles that were in it.
+fn lose_a_leaf(bvh: &mut Bvh) -> Vec<u32> {
+    for words in &mut bvh.nodes {
+        let inner = words[3] >> 24;
+        for slot in 0..8 {
+            let (word, shift) = (6 + slot / 4, 8 * (slot % 4));
+            let meta = words[word] >> shift & 0xff;
+            if inner >> slot & 1 == 0 && meta != 0 {
+                words[word] &= !(0xff << shift);
+                let first = (words[5] + (meta & 31)) as usize;
+                let count = (meta >> 5).count_ones() as usize;
+                let references = &bvh.references[first..first + count];
+                return references.iter().map(|&r| decode(r).1 as u32).collect();
+            }
+        }
+    }
+    Vec::new()
 }

@@ -166,7 +166,7 @@ fn any_members_more_change_no_bit() {
 /// interface, which then stands in as the last of the kinds, does with an opaque material what `opaque` does.
 const UNNOTICED: [Member; 2] = [
     Member::Material(MaterialKind::Black),
-    Member::Material(MaterialKind::Opaque),
+    Member::Material(MaterialKind::Glossy),
 ];
 
 /// The comparison can fail: the full kernel without one member that the scene needs, each member once.

@@ -76,7 +76,7 @@ pub fn facets(distribution: Distribution, width: f64, z: f64) -> f64 {
 fn rough(kind: MaterialKind) -> bool {
     matches!(
         kind,
-        MaterialKind::Opaque | MaterialKind::RoughDielectric | MaterialKind::WeakDielectric
+        MaterialKind::Glossy | MaterialKind::RoughDielectric | MaterialKind::WeakDielectric
     )
 }
 
@@ -124,7 +124,7 @@ pub fn weight(m: &Material, z: f64) -> f64 {
         MaterialKind::Black => 0.0,
         MaterialKind::Diffuse => kd,
         // p = K̄d/(K̄d + F̄(wo.z)) within [.1, .9]; the renderer's wo.z is off by 1e-6 at most, relative to itself.
-        MaterialKind::Opaque | MaterialKind::Mirror => {
+        MaterialKind::Glossy | MaterialKind::Mirror => {
             let seen = |z: f64| schlick((m.f0.x + m.f0.y + m.f0.z) / 3.0, z);
             let (least, most) = (seen(z * (1.0 + 1e-6)), seen(z * (1.0 - 1e-6)));
             let p = |seen: f64| (kd / (kd + seen)).clamp(0.1, 0.9);

@@ -101,7 +101,7 @@ const EXCUSED: &[(&str, &str)] = &[
     ("path/blocks/", "a sum, and none"),
     ("path/correction/", READS_THE_SCENE),
     ("path/extend", READS_THE_SCENE),
-    ("path/flight", READS_THE_SCENE),
+    ("path/trace", READS_THE_SCENE),
     ("path/medium/none", "a constant"),
     ("path/medium/segment", READS_THE_SCENE),
     ("path/medium/term", READS_THE_SCENE),

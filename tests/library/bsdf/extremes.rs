@@ -63,7 +63,7 @@ fn materials(distribution: Distribution, width: f64) -> Vec<prepared::Material> 
     for i in 0..all.len() {
         let mut m = all[i];
         m.kind = match m.kind {
-            MaterialKind::Mirror => MaterialKind::Opaque,
+            MaterialKind::Mirror => MaterialKind::Glossy,
             MaterialKind::SmoothDielectric if width * (1.0 - m.eta[0]).abs() < 1e-5 => {
                 MaterialKind::WeakDielectric
             }

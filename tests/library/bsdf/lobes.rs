@@ -38,8 +38,8 @@ fn cases() -> Vec<Case> {
     };
     let kinds = [
         ("diffuse alone", MaterialKind::Diffuse, 0.3, KD, DVec3::ZERO),
-        ("rough alone", MaterialKind::Opaque, 0.3, DVec3::ZERO, KS),
-        ("rough, Kd", MaterialKind::Opaque, 0.3, KD, KS),
+        ("rough alone", MaterialKind::Glossy, 0.3, DVec3::ZERO, KS),
+        ("rough, Kd", MaterialKind::Glossy, 0.3, KD, KS),
         ("mirror alone", MaterialKind::Mirror, 0.0, DVec3::ZERO, KS),
         ("mirror, Kd", MaterialKind::Mirror, 0.0, KD, KS),
     ];

@@ -12,7 +12,7 @@ use vkpt::reference::integrator::path::record::Recorder;
 use vkpt::reference::integrator::path::{PathState, trace_path};
 use vkpt::reference::math::Vec3;
 use vkpt::reference::path::SampleId;
-use vkpt::reference::path::flight::ShadowRay;
+use vkpt::reference::path::trace::ShadowRay;
 use vkpt::reference::path::vertex::Vertex;
 use vkpt::reference::world::World;
 use vkpt::settings::Settings;

@@ -23,7 +23,7 @@ pub const HOMES: &[(&str, &str)] = &[
     ("path/self_distance/", "path/vertex"),
     ("integrator/path/begin", "integrator/path"),
     ("integrator/path/shade", "integrator/path"),
-    ("path/null_interface/", "path/flight"),
+    ("path/null_interface/", "path/trace"),
 ];
 
 /// Kernel functions without a twin, by name or by the start of their file.
@@ -37,8 +37,8 @@ pub const KERNEL_ONLY: &[(&str, &str)] = &[
     ("crossing_scale", "an `if` in extend"),
     ("medium_after", "an `if` in spawn_ray"),
     (
-        "path/flight",
-        "flies a vertex's shadow ray one turn late, in one loop with the extension ray",
+        "path/trace",
+        "traces a vertex's shadow ray one turn late, in one loop with the extension ray",
     ),
     ("integrator/path/record/", "the reference tells a Recorder"),
     (
@@ -111,7 +111,7 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
         "the first half of connect, which the kernel has in one piece",
     ),
     ("math/ulps", "measures errors; renders nothing"),
-    ("path/flight", "the two halves of fly"),
+    ("path/trace", "the two halves of trace_rays"),
     ("shape/linear", "the loops that a kernel has written out"),
     ("trace_light", "the loop of light_trace.comp"),
     ("trace_path", "the loop of path_trace.comp"),

@@ -11,7 +11,7 @@ fn kind_file(kind: MaterialKind) -> Option<&'static str> {
     Some(match kind {
         MaterialKind::Black | MaterialKind::NullInterface => return None,
         MaterialKind::Diffuse => "diffuse",
-        MaterialKind::Opaque => "opaque",
+        MaterialKind::Glossy => "glossy",
         MaterialKind::Mirror => "mirror",
         MaterialKind::RoughDielectric => "rough_dielectric",
         MaterialKind::SmoothDielectric => "smooth_dielectric",

@@ -5,8 +5,8 @@
 //! half vector, which has lost digits where the surface is smooth.
 
 pub mod diffuse;
+pub mod glossy;
 pub mod mirror;
-pub mod opaque;
 pub mod rough_dielectric;
 pub mod smooth_dielectric;
 pub mod weak_dielectric;
@@ -26,7 +26,7 @@ pub fn bsdf_sample<F: Real>(
     match at.material.kind {
         MaterialKind::Black | MaterialKind::NullInterface => no_sample(),
         MaterialKind::Diffuse => diffuse::diffuse_sample(settings, at, random),
-        MaterialKind::Opaque => opaque::opaque_sample(settings, at, random),
+        MaterialKind::Glossy => glossy::glossy_sample(settings, at, random),
         MaterialKind::Mirror => mirror::mirror_sample(settings, at, random),
         MaterialKind::RoughDielectric => {
             rough_dielectric::rough_dielectric_sample(settings, at, random)
@@ -45,7 +45,7 @@ pub fn bsdf_eval<F: Real>(settings: &Settings, at: &Interaction<F>, wi: Vec3<F>)
     match at.material.kind {
         MaterialKind::Black | MaterialKind::NullInterface => no_value(),
         MaterialKind::Diffuse => diffuse::diffuse_eval(settings, at, wi),
-        MaterialKind::Opaque => opaque::opaque_eval(settings, at, wi),
+        MaterialKind::Glossy => glossy::glossy_eval(settings, at, wi),
         MaterialKind::Mirror => mirror::mirror_eval(settings, at, wi),
         MaterialKind::RoughDielectric => rough_dielectric::rough_dielectric_eval(settings, at, wi),
         MaterialKind::SmoothDielectric => {

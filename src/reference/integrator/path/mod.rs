@@ -1,6 +1,6 @@
 //! Path tracing: camera ray → path loop → radiance. Twin of `shaders/integrator/path/`.
 //!
-//! The kernel flies a vertex's shadow ray one turn later, together with the extension ray; decisions, random
+//! The kernel traces a vertex's shadow ray one turn later, together with the extension ray; decisions, random
 //! numbers and the order of every sum are the same.
 
 pub mod connect;
@@ -16,8 +16,8 @@ use crate::reference::math::finite::is_black;
 use crate::reference::math::{Real, Vec3, dot3};
 use crate::reference::path::blocks::Origin;
 use crate::reference::path::extend::extend;
-use crate::reference::path::flight::extend_ray;
 use crate::reference::path::roulette::LONG_PATH;
+use crate::reference::path::trace::extend_ray;
 use crate::reference::path::vertex::{Vertex, path_vertex};
 use crate::reference::path::{SampleId, Subpath, depth_reached};
 use crate::reference::sampler::{camera_block, unit_float};
@@ -32,7 +32,7 @@ use record::Recorder;
 pub struct PathState<F> {
     pub path: Subpath<F>,
     pub radiance: Vec3<F>,
-    /// Rays flown so far.
+    /// Rays traced so far.
     pub rays: u64,
     /// Less is left of the throughput than the scalar can hold: the path ends.
     pub underflow: bool,

@@ -2,7 +2,7 @@
 
 use super::PathState;
 use crate::reference::math::{Real, Vec3};
-use crate::reference::path::flight::ShadowRay;
+use crate::reference::path::trace::ShadowRay;
 use crate::reference::path::vertex::Vertex;
 
 /// Told of each event of a path, in order; the renderer uses [`Silent`].

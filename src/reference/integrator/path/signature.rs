@@ -5,10 +5,10 @@
 //! lobe, and by roulette whether the path goes on: the next shape or the escape is there or not. Not decided, and not
 //! in the signature, are points, directions and triangles within a mesh.
 //!
-//! In the dark nothing is decided: what is 1e-60 in f64 is 0 in f32, which then flies no connection or ends a path
+//! In the dark nothing is decided: what is 1e-60 in f64 is 0 in f32, which then traces no connection or ends a path
 //! whose light nobody could see. A throughput or a contribution counts where it is above [`DARK`].
 //!
-//! Vertices and connections each have a chain, because the kernel flies a connection a turn after its vertex.
+//! Vertices and connections each have a chain, because the kernel traces a connection a turn after its vertex.
 //! Two paths that decided otherwise have the same signature with a probability of 2⁻³².
 
 use super::PathState;
@@ -17,7 +17,7 @@ use crate::layout::constants::decision::{
     DARK, DECISION_ARRIVAL, DECISION_ESCAPE, DECISION_LIGHT, DECISION_LOBE, DECISION_SHAPE,
 };
 use crate::reference::math::{Real, Vec3, max_component};
-use crate::reference::path::flight::ShadowRay;
+use crate::reference::path::trace::ShadowRay;
 use crate::reference::path::vertex::Vertex;
 use crate::reference::sampler::pcg4d::pcg4d;
 

@@ -25,10 +25,10 @@ const KINDS: [(&str, &str, &str, MaterialKind); 6] = [
         MaterialKind::Diffuse,
     ),
     (
-        "opaque_sample",
-        "opaque_eval",
-        "bsdf/kind/opaque",
-        MaterialKind::Opaque,
+        "glossy_sample",
+        "glossy_eval",
+        "bsdf/kind/glossy",
+        MaterialKind::Glossy,
     ),
     (
         "mirror_sample",

@@ -2,7 +2,7 @@
 // uses: constants/none, math/steps, shape/ray, <nearest>, <medium>, <null_interface>
 
 // Where the extension ray ended, how far it went from the last vertex, and that vertex; what became of the shadow ray.
-struct Flight {
+struct Traced {
     Hit hit;
     Ray ray;
     float distance;
@@ -11,7 +11,7 @@ struct Flight {
     bool connected;
     // Nothing stood in its way.
     bool visible;
-    // How many were flown.
+    // How many were traced.
     uint rays;
 };
 
@@ -20,17 +20,17 @@ const uint PHASE_EXTEND = 1u;
 const uint PHASE_DONE = 2u;
 
 // One loop for both rays, so that nearest() has one call: compilers copy it into each.
-Flight fly(inout Subpath path, inout ShadowRay shadow) {
-    Flight flight;
-    flight.origin = path.ray.o;
-    flight.distance = 0.0;
-    flight.connected = shadow.pending != 0u;
-    flight.visible = false;
-    flight.rays = 0u;
-    uint phase = flight.connected ? PHASE_SHADOW : (path.alive != 0u ? PHASE_EXTEND : PHASE_DONE);
+Traced trace_rays(inout Subpath path, inout ShadowRay shadow) {
+    Traced traced;
+    traced.origin = path.ray.o;
+    traced.distance = 0.0;
+    traced.connected = shadow.pending != 0u;
+    traced.visible = false;
+    traced.rays = 0u;
+    uint phase = traced.connected ? PHASE_SHADOW : (path.alive != 0u ? PHASE_EXTEND : PHASE_DONE);
     while (phase != PHASE_DONE) {
         loop_steps += 1u;
-        flight.rays += 1u;
+        traced.rays += 1u;
         Ray ray = path.ray;
         Target skip = Target(NONE, NONE);
         if (phase == PHASE_SHADOW) {
@@ -47,21 +47,21 @@ Flight fly(inout Subpath path, inout ShadowRay shadow) {
             } else {
                 path.throughput *= transmittance * skipped.factor;
                 path.ray = skipped.ray;
-                flight.distance += hit.t;
+                traced.distance += hit.t;
             }
         } else if (phase == PHASE_SHADOW) {
-            flight.visible = hit.shape == NONE;
+            traced.visible = hit.shape == NONE;
             shadow.contribution *= transmittance;
             shadow.pending = 0u;
             phase = path.alive != 0u ? PHASE_EXTEND : PHASE_DONE;
         } else {
             path.throughput *= transmittance;
-            flight.hit = hit;
-            flight.ray = ray;
-            flight.distance += hit.t;
+            traced.hit = hit;
+            traced.ray = ray;
+            traced.distance += hit.t;
             phase = PHASE_DONE;
         }
     }
     loop_failed = loop_failed || phase != PHASE_DONE;
-    return flight;
+    return traced;
 }

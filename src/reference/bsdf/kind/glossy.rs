@@ -1,4 +1,4 @@
-//! Opaque: a rough reflection, and Kd; twin of `shaders/bsdf/kind/opaque.glsl`.
+//! Opaque: a rough reflection, and Kd; twin of `shaders/bsdf/kind/glossy.glsl`.
 
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::bsdf::reflection::reflection_half_vector;
@@ -8,7 +8,7 @@ use crate::reference::math::{Real, Vec3};
 use crate::settings::Settings;
 
 /// Kd with probability p_d, else wo mirrored about a micro-normal (model.md, "Sampling a direction").
-pub fn opaque_sample<F: Real>(
+pub fn glossy_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
     random: BsdfRandom<F>,
@@ -17,6 +17,6 @@ pub fn opaque_sample<F: Real>(
 }
 
 /// Kd/π + E_r on wo's side, by the half vector (model.md, "Density and value").
-pub fn opaque_eval<F: Real>(settings: &Settings, at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
+pub fn glossy_eval<F: Real>(settings: &Settings, at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
     rough_reflection_at(settings, at, wi, reflection_half_vector(at.wo, wi))
 }

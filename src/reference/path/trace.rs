@@ -1,4 +1,4 @@
-//! The rays of a path, through surfaces that are not there; twin of `shaders/path/flight.glsl`.
+//! The rays of a path, through null interfaces; twin of `shaders/path/trace.glsl`.
 
 use super::Subpath;
 use super::medium::{stretch_transmittance, term_attenuation};
@@ -9,7 +9,7 @@ use crate::reference::shape::{Hit, Ray, START_INSIDE, START_OUTSIDE, Target};
 use crate::reference::world::World;
 use crate::settings::Settings;
 
-/// Flies the extension ray to the next surface that is there, attenuating the throughput on its way.
+/// Traces the extension ray to the next surface that is no null interface, attenuating the throughput on its way.
 /// Returns the hit, or `None` where the ray leaves the scene, and the distance from the last vertex.
 pub fn extend_ray<F: Real>(
     world: &World<F>,
@@ -71,13 +71,13 @@ pub fn shadow_ray<F: Real>(
     }
 }
 
-/// Whether the surface is not there: |ior − 1| < 1e-7 (model.md, "The null interface").
+/// Whether the surface is a null interface: |ior − 1| < 1e-7 (model.md, "The null interface").
 fn is_null_interface<F: Real>(world: &World<F>, hit: Hit<F>) -> bool {
     let material = world.shapes[hit.shape as usize].material;
     world.materials[material as usize].kind == MaterialKind::NullInterface
 }
 
-/// The ray beyond a surface that is not there, and what `term` takes off on leaving.
+/// The ray beyond a null interface, and what `term` takes off on leaving.
 struct Skipped<F> {
     ray: Ray<F>,
     factor: Vec3<F>,
