@@ -50,6 +50,7 @@ fn is_finite(prepared: &Prepared) {
             .all(|n| finite(*n))
     );
     prepared.materials.iter().for_each(is_finite_material);
+    is_listed(prepared);
 }
 
 fn is_finite_material(m: &Material) {
@@ -67,6 +68,22 @@ fn is_finite_material(m: &Material) {
     let ior = [m.eta, m.one_minus_eta2, m.d];
     let mut numbers = lobes.iter().chain(ior.as_flattened());
     assert!(numbers.all(|n| (*n as f32).is_finite()), "{m:?}");
+}
+
+/// The lists of coincident faces name faces of the scene, and none itself.
+fn is_listed(prepared: &Prepared) {
+    for (i, shape) in (0..).zip(&prepared.shapes) {
+        for prim in shape.faces() {
+            for c in prepared.primitives.coincident.of(i, prim) {
+                let other = &prepared.shapes[c.shape as usize];
+                assert!(
+                    other.kind == c.kind && other.faces().contains(&c.prim),
+                    "{c:?}"
+                );
+                assert!((c.shape, c.prim) != (i, prim), "{c:?}");
+            }
+        }
+    }
 }
 
 /// The tables by which lights are chosen are whole, and name shapes that name them.

@@ -1,7 +1,7 @@
 // Axis-aligned boxes as lights.
 // Twin of src/reference/light/box.rs.
 
-// uses: constants/none, math/vec, light/sample
+// uses: math/vec, light/sample
 
 // How many faces across each axis are sampled from p, 0 to 2: from outside those that show their front, at most one an
 // axis; from inside, or from a point on the box that sees none, all six.
@@ -39,7 +39,10 @@ LightSample box_light_sample(vec3 p, vec3 lo, vec3 hi, uint u24, vec2 u) {
     float upper_z = upper_face(p.z, lo.z, faces.z, face.z, choice - (area.x + area.y)) ? 1.0 : 0.0;
     vec3 at = vec3(x ? upper_x : u.x, y ? upper_y : (x ? u.x : u.y), z ? upper_z : u.y);
     vec3 n = vec3(x ? 1.0 : 0.0, y ? 1.0 : 0.0, z ? 1.0 : 0.0);
-    return area_sample(lo + e * at - p, n, area_density(total), NONE);
+    uint axis = x ? 0u : (y ? 1u : 2u);
+    float upper = x ? upper_x : (y ? upper_y : upper_z);
+    uint prim = 2u * axis + (upper == 1.0 ? 1u : 0u);
+    return area_sample(lo + e * at - p, n, area_density(total), prim);
 }
 
 // Density of box_light_sample at a point that a path has hit `distance` away under the cosine |N_L.w|.

@@ -1,7 +1,7 @@
 // Capped cylinders as lights.
 // Twin of src/reference/light/cylinder.rs.
 
-// uses: constants/none, math/vec, math/frame, math/elementary/sincos, shape/cylinder, light/sample
+// uses: constants/cylinder, math/vec, math/frame, math/elementary/sincos, shape/cylinder, light/sample
 
 const float PI = 3.141592653589793;
 
@@ -49,8 +49,9 @@ LightSample cylinder_light_sample(vec3 p, Cylinder cylinder, uint u24, vec2 u) {
     float z = on_side ? cylinder.height * u.y : (on_base ? 0.0 : cylinder.height);
     vec3 n = on_side ? vec3(x, y, 0.0) : vec3(0.0, 0.0, 1.0);
     vec3 to = vec3(x * r, y * r, z) - pl;
+    uint part = on_side ? CYLINDER_SIDE : (on_base ? CYLINDER_BASE : CYLINDER_TOP);
     bool turned_away = half_turn && dot3(to, n) >= 0.0;
-    LightSample result = area_sample(to, n, turned_away ? 0.0 : area_density(total), NONE);
+    LightSample result = area_sample(to, n, turned_away ? 0.0 : area_density(total), part);
     result.wi = to_world(frame, result.wi);
     return result;
 }

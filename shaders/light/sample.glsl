@@ -11,7 +11,7 @@ struct LightSample {
     float distance;
     // Per steradian; 0: no sample, whatever else stands here.
     float pdf;
-    // The triangle that the point is on, NONE on a solid: with the light's shape, what a shadow ray passes over.
+    // The face that the point is on, as in Hit: with the light's shape, what a shadow ray leads to.
     uint prim;
 };
 

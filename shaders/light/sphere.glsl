@@ -1,7 +1,7 @@
 // Spheres as lights.
 // Twin of src/reference/light/sphere.rs.
 
-// uses: constants/none, math/vec, math/frame, math/elementary/sincos, light/sample
+// uses: math/vec, math/frame, math/elementary/sincos, light/sample
 
 // 4pi and 1/2pi
 const float FOUR_PI = 12.566370614359172;
@@ -41,7 +41,7 @@ LightSample cone_sample(vec3 axis, float d, float radius, vec2 u) {
     float root = sqrt(height * (1.0 - u.x) * (2.0 - height - h));
     vec3 wi = to_world(frame_about(axis / d), vec3(sine * sincos.y, sine * sincos.x, 1.0 - h));
     float distance = (d - radius) * ((d + radius) / d) / (1.0 - h + root);
-    return LightSample(wi, distance, cone_pdf(height), NONE);
+    return LightSample(wi, distance, cone_pdf(height), 0u);
 }
 
 // A direction uniform in the cone that the sphere subtends; from inside, or from a point on it, where there is no cone, a
@@ -54,7 +54,7 @@ LightSample sphere_light_sample(vec3 p, vec3 centre, float radius, vec2 u) {
         result = cone_sample(axis, d, radius, u);
     } else {
         vec3 n = unit_sphere(u);
-        result = area_sample(axis + n * radius, n, sphere_density(radius), NONE);
+        result = area_sample(axis + n * radius, n, sphere_density(radius), 0u);
     }
     return result;
 }

@@ -33,6 +33,13 @@ BoxHit box_hit(vec3 o, vec3 d, vec3 lo, vec3 hi, uint start) {
     return BoxHit(first_of(stretch, start), enters(stretch, start) ? entry : exit);
 }
 
+// Whether a ray along d goes through a face from outside.
+bool box_enters(uint face, vec3 d) {
+    uint axis = face / 2u;
+    float along = axis == 0u ? d.x : (axis == 1u ? d.y : d.z);
+    return (along > 0.0) == (face % 2u == 0u);
+}
+
 // The coordinate of a point of a face: of the face's plane along the axis `across` it, clamped to the face elsewhere.
 float box_snap(bool across, bool upper, float p, float lo, float hi) {
     return across ? (upper ? hi : lo) : min2(max2(p, lo), hi);

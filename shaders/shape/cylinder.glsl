@@ -58,6 +58,12 @@ CylinderHit cylinder_hit(vec3 o, vec3 d, Cylinder cylinder, uint start, uint par
     return CylinderHit(first_of(stretch, start), by_side ? CYLINDER_SIDE : cap);
 }
 
+// Whether a ray along d goes through a cap from outside; not asked of the side, which touches no other solid.
+bool cap_enters(Cylinder cylinder, uint part, vec3 d) {
+    float along = dot3(d, cylinder.w);
+    return part == CYLINDER_BASE ? along > 0.0 : (part == CYLINDER_TOP && along < 0.0);
+}
+
 // The point that was hit, in the cylinder's frame moved onto the part and within it.
 Surface cylinder_surface(Ray ray, Hit hit, Cylinder cylinder) {
     Frame frame = cylinder_frame(cylinder);

@@ -3,7 +3,7 @@
 
 // uses: constants/none, constants/ray
 
-// What a shadow ray leads to and must not be stopped by: a solid (prim NONE), or one triangle of a mesh.
+// What a shadow ray leads to and must not be stopped by: a solid, or one triangle of a mesh.
 struct Target {
     uint shape;
     uint prim;

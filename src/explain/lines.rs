@@ -17,6 +17,7 @@ pub fn lines(prepared: &Prepared, member: Member) -> Vec<usize> {
         Member::ManyLights if prepared.lights.len() > 1 => lights(prepared, |_| true),
         Member::ManyLights => Vec::new(),
         Member::ShadingNormals => shapes(&|s| has_normals(prepared, s)),
+        Member::CoincidentFaces => coincident(prepared),
         _ => materials(prepared, member).map(|m| m.line).collect(),
     };
     lines.sort_unstable();
@@ -54,6 +55,18 @@ fn lights(prepared: &Prepared, of: impl Fn(&Light) -> bool) -> Vec<usize> {
         (_, shape) => prepared.shapes[shape as usize].line,
     };
     prepared.lights.iter().filter(|l| of(l)).map(line).collect()
+}
+
+/// The lines of shapes that have a face which coincides with another.
+fn coincident(prepared: &Prepared) -> Vec<usize> {
+    let table = &prepared.primitives.coincident;
+    let lists = (0..).zip(&prepared.shapes).flat_map(|(i, shape)| {
+        let faces = shape.faces();
+        let lists = faces.map(move |prim| (i, table.of(i, prim)));
+        lists.filter(|(_, list)| !list.is_empty())
+    });
+    let shapes = lists.flat_map(|(i, list)| list.iter().map(|c| c.shape).chain([i]));
+    shapes.map(|i| prepared.shapes[i as usize].line).collect()
 }
 
 /// Whether a mesh file gave normals to any corner.

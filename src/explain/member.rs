@@ -50,6 +50,7 @@ fn name(subject: &Subject, member: Member) -> (&'static str, String) {
         },
         Member::Absorption(rule) => ("absorption", rule.name().to_owned()),
         Member::ShadingNormals => ("normals", "of meshes".to_owned()),
+        Member::CoincidentFaces => ("coincident faces", "the first is there".to_owned()),
     }
 }
 

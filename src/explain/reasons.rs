@@ -25,6 +25,7 @@ pub fn reason(subject: &Subject, member: Member) -> String {
             true => "no mesh file gives normals",
             false => "there is no mesh",
         },
+        Member::CoincidentFaces => "no two faces coincide",
     };
     words.to_owned()
 }

@@ -20,6 +20,7 @@ pub enum Member {
     ManyLights,
     Absorption(Absorption),
     ShadingNormals,
+    CoincidentFaces,
 }
 
 impl Member {
@@ -30,6 +31,7 @@ impl Member {
             Self::ManyLights,
             Self::Absorption(absorption),
             Self::ShadingNormals,
+            Self::CoincidentFaces,
         ]);
         all.extend(ShapeKind::EVERY.map(Self::Shape));
         all.extend(ShapeKind::EVERY.map(Self::InBvh));
@@ -48,6 +50,7 @@ impl Features {
             (self.diffuse_beside, Member::DiffuseBeside),
             (self.many_lights, Member::ManyLights),
             (self.shading_normals, Member::ShadingNormals),
+            (self.coincident_faces, Member::CoincidentFaces),
         ];
         let mut all: BTreeSet<Member> = flags.iter().filter(|f| f.0).map(|f| f.1).collect();
         all.extend(self.shapes.iter().copied().map(Member::Shape));
@@ -97,6 +100,7 @@ impl Features {
             Member::ManyLights => self.many_lights = there,
             Member::Absorption(rule) => self.absorption = there.then_some(rule),
             Member::ShadingNormals => self.shading_normals = there,
+            Member::CoincidentFaces => self.coincident_faces = there,
         }
     }
 }

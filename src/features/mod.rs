@@ -57,6 +57,8 @@ pub struct Features {
     pub max_depth: bool,
     /// A mesh brings normals of its own.
     pub shading_normals: bool,
+    /// Faces of shapes coincide.
+    pub coincident_faces: bool,
     /// What is made beside the picture.
     pub aovs: BTreeSet<Aov>,
 }
@@ -95,6 +97,7 @@ impl Features {
                 .any(|m| Prepared::is_transmissive(m) && m.sigma != DVec3::ZERO)
                 .then_some(settings.model.absorption),
             shading_normals: !prepared.primitives.normals.is_empty(),
+            coincident_faces: !prepared.primitives.coincident.is_empty(),
             ..Self::bare(settings, aovs)
         }
     }
@@ -135,6 +138,7 @@ impl Features {
             absorption: None,
             max_depth: model.max_depth.is_some(),
             shading_normals: false,
+            coincident_faces: false,
             aovs: aovs.iter().copied().collect(),
         }
     }

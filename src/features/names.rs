@@ -30,6 +30,7 @@ impl Features {
             (self.diffuse_beside, "diffuse beside specular"),
             (self.many_lights, "choice of a light"),
             (self.shading_normals, "shading normals"),
+            (self.coincident_faces, "coincident faces"),
             (self.radiance_scaling, "radiance scaling"),
             (self.max_depth, "longest path"),
         ];

@@ -29,7 +29,7 @@ crate::gpu_struct! {
         contribution: vec3,
         /// 1: it has still to be traced.
         pending: uint,
-        /// The light's shape, and the triangle of a mesh or NONE: they do not stop the ray.
+        /// The light's shape, and the face of it that the ray leads to: they do not stop the ray.
         target_shape: uint,
         target_prim: uint,
         pad0: uint,

@@ -5,11 +5,12 @@
 //! origin, and scaled to about 1, which keeps f32 accurate whatever the scene's place and scale.
 
 pub mod cdf;
-mod contact;
+mod coincide;
 mod eye;
 mod lights;
 pub mod material;
 mod medium;
+pub mod patch;
 mod placed;
 mod prepare;
 mod range;
@@ -20,7 +21,8 @@ use glam::DVec3;
 pub use crate::layout::constants::none::NONE;
 pub use crate::scene::WordLines;
 pub use crate::shape::{
-    Bounds, Cuboid, Cylinder, LightKind, Primitives, ShapeKind, Space, Sphere, Triangle,
+    Bounds, Coincidence, Coincidences, Cuboid, Cylinder, LightKind, Primitives, ShapeKind, Space,
+    Sphere, Triangle,
 };
 pub use prepare::{PrepareError, prepare};
 pub use record::camera::Camera;
@@ -34,7 +36,7 @@ pub mod device {
     pub use super::record::light::device::Light;
     pub use super::record::material::device::Material;
     pub use super::record::shape::device::Shape;
-    pub use crate::shape::device::{Cuboid, Cylinder, Sphere};
+    pub use crate::shape::device::{Coincidence, Cuboid, Cylinder, Sphere};
 }
 
 /// A scene ready to be rendered.

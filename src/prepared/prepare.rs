@@ -6,7 +6,7 @@ use super::cdf::CdfError;
 use super::lights::Lights;
 use super::placed::Placed;
 use super::{
-    Camera, Material, MaterialKind, NONE, Prepared, Space, contact, eye, material, medium, range,
+    Camera, Material, MaterialKind, NONE, Prepared, Space, coincide, eye, material, medium, range,
 };
 use crate::scene::{self, MaterialKind as SceneMaterial, Scene};
 use crate::settings::Settings;
@@ -66,7 +66,7 @@ pub fn prepare(
         &mut warnings,
     );
     medium::warn_of_overlaps(&placed, &materials, &mut warnings);
-    contact::warn_of_contacts(&placed, &materials, &mut warnings);
+    placed.primitives.coincident = coincide::coincidences(&placed, &materials);
     eye::warn_of_surface(camera.eye, &placed, &materials, &mut warnings);
     let eye_medium = medium::medium_at(camera.eye, &placed, &materials);
     let light_media = (lights.lights.iter())

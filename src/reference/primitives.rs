@@ -9,15 +9,19 @@ use super::light::{
     sphere_light_sample,
 };
 use super::math::{Real, Vec3};
+use super::shape::cover::Cover;
+use super::shape::face::{
+    FacePoint, box_face_point, cylinder_face_point, sphere_face_point, triangle_face_point,
+};
 use super::shape::linear::{nearer_box, nearer_cylinder, nearer_sphere};
 use super::shape::{
     Cuboid, Cylinder, Hit, Ray, RayShear, Sphere, Surface, Target, Triangle, box_surface,
     cylinder_surface, nearer_triangle, nearest_boxes, nearest_cylinders, nearest_spheres,
-    nearest_triangles, sphere_surface, triangle_surface,
+    nearest_triangles, ray_shear, sphere_surface, triangle_surface,
 };
 pub use crate::prepared::record::light::scalar::Light;
 use crate::prepared::{LightKind, Shape};
-use crate::shape::{self, Bounds, Primitive, ShapeKind};
+use crate::shape::{self, Bounds, Coincidence, Coincidences, Primitive, ShapeKind};
 
 /// Each kind in an array of its own; numbered through in this order.
 #[derive(Clone, Debug)]
@@ -28,6 +32,7 @@ pub struct Primitives<F> {
     pub triangles: Vec<Triangle<F>>,
     /// Of the corners of each triangle; empty where no mesh gives any.
     pub normals: Vec<[Vec3<F>; 3]>,
+    pub coincident: Coincidences,
 }
 
 impl<F: Real> Primitives<F> {
@@ -41,6 +46,7 @@ impl<F: Real> Primitives<F> {
             cylinders: cylinders.map(|c| Cylinder::rounded(c, F::new)).collect(),
             triangles: triangles.map(|t| t.map(Vec3::new)).collect(),
             normals: p.normals.iter().map(|n| n.map(Vec3::new)).collect(),
+            coincident: p.coincident.clone(),
         }
     }
 
@@ -73,28 +79,56 @@ impl<F: Real> Primitives<F> {
         shear: RayShear<F>,
         skip: Target,
         best: Hit<F>,
+        cover: &impl Cover<F>,
     ) -> Hit<F> {
         let boxes = self.spheres.len();
         let cylinders = boxes + self.boxes.len();
         let triangles = cylinders + self.cylinders.len();
         if number >= triangles {
             let prim = number - triangles;
-            nearer_triangle(ray, shear, skip, best, &self.triangles[prim], prim as u32)
+            nearer_triangle(
+                ray,
+                shear,
+                skip,
+                best,
+                &self.triangles[prim],
+                prim as u32,
+                cover,
+            )
         } else if number >= cylinders {
-            nearer_cylinder(ray, skip, best, &self.cylinders[number - cylinders])
+            nearer_cylinder(ray, skip, best, &self.cylinders[number - cylinders], cover)
         } else if number >= boxes {
-            nearer_box(ray, skip, best, &self.boxes[number - boxes])
+            nearer_box(ray, skip, best, &self.boxes[number - boxes], cover)
         } else {
-            nearer_sphere(ray, skip, best, &self.spheres[number])
+            nearer_sphere(ray, skip, best, &self.spheres[number], cover)
         }
     }
 
     /// The least of `best` and the hits with all, each of which is tried.
     pub fn nearest(&self, ray: Ray<F>, skip: Target, mut best: Hit<F>) -> Hit<F> {
+        if !self.coincident.is_empty() {
+            let shear = ray_shear(ray.d);
+            let nearer = |best, number| self.nearer(number, ray, shear, skip, best, self);
+            return (0..self.len()).fold(best, nearer);
+        }
         best = nearest_spheres(&self.spheres, ray, skip, best);
         best = nearest_boxes(&self.boxes, ray, skip, best);
         best = nearest_cylinders(&self.cylinders, ray, skip, best);
         nearest_triangles(&self.triangles, ray, skip, best)
+    }
+
+    /// Whether `p`, in the plane of a face, lies on it.
+    pub fn face_point(&self, face: &Coincidence, p: Vec3<F>) -> FacePoint<F> {
+        let index = face.index as usize;
+        match face.kind {
+            ShapeKind::Sphere => sphere_face_point(),
+            ShapeKind::Box => box_face_point(&self.boxes[index], face.prim, p),
+            ShapeKind::Cylinder => cylinder_face_point(&self.cylinders[index], face.prim, p),
+            ShapeKind::Mesh => {
+                let [v0, v1, v2] = self.triangles[index].v;
+                triangle_face_point(v0, v1, v2, p)
+            }
+        }
     }
 
     /// The surface of `shape` where `ray` has hit it.

@@ -8,6 +8,7 @@ use super::light::{LightSample, cdf_choice, cdf_probability};
 use super::math::{Real, Vec3};
 pub use super::primitives::Light;
 use super::primitives::Primitives;
+use super::shape::cover::{is_covered_at, touching};
 use super::shape::{Hit, Ray, Surface, Target, no_hit};
 use crate::prepared::{LightKind, NONE, Prepared, Shape};
 
@@ -58,10 +59,16 @@ impl<F: Real> World<F> {
     /// The least (t, shape, prim) with t < `ray.t_max`, `skip` passed over.
     pub fn nearest(&self, ray: Ray<F>, skip: Target) -> Hit<F> {
         let best = no_hit(ray.t_max);
-        match &self.accel {
+        let best = match &self.accel {
             Some(accel) => accel.nearest(&self.primitives, ray, skip, best),
             None => self.primitives.nearest(ray, skip, best),
-        }
+        };
+        touching(&self.primitives, ray, best)
+    }
+
+    /// Whether a face that comes first is at the point `p` of this one.
+    pub fn is_covered_at(&self, shape: u32, prim: u32, p: Vec3<F>) -> bool {
+        is_covered_at(&self.primitives, shape, prim, p)
     }
 
     /// The surface where `ray` has hit.

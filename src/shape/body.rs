@@ -22,9 +22,6 @@ pub trait Body {
     /// From `p` to the nearest point of the surface, where that is known.
     fn distance(&self, p: DVec3) -> Option<f64>;
 
-    /// Whether a face lies in the plane where coordinate `axis` is `at`, an end of the bounds, up to `near`.
-    fn is_flat(&self, axis: usize, at: f64, near: f64) -> bool;
-
     /// Whether it overlaps this ball, given that their bounds do; assumed where it is not known.
     fn overlaps_ball(&self, _centre: DVec3, _radius: f64) -> bool {
         true

@@ -28,6 +28,8 @@ pub const DESCRIPTION: Description = Description {
     nearer: "nearer_box(ray, skip, {best}, {x})",
     surface_file: "shape/box",
     surface: "box_surface(ray, hit, {x})",
+    face_file: "shape/face/box",
+    face_point: "box_face_point({x}, face.prim, p)",
     light_file: "light/box",
     light_sample: "box_light_sample(p, {x}.lo, {x}.hi, u24, u)",
     light_pdf: "box_light_pdf(p, {x}.lo, {x}.hi, distance, cosine)",
@@ -67,10 +69,6 @@ impl Body for Cuboid {
     fn distance(&self, p: DVec3) -> Option<f64> {
         let beyond = (p - 0.5 * (self.lo + self.hi)).abs() - 0.5 * (self.hi - self.lo);
         Some((beyond.max(DVec3::ZERO).length() + beyond.max_element().min(0.0)).abs())
-    }
-
-    fn is_flat(&self, _: usize, _: f64, _: f64) -> bool {
-        true
     }
 
     fn overlaps_ball(&self, centre: DVec3, radius: f64) -> bool {

@@ -36,6 +36,8 @@ pub const DESCRIPTION: Description = Description {
     nearer: "nearer_cylinder(ray, skip, {best}, {x})",
     surface_file: "shape/cylinder",
     surface: "cylinder_surface(ray, hit, {x})",
+    face_file: "shape/face/cylinder",
+    face_point: "cylinder_face_point({x}, face.prim, p)",
     light_file: "light/cylinder",
     light_sample: "cylinder_light_sample(p, {x}, u24, u)",
     light_pdf: "cylinder_light_pdf(p, {x}, distance, cosine)",
@@ -94,12 +96,6 @@ impl Body for Cylinder {
         let half = 0.5 * self.height;
         let beyond = DVec2::new(rho - self.radius, (z - half).abs() - half);
         Some((beyond.max(DVec2::ZERO).length() + beyond.max_element().min(0.0)).abs())
-    }
-
-    /// A cap's edge reaches r·√(1 − w_k²) out of the plane.
-    fn is_flat(&self, axis: usize, _: f64, near: f64) -> bool {
-        let [i, j] = [(axis + 1) % 3, (axis + 2) % 3];
-        self.w[i].hypot(self.w[j]) * self.radius <= near
     }
 }
 

@@ -25,6 +25,9 @@ pub struct Description {
     pub surface_file: &'static str,
     /// The surface of `{x}` where `ray` has its `hit`.
     pub surface: &'static str,
+    pub face_file: &'static str,
+    /// Whether `p`, in the plane of a `face` of `{x}`, lies on it.
+    pub face_point: &'static str,
     pub light_file: &'static str,
     /// A direction from `p` to a point of the light `{x}`, by `u24` and `u`; `{light}` is the light's record.
     pub light_sample: &'static str,

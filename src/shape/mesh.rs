@@ -26,6 +26,8 @@ pub const DESCRIPTION: Description = Description {
     nearer: "nearer_triangle(ray, {once}, skip, {best}, {x}, {i})",
     surface_file: "shape/triangle",
     surface: "triangle_surface(hit)",
+    face_file: "shape/face/triangle",
+    face_point: "triangle_face_point({x}.v0, {x}.v1, {x}.v2, p)",
     light_file: "light/mesh",
     light_sample: "mesh_light_sample(p, {light}.first, {light}.count, {light}.cdf, u24, u)",
     light_pdf: "mesh_light_pdf({light}.first, {light}.cdf, prim, distance, cosine)",
@@ -70,11 +72,6 @@ impl Body for Mesh<'_> {
 
     fn distance(&self, _: DVec3) -> Option<f64> {
         None
-    }
-
-    fn is_flat(&self, axis: usize, at: f64, near: f64) -> bool {
-        let in_plane = |v: &DVec3| (v[axis] - at).abs() <= near;
-        self.0.iter().any(|t| t.v.iter().all(in_plane))
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod body;
 mod bounds;
+pub mod coincident;
 pub mod cuboid;
 pub mod cylinder;
 mod description;
@@ -15,6 +16,7 @@ pub mod sphere;
 
 pub use body::{Body, Primitive};
 pub use bounds::Bounds;
+pub use coincident::{Coincidence, Coincidences};
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use description::{Description, filled};
@@ -25,6 +27,7 @@ pub use sphere::Sphere;
 
 /// The records as the kernels read them.
 pub mod device {
+    pub use super::coincident::device::Coincidence;
     pub use super::cuboid::device::Cuboid;
     pub use super::cylinder::device::Cylinder;
     pub use super::sphere::device::Sphere;

@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::mesh::Mesh;
-use super::{Body, Cuboid, Cylinder, Primitive, ShapeKind, Sphere, Triangle};
+use super::{Body, Coincidences, Cuboid, Cylinder, Primitive, ShapeKind, Sphere, Triangle};
 use crate::layout::Records;
 
 /// The primitives of a scene, each kind in an array of its own.
@@ -18,6 +18,8 @@ pub struct Primitives {
     pub triangles: Vec<Triangle>,
     /// Shading normals of each triangle's corners; empty where no mesh gives any, zero for triangles without.
     pub normals: Vec<[DVec3; 3]>,
+    /// Empty where no two faces coincide.
+    pub coincident: Coincidences,
 }
 
 impl Primitives {
@@ -38,6 +40,8 @@ impl Primitives {
             + size_of_val(&self.cylinders[..])
             + size_of_val(&self.triangles[..])
             + size_of_val(&self.normals[..])
+            + size_of_val(&self.coincident.faces[..])
+            + size_of_val(&self.coincident.list[..])
     }
 
     /// The array of a kind, where it is one of records; triangles lie on the device in several.

@@ -32,6 +32,8 @@ pub const DESCRIPTION: Description = Description {
     nearer: "nearer_sphere(ray, skip, {best}, {x})",
     surface_file: "shape/sphere",
     surface: "sphere_surface(ray, hit, {x})",
+    face_file: "shape/face/sphere",
+    face_point: "sphere_face_point()",
     light_file: "light/sphere",
     light_sample: "sphere_light_sample(p, {x}.centre, {x}.radius, u)",
     light_pdf: "sphere_light_pdf(p, {x}.centre, {x}.radius, distance, cosine)",
@@ -58,10 +60,6 @@ impl Body for Sphere {
 
     fn distance(&self, p: DVec3) -> Option<f64> {
         Some((p.distance(self.centre) - self.radius).abs())
-    }
-
-    fn is_flat(&self, _: usize, _: f64, _: f64) -> bool {
-        false
     }
 
     fn overlaps_ball(&self, centre: DVec3, radius: f64) -> bool {

@@ -12,6 +12,15 @@ pub fn cube() -> NamedTempFile {
     )
 }
 
+/// The square from −1 to 1 in the plane z = 0.
+pub fn square() -> NamedTempFile {
+    ply(
+        "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
+         element face 1\nproperty list uchar int vertex_indices\nend_header\n\
+         -1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n4 0 1 2 3\n",
+    )
+}
+
 /// What follows `format ascii 1.0` in a PLY file.
 pub fn ply(rest: &str) -> NamedTempFile {
     let file = tempfile::Builder::new()

@@ -52,7 +52,7 @@ brdf 0 0 0 .9 .8 .7 0
 cylinder .9 .2 .01 0 0 1.5 .6
 ";
 
-/// Beckmann and Phong, glass and opaque, glass with Kd, a surface that is not there; two lights to choose from.
+/// Beckmann and Phong, glass and opaque, glass with Kd, a null interface; two lights to choose from.
 pub const WIDE: &str = "screen 32 24
 camera 0 -6 2.5 .35 x 70
 light 4 4 5
@@ -72,3 +72,36 @@ sphere 1.3 -.2 .6 .6
 brdf 0 0 0 0 0 0 1 .5 .7 .9 1
 box -.5 -1.2 .01 .8 .6 .7
 ";
+
+/// Faces that coincide: a lamp flush with the ceiling, glass that stands on the floor and touches other glass, a ball whose
+/// line stands there twice.
+pub const FLUSH: &str = "screen 32 24
+camera 0 -6 1.5 .35 x 80
+light 6 5 4
+box -1 -1 3 2 2 .1
+brdf .6 .6 .6 0 0 0 1
+box -5 -5 3 10 10 .2
+box -5 -5 -.1 10 10 .1
+sphere 1.6 0 .7 .5
+brdf .2 .6 .6 0 0 0 1
+sphere 1.6 0 .7 .5
+fresnel exact
+distribution ggx
+brdf 0 0 0 .04 .04 .04 0 .9 .8 .95 1.5
+box -2 -.5 0 1 1 1
+brdf 0 0 0 .04 .04 .04 .2 .8 .9 .9 1.3
+box -1 -.5 0 .8 1 1
+cylinder .3 -.8 0 0 0 .8 .3
+";
+
+/// The same of meshes, 26 triangles and more, which a hierarchy finds: a lamp whose faces stand twice, a square on the floor
+/// and one turned on it, cubes of glass that touch.
+pub fn flush_meshes(square: &Path, cube: &Path) -> String {
+    let (square, cube) = (square.display(), cube.display());
+    format!(
+        "screen 32 24\ncamera 0 -6 2.5 .35 x 70\nlight 6 5 4\nmesh {square} 0 0 4 1\nmesh {square} 0 0 4 1\n\
+         brdf .6 .6 .6 0 0 0 1\nbox -5 -5 -.1 10 10 .1\nbrdf .2 .6 .6 0 0 0 1\nmesh {square} 1 1 0 1.5\n\
+         brdf .6 .6 .2 0 0 0 1\nmesh {square} 1 1 0 1 z 10\nbrdf 0 0 0 .04 .04 .04 .2 .8 .9 .9 1.3\n\
+         mesh {cube} -1 0 .5 .5\nmesh {cube} -2 .2 .5 .5\nmesh {cube} -1 0 1.5 .5\n"
+    )
+}

@@ -64,7 +64,7 @@ fn every_member_has_the_lines_that_brought_it_in() {
         ("shape", "box", &[6, 11]),
         ("material", "black", &[3]),
         ("material", "diffuse", &[5]),
-        ("material", "opaque", &[10]),
+        ("material", "glossy", &[10]),
         ("material", "rough dielectric", &[8]),
         ("diffuse lobe", "and specular", &[10]),
         ("distribution", "ggx", &[8, 10]),
@@ -149,7 +149,7 @@ fn a_shape_before_any_material_is_told_of_without_a_line() {
         "screen 8 6\ncamera 0 0 5 .3\nsphere 0 0 0 1\n",
         Settings::default(),
     );
-    let default = find(&parts, "material", "opaque");
+    let default = find(&parts, "material", "glossy");
     assert!(default.present && default.lines.is_empty(), "{default:?}");
     assert_eq!(default.quote, "no material precedes the shape");
 }
@@ -164,7 +164,7 @@ fn what_a_scene_lacks_is_left_out_and_the_reason_told() {
         ("shape", "mesh", "mesh"),
         ("search", "hierarchy", "one by one"),
         ("material", "smooth dielectric", "Kt"),
-        ("material", "opaque", "Ks"),
+        ("material", "glossy", "Ks"),
         ("diffuse lobe", "and specular", "Kd"),
         ("distribution", "ggx", "rough"),
         ("fresnel", "exact", "reflects"),

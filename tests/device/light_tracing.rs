@@ -11,7 +11,7 @@ use vkpt::settings::{Integrator, Settings};
 
 use crate::common;
 use crate::common::render::{job, on_device, outcome, pixel_means, prepared};
-use crate::common::scenes::{SMOOTH, TABLE, WIDE};
+use crate::common::scenes::{FLUSH, SMOOTH, TABLE, WIDE};
 use crate::common::stats::p_of_difference;
 use crate::same_bits::{crops_are_pieces, limits_leave_no_trace, same};
 
@@ -53,6 +53,7 @@ fn a_cpu_device_equals_the_reference_bit_for_bit() {
         ("table", TABLE),
         ("smooth", SMOOTH),
         ("wide", WIDE),
+        ("flush", FLUSH),
         ("meshes", &meshes),
     ] {
         for scaling in [true, false] {

@@ -11,7 +11,7 @@ use vkpt::settings::Settings;
 use crate::common::render::{
     difference, job, on_device, on_device_within, outcome, prepared, prepared_file,
 };
-use crate::common::scenes::{SMOOTH, TABLE, WIDE, scene_files};
+use crate::common::scenes::{FLUSH, SMOOTH, TABLE, WIDE, flush_meshes, scene_files};
 use crate::common::settings::{estimators, models};
 use crate::common::{self, cpu_driver};
 
@@ -180,7 +180,9 @@ fn the_device_equals_the_reference_with_each_setting() {
         let scene = prepared(WIDE, &settings);
         device_equals_reference(&job(&scene, settings, 8, 1), name);
     }
-    for text in [TABLE, SMOOTH] {
+    let (square, cube) = (common::meshes::square(), common::meshes::cube());
+    let meshes = flush_meshes(square.path(), cube.path());
+    for text in [TABLE, SMOOTH, FLUSH, &meshes] {
         let scene = prepared(text, &Settings::default());
         device_equals_reference(&job(&scene, Settings::default(), 8, 1), text);
     }

@@ -9,6 +9,7 @@ mod architecture;
 mod bsdf;
 mod caustic;
 mod citations;
+mod coincident;
 mod convergence_report;
 mod corpus;
 mod energy;

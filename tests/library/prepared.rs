@@ -6,8 +6,6 @@ use glam::DVec3;
 use vkpt::prepared::{MaterialKind, NONE, Prepared, prepare};
 use vkpt::settings::Settings;
 
-use crate::common;
-
 fn prepared(text: &str) -> Prepared {
     let read = vkpt::scene::parse(text, Path::new("test.txt"), false).expect("a good scene");
     prepare(&read.scene, &Settings::default(), None).expect("few lights")
@@ -121,42 +119,6 @@ fn a_radiance_whose_samples_do_not_add_up_is_warned_of() {
     }
     for line in ["light 7.92e28 1 1", "background 7.92e28 0 0"] {
         assert!(warnings(line).is_empty(), "{line}");
-    }
-}
-
-/// Glass on glass, without a gap or with one that single precision does not hold; each pair once.
-#[test]
-fn glass_that_touches_glass_along_a_face_is_warned_of() {
-    let cube = common::meshes::cube();
-    let mesh = format!("mesh {} 0 0 -1 1", cube.path().display());
-    let warned = |shapes: &str| {
-        let warnings = prepared(&format!("{VIEW}{GLASS}{shapes}")).warnings;
-        warnings
-            .iter()
-            .filter(|w| w.contains("touch along a face"))
-            .count()
-    };
-    let on_top = "box -1 -1 0  2 2 1\n";
-    for below in [
-        "box -1 -1 -1  2 2 1",
-        "box -3 -3 -1  2.5 2.5 1",
-        "box -1 -1 -1  2 2 .99999999",
-        "cylinder 0 0 -1  0 0 1  .5",
-        "cylinder 0 0 -1  1e-9 0 1  .5",
-        &mesh,
-    ] {
-        assert_eq!(warned(&format!("{on_top}{below}\n")), 1, "{below}");
-        assert_eq!(warned(&format!("{below}\n{on_top}")), 1, "{below}");
-    }
-    for apart in [
-        "box -1 -1 -1  2 2 .999",
-        "box 1 1 -1  2 2 1",
-        "sphere 0 0 -1  1",
-        "cylinder -1 0 -.5  2 0 0  .5",
-        // opaque
-        &format!("{MATTE}box -1 -1 -1  2 2 1"),
-    ] {
-        assert_eq!(warned(&format!("{on_top}{apart}\n")), 0, "{apart}");
     }
 }
 

@@ -1,7 +1,7 @@
 // Points of axis-aligned boxes.
 // Twin of src/reference/light/emission/box.rs.
 
-// uses: constants/none, light/sample, light/emission/point
+// uses: light/sample, light/emission/point
 
 // Uniform over the six faces; the face is chosen by u24 < 2^24: first the lower faces across x, y and z, then the upper.
 Emission box_emission(vec3 lo, vec3 hi, uint u24, vec2 u) {
@@ -18,5 +18,6 @@ Emission box_emission(vec3 lo, vec3 hi, uint u24, vec2 u) {
     float out_of = upper ? 1.0 : -1.0;
     vec3 at = vec3(x ? side : u.x, y ? side : (x ? u.x : u.y), z ? side : u.y);
     vec3 n = vec3(x ? out_of : 0.0, y ? out_of : 0.0, z ? out_of : 0.0);
-    return Emission(lo + e * at, n, area_density(lower + lower), NONE);
+    uint prim = 2u * (x ? 0u : (y ? 1u : 2u)) + (upper ? 1u : 0u);
+    return Emission(lo + e * at, n, area_density(lower + lower), prim);
 }

@@ -1,7 +1,7 @@
 // Points of capped cylinders.
 // Twin of src/reference/light/emission/cylinder.rs.
 
-// uses: constants/none, math/frame, math/elementary/sincos, shape/cylinder, light/sample, light/emission/point
+// uses: constants/cylinder, math/frame, math/elementary/sincos, shape/cylinder, light/sample, light/emission/point
 
 // Uniform over side, base and top, chosen by u24 < 2^24: 2pi r h, pi r^2 and pi r^2.
 Emission cylinder_emission(Cylinder cylinder, uint u24, vec2 u) {
@@ -15,7 +15,8 @@ Emission cylinder_emission(Cylinder cylinder, uint u24, vec2 u) {
     float r = on_side ? cylinder.radius : cylinder.radius * sqrt(u.y);
     float z = on_side ? cylinder.height * u.y : (on_base ? 0.0 : cylinder.height);
     vec3 n = on_side ? vec3(sincos.y, sincos.x, 0.0) : vec3(0.0, 0.0, on_base ? -1.0 : 1.0);
+    uint part = on_side ? CYLINDER_SIDE : (on_base ? CYLINDER_BASE : CYLINDER_TOP);
     Frame frame = cylinder_frame(cylinder);
     vec3 p = cylinder.base + to_world(frame, vec3(sincos.y * r, sincos.x * r, z));
-    return Emission(p, to_world(frame, n), area_density(total), NONE);
+    return Emission(p, to_world(frame, n), area_density(total), part);
 }

@@ -10,7 +10,7 @@ struct Emission {
     vec3 n;
     // Density per area; 0: nothing begins here.
     float area_pdf;
-    // The triangle that the point is on, NONE on a solid.
+    // The face that the point is on, as in Hit.
     uint prim;
 };
 

@@ -1,10 +1,10 @@
 // Points of spheres.
 // Twin of src/reference/light/emission/sphere.rs.
 
-// uses: constants/none, light/sample, light/emission/point
+// uses: light/sample, light/emission/point
 
 // Uniform over the sphere, p_A = 1/(4pi r^2).
 Emission sphere_emission(vec3 centre, float radius, vec2 u) {
     vec3 n = unit_sphere(u);
-    return Emission(centre + n * radius, n, area_density(12.566370614359172 * (radius * radius)), NONE);
+    return Emission(centre + n * radius, n, area_density(12.566370614359172 * (radius * radius)), 0u);
 }

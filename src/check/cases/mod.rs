@@ -5,6 +5,7 @@ mod angle;
 mod beyond;
 mod bounces;
 mod camera;
+mod coincident;
 mod contact;
 mod far;
 mod furnace;
@@ -30,6 +31,7 @@ pub fn battery() -> Vec<Case> {
         camera::cases(),
         bounces::cases(),
         contact::cases(),
+        coincident::cases(),
         mesh::cases(),
         beyond::cases(),
     ];

@@ -139,6 +139,9 @@ fn structs(features: &Features) -> String {
         + &layout::Subpath::glsl();
     let primitives = (features.shapes.iter()).filter_map(|kind| kind.description().declaration);
     text.extend(primitives.map(|declaration| declaration()));
+    if features.coincident_faces {
+        text += &device::Coincidence::glsl();
+    }
     if !features.lights.is_empty() {
         text += &device::Light::glsl();
     }

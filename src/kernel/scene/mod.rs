@@ -226,6 +226,13 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
             },
         ),
         (
+            "cover",
+            match features.coincident_faces {
+                true => "shape/cover/table",
+                false => "shape/cover/none",
+            },
+        ),
+        (
             "shading_normal",
             match features.shading_normals {
                 true => "shape/normal/smooth",

@@ -1,5 +1,7 @@
 //! Shapes: what they are made of, and their material.
 
+use std::ops::Range;
+
 use crate::shape::ShapeKind;
 
 crate::layout::record! {
@@ -21,5 +23,17 @@ crate::layout::record! {
     } and {
         /// The scene file's line.
         pub line: usize,
+    }
+}
+
+impl Shape {
+    /// The numbers of its faces, as a hit's primitive names them.
+    pub fn faces(&self) -> Range<u32> {
+        match self.kind {
+            ShapeKind::Sphere => 0..1,
+            ShapeKind::Box => 0..6,
+            ShapeKind::Cylinder => 0..3,
+            ShapeKind::Mesh => self.first..self.first + self.count,
+        }
     }
 }

@@ -7,6 +7,7 @@ mod tree;
 
 use super::math::Real;
 use super::primitives::Primitives;
+use super::shape::cover::{Cover, NoCover};
 use super::shape::{Hit, Ray, Target, ray_shear};
 use tree::Tree;
 
@@ -31,12 +32,26 @@ impl<F: Real> Accel<F> {
         primitives: &Primitives<F>,
         ray: Ray<F>,
         skip: Target,
+        best: Hit<F>,
+    ) -> Hit<F> {
+        match primitives.coincident.is_empty() {
+            true => self.search(primitives, ray, skip, best, &NoCover),
+            false => self.search(primitives, ray, skip, best, primitives),
+        }
+    }
+
+    fn search(
+        &self,
+        primitives: &Primitives<F>,
+        ray: Ray<F>,
+        skip: Target,
         mut best: Hit<F>,
+        cover: &impl Cover<F>,
     ) -> Hit<F> {
         let shear = ray_shear(ray.d);
         let t_max = best.t;
         self.tree.traverse(ray.o, ray.d, t_max, |number| {
-            best = primitives.nearer(number as usize, ray, shear, skip, best);
+            best = primitives.nearer(number as usize, ray, shear, skip, best, cover);
             best.t
         });
         best

@@ -1,7 +1,6 @@
 //! Axis-aligned boxes as lights; twin of `shaders/light/box.glsl`.
 
 use super::sample::{LightSample, area_density, area_sample, choice_below, solid_angle_pdf};
-use crate::prepared::NONE;
 use crate::reference::math::{Real, Vec3, vec3};
 
 /// How many faces across each axis are sampled from `p`, 0 to 2: from outside those that show their
@@ -74,12 +73,14 @@ pub fn box_light_sample<F: Real>(
         if y { upper_y } else { across },
         if z { upper_z } else { u[1] },
     );
-    area_sample(
-        lo + e * at - p,
-        vec3(unit(x), unit(y), unit(z)),
-        area_density(total),
-        NONE,
-    )
+    let (axis, upper) = match (x, y) {
+        (true, _) => (0, upper_x),
+        (_, true) => (1, upper_y),
+        _ => (2, upper_z),
+    };
+    let n = vec3(unit(x), unit(y), unit(z));
+    let face = 2 * axis + u32::from(upper == F::one());
+    area_sample(lo + e * at - p, n, area_density(total), face)
 }
 
 /// Density of `box_light_sample` at a point that a path has hit `distance` away under the cosine

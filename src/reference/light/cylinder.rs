@@ -1,10 +1,11 @@
 //! Capped cylinders as lights; twin of `shaders/light/cylinder.glsl`.
 
 use super::sample::{LightSample, area_density, area_sample, choice_below, solid_angle_pdf};
-use crate::prepared::NONE;
 use crate::reference::math::frame::{to_local, to_world};
 use crate::reference::math::{Real, Vec3, dot3, vec3};
-use crate::reference::shape::{Cylinder, cylinder_frame};
+use crate::reference::shape::{
+    CYLINDER_BASE, CYLINDER_SIDE, CYLINDER_TOP, Cylinder, cylinder_frame,
+};
 
 const PI: f64 = std::f64::consts::PI;
 
@@ -92,7 +93,12 @@ pub fn cylinder_light_sample<F: Real>(
     } else {
         area_density(total)
     };
-    let sample = area_sample(to, n, density, NONE);
+    let part = match (on_side, on_base) {
+        (true, _) => CYLINDER_SIDE,
+        (_, true) => CYLINDER_BASE,
+        _ => CYLINDER_TOP,
+    };
+    let sample = area_sample(to, n, density, part);
     LightSample {
         wi: to_world(frame, sample.wi),
         ..sample

@@ -11,8 +11,8 @@ pub struct LightSample<F> {
     pub distance: F,
     /// Per steradian; 0: no sample, whatever else stands here.
     pub pdf: F,
-    /// The triangle that the point is on, `NONE` on a solid: with the light's shape, what a shadow ray
-    /// passes over.
+    /// The face that the point is on, as in [`Hit::prim`](crate::reference::shape::Hit::prim): with the light's shape, what
+    /// a shadow ray leads to.
     pub prim: u32,
 }
 

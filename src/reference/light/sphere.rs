@@ -1,7 +1,6 @@
 //! Spheres as lights; twin of `shaders/light/sphere.glsl`.
 
 use super::sample::{LightSample, area_density, area_sample, solid_angle_pdf, unit_sphere};
-use crate::prepared::NONE;
 use crate::reference::math::frame::{frame_about, to_world};
 use crate::reference::math::{Real, Vec3, length3, vec3};
 
@@ -34,7 +33,7 @@ pub fn sphere_light_sample<F: Real>(
         cone_sample(centre - p, distance, radius, u)
     } else {
         let n = unit_sphere(u);
-        area_sample(centre - p + n * radius, n, sphere_density(radius), NONE)
+        area_sample(centre - p + n * radius, n, sphere_density(radius), 0)
     }
 }
 
@@ -86,6 +85,6 @@ pub fn cone_sample<F: Real>(axis: Vec3<F>, d: F, radius: F, u: [F; 2]) -> LightS
         ),
         distance: (d - radius) * ((d + radius) / d) / (one - h + root),
         pdf: cone_pdf(height),
-        prim: NONE,
+        prim: 0,
     }
 }

@@ -48,6 +48,12 @@ pub fn box_hit<F: Real>(o: Vec3<F>, d: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>, start:
     }
 }
 
+/// Whether a ray along `d` goes through a face from outside.
+pub fn box_enters<F: Real>(face: u32, d: Vec3<F>) -> bool {
+    let along = [d.x, d.y, d.z][(face / 2) as usize];
+    (along > F::zero()) == face.is_multiple_of(2)
+}
+
 /// The coordinate of a point of a face: of the face's plane along the axis `across` it, clamped to the face
 /// elsewhere.
 pub fn box_snap<F: Real>(across: bool, upper: bool, p: F, lo: F, hi: F) -> F {

@@ -5,7 +5,7 @@ use super::slab::{Slab, enters, first_of, slab};
 pub use crate::layout::constants::cylinder::{CYLINDER_BASE, CYLINDER_SIDE, CYLINDER_TOP};
 use crate::layout::constants::ray::{FAR, PARALLEL, START_INSIDE};
 use crate::reference::math::frame::{Frame, to_local};
-use crate::reference::math::{Real, Vec3, max2, min2};
+use crate::reference::math::{Real, Vec3, dot3, max2, min2};
 pub use crate::shape::cylinder::scalar::Cylinder;
 
 /// The cylinder's own axes.
@@ -93,6 +93,16 @@ pub fn cylinder_hit<F: Real>(
         } else {
             CYLINDER_TOP
         },
+    }
+}
+
+/// Whether a ray along `d` goes through a cap from outside; not asked of the side, which touches no other solid.
+pub fn cap_enters<F: Real>(cylinder: &Cylinder<F>, part: u32, d: Vec3<F>) -> bool {
+    let along = dot3(d, cylinder.w);
+    match part {
+        CYLINDER_BASE => along > F::zero(),
+        CYLINDER_TOP => along < F::zero(),
+        _ => false,
     }
 }
 

@@ -2,12 +2,16 @@
 //!
 //! Each takes the best hit so far and returns the best of that and its own, so that they can be
 //! called in any order: the least (t, shape, primitive) wins. A search begins with
-//! [`no_hit(t_max)`](super::no_hit) and passes over the shape or triangle `skip`.
+//! [`no_hit(t_max)`](super::no_hit) and passes over the shape or triangle `skip`. The loops are for shapes of which no two
+//! faces coincide.
 
-use super::ray::{Hit, Ray, Target, closer, start_on};
+use super::r#box::box_enters;
+use super::cover::{Cover, NoCover};
+use super::cylinder::cap_enters;
+use super::ray::{Hit, Ray, START_INSIDE, Target, closer, start_on};
 use super::{
-    Cuboid, Cylinder, Sphere, Triangle, box_hit, cylinder_hit, nearer_triangle, ray_shear,
-    sphere_hit,
+    CYLINDER_BASE, Cuboid, Cylinder, Sphere, Triangle, box_hit, cylinder_hit, nearer_triangle,
+    ray_shear, sphere_hit,
 };
 use crate::reference::math::Real;
 
@@ -32,17 +36,39 @@ pub fn nearer_sphere<F: Real>(
     skip: Target,
     best: Hit<F>,
     sphere: &Sphere<F>,
+    cover: &impl Cover<F>,
 ) -> Hit<F> {
     let start = start_on(ray, sphere.shape);
-    let t = sphere_hit(ray.o, ray.d, sphere.centre, sphere.radius, start);
+    let mut t = sphere_hit(ray.o, ray.d, sphere.centre, sphere.radius, start);
+    if t >= F::zero() && t <= best.t && cover.is_covered(ray, sphere.shape, 0, t, false) {
+        // What comes first at one point of a sphere does at all.
+        t = -F::one();
+    }
     nearer_solid(t, sphere.shape, 0, skip, best)
 }
 
 /// The nearer of `best` and the hit with `cuboid`.
 #[inline]
-pub fn nearer_box<F: Real>(ray: Ray<F>, skip: Target, best: Hit<F>, cuboid: &Cuboid<F>) -> Hit<F> {
-    let start = start_on(ray, cuboid.shape);
-    let hit = box_hit(ray.o, ray.d, cuboid.lo, cuboid.hi, start);
+pub fn nearer_box<F: Real>(
+    ray: Ray<F>,
+    skip: Target,
+    best: Hit<F>,
+    cuboid: &Cuboid<F>,
+    cover: &impl Cover<F>,
+) -> Hit<F> {
+    let (lo, hi, shape) = (cuboid.lo, cuboid.hi, cuboid.shape);
+    let mut hit = box_hit(ray.o, ray.d, lo, hi, start_on(ray, shape));
+    let enters = box_enters(hit.face, ray.d);
+    if hit.t >= F::zero()
+        && hit.t <= best.t
+        && cover.is_covered(ray, shape, hit.face, hit.t, enters)
+    {
+        // Not where it is entered: where it is left.
+        hit = box_hit(ray.o, ray.d, lo, hi, START_INSIDE);
+        if cover.is_covered(ray, shape, hit.face, hit.t, false) {
+            hit.t = -F::one();
+        }
+    }
     nearer_solid(hit.t, cuboid.shape, hit.face, skip, best)
 }
 
@@ -53,9 +79,21 @@ pub fn nearer_cylinder<F: Real>(
     skip: Target,
     best: Hit<F>,
     cylinder: &Cylinder<F>,
+    cover: &impl Cover<F>,
 ) -> Hit<F> {
-    let start = start_on(ray, cylinder.shape);
-    let hit = cylinder_hit(ray.o, ray.d, cylinder, start, ray.prim);
+    let shape = cylinder.shape;
+    let mut hit = cylinder_hit(ray.o, ray.d, cylinder, start_on(ray, shape), ray.prim);
+    let enters = cap_enters(cylinder, hit.part, ray.d);
+    if hit.t >= F::zero()
+        && hit.t <= best.t
+        && cover.is_covered(ray, shape, hit.part, hit.t, enters)
+    {
+        // Not where it is entered: where it is left. A ray that starts on no part is told that it starts on a cap.
+        hit = cylinder_hit(ray.o, ray.d, cylinder, START_INSIDE, CYLINDER_BASE);
+        if cover.is_covered(ray, shape, hit.part, hit.t, false) {
+            hit.t = -F::one();
+        }
+    }
     nearer_solid(hit.t, cylinder.shape, hit.part, skip, best)
 }
 
@@ -67,7 +105,7 @@ pub fn nearest_spheres<F: Real>(
     mut best: Hit<F>,
 ) -> Hit<F> {
     for s in spheres {
-        best = nearer_sphere(ray, skip, best, s);
+        best = nearer_sphere(ray, skip, best, s, &NoCover);
     }
     best
 }
@@ -80,7 +118,7 @@ pub fn nearest_boxes<F: Real>(
     mut best: Hit<F>,
 ) -> Hit<F> {
     for b in boxes {
-        best = nearer_box(ray, skip, best, b);
+        best = nearer_box(ray, skip, best, b, &NoCover);
     }
     best
 }
@@ -93,7 +131,7 @@ pub fn nearest_cylinders<F: Real>(
     mut best: Hit<F>,
 ) -> Hit<F> {
     for c in cylinders {
-        best = nearer_cylinder(ray, skip, best, c);
+        best = nearer_cylinder(ray, skip, best, c, &NoCover);
     }
     best
 }
@@ -107,7 +145,7 @@ pub fn nearest_triangles<F: Real>(
 ) -> Hit<F> {
     let shear = ray_shear(ray.d);
     for (prim, triangle) in triangles.iter().enumerate() {
-        best = nearer_triangle(ray, shear, skip, best, triangle, prim as u32);
+        best = nearer_triangle(ray, shear, skip, best, triangle, prim as u32, &NoCover);
     }
     best
 }

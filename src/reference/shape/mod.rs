@@ -6,7 +6,9 @@
 //! ([`triangle::nearer`]). No constant here has a unit of length.
 
 pub mod r#box;
+pub mod cover;
 pub mod cylinder;
+pub mod face;
 pub mod linear;
 pub mod normal;
 pub mod ray;

@@ -45,7 +45,7 @@ impl<F: Real> Ray<F> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Target {
     pub shape: u32,
-    /// The triangle, or [`NONE`] for a solid.
+    /// As in [`Hit::prim`]; of a solid no other face is met either.
     pub prim: u32,
 }
 

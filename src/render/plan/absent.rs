@@ -3,7 +3,7 @@
 
 use crate::features::Features;
 use crate::flat;
-use crate::prepared::{Light, LightKind, NONE, Prepared, device};
+use crate::prepared::{Coincidences, Light, LightKind, NONE, Prepared, Shape, device};
 
 /// The scene's lights, and behind them the one that is not there, if the kernel looks for it.
 pub fn lights(prepared: &Prepared, features: &Features) -> Vec<device::Light> {
@@ -47,6 +47,18 @@ pub fn normals(prepared: &Prepared) -> Vec<[[f32; 3]; 3]> {
     let mut normals = flat::normals(prepared);
     normals.resize(prepared.primitives.triangles.len(), [[0.0; 3]; 3]);
     normals
+}
+
+/// Where the lists of coincident faces are: all empty, where none coincide.
+pub fn coincident_faces(prepared: &Prepared) -> Vec<u32> {
+    let table = &prepared.primitives.coincident;
+    match table.is_empty() {
+        true => {
+            let faces: Vec<_> = prepared.shapes.iter().map(Shape::faces).collect();
+            Coincidences::new(&faces, Vec::new()).faces
+        }
+        false => table.faces.clone(),
+    }
 }
 
 /// A background that does not shine.

@@ -51,6 +51,14 @@ impl<'a> ScenePlan<'a> {
         all.scene(job.prepared, job.seed);
         all.primitives(job.prepared, features);
         all.lights(job.prepared, features);
+        if features.coincident_faces {
+            let faces = absent::coincident_faces(job.prepared);
+            let count = faces.len();
+            all.words("coincident_faces", Element::Uint, count, move || {
+                faces.clone()
+            });
+            all.records("coincidences", &job.prepared.primitives.coincident.list);
+        }
         if let Some(bvh) = bvh {
             all.lent("bvh_words", Element::Uvec4, &bvh.nodes);
             all.lent("bvh_references", Element::Uint, &bvh.references);

@@ -3,9 +3,9 @@
 use vkpt::prepared::Prepared;
 use vkpt::settings::Settings;
 
-use crate::common::meshes::{cube, ply};
+use crate::common::meshes::{cube, ply, square};
 use crate::common::render::prepared;
-use crate::common::scenes::{SMOOTH, TABLE, WIDE};
+use crate::common::scenes::{FLUSH, SMOOTH, TABLE, WIDE, flush_meshes};
 
 /// Clear glass, smooth and rough, under a background that is the only light.
 pub const CLEAR: &str = "screen 32 24
@@ -51,7 +51,7 @@ element face 4\nproperty list uchar int vertex_indices\nend_header
 
 /// The scenes by name.
 pub fn small_scenes(settings: &Settings) -> Vec<(&'static str, Prepared)> {
-    let (cube, pyramid) = (cube(), ply(PYRAMID));
+    let (cube, square, pyramid) = (cube(), square(), ply(PYRAMID));
     let of = |mesh: &tempfile::NamedTempFile| mesh.path().display().to_string();
     let meshes = |light: &str, glass: &str| {
         format!(
@@ -66,6 +66,8 @@ pub fn small_scenes(settings: &Settings) -> Vec<(&'static str, Prepared)> {
         ("smooth", SMOOTH.to_owned()),
         ("table", TABLE.to_owned()),
         ("wide", WIDE.to_owned()),
+        ("flush", FLUSH.to_owned()),
+        ("flush meshes", flush_meshes(square.path(), cube.path())),
         ("flat mesh", meshes(&of(&cube), &of(&cube))),
         ("smooth mesh", meshes(&of(&cube), &of(&pyramid))),
     ];

@@ -115,6 +115,7 @@ const EXCUSED: &[(&str, &str)] = &[
         "shape/bvh/",
         "tests/device/bvh holds what they find against brute force",
     ),
+    ("shape/cover/none", "constants"),
     ("shape/triangle/corner", READS_THE_SCENE),
 ];
 

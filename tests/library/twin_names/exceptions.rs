@@ -24,6 +24,9 @@ pub const HOMES: &[(&str, &str)] = &[
     ("integrator/path/begin", "integrator/path"),
     ("integrator/path/shade", "integrator/path"),
     ("path/null_interface/", "path/trace"),
+    // there is a table or there is none: `Cover`
+    ("shape/cover/", "shape/cover"),
+    ("shape/face/", "shape/face"),
 ];
 
 /// Kernel functions without a twin, by name or by the start of their file.
@@ -46,6 +49,7 @@ pub const KERNEL_ONLY: &[(&str, &str)] = &[
         "a turn of the loop in trace_light",
     ),
     ("integrator/path/shade", "a turn of the loop in trace_path"),
+    ("coincidences_of", "Coincidences::of"),
     ("shape/bvh/", "each renderer has a hierarchy of its own"),
     (
         "shape/normal/",
@@ -77,6 +81,10 @@ pub const ARGUMENTS: &[(&str, &str)] = &[
     (
         "go_on",
         "the kernel keeps the path apart from its state: naga takes no `inout` of a member",
+    ),
+    (
+        "is_covered",
+        "the kernel is told whether it is asked: an `if` about its loop crashes Mesa 22.3's compiler",
     ),
     (
         "is_origin",

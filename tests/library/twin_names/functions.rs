@@ -28,9 +28,11 @@ impl fmt::Display for Function {
 }
 
 /// Types of arguments that stand for what a kernel has in its slots, buffers and push constants, or that record.
-const GIVEN_TO_RUST: [&str; 12] = [
+const GIVEN_TO_RUST: [&str; 14] = [
     "&Settings",
     "&World<F>",
+    "&Primitives<F>",
+    "&impl Cover<F>",
     "&mut impl Recorder<F>",
     "SampleId",
     "Origin",

@@ -1,6 +1,6 @@
 // Explicit connection of a vertex to a point on a light. Comes before roulette, which scales only the extension
 // (model.md, "Roulette").
-// uses: constants/ray, math/finite, path/vertex, path/spawn, sampler/dimensions, sampler/unit_float, <sampler>, <light_choice>, <light>, <bsdf>, <connect>, <crossing>, <record>
+// uses: constants/ray, math/finite, path/vertex, path/spawn, sampler/dimensions, sampler/unit_float, <sampler>, <light_choice>, <light>, <bsdf>, <connect>, <crossing>, <cover>, <record>
 
 ShadowRay connect(inout PathState s, Subpath path, Vertex v, uint pixel_index) {
     uvec4 u = sampler_block(pixel_index, job.sample_begin + s.index - 1u, light_block(path.bounce), camera.seed);
@@ -12,7 +12,8 @@ ShadowRay connect(inout PathState s, Subpath path, Vertex v, uint pixel_index) {
     ShadowRay shadow;
     shadow.pending = 0u;
     // A broken density breaks the contribution, which the film then drops and counts.
-    bool sampled = p > 0.0 || !is_finite(p);
+    bool covered = is_covered_at(lights[light].shape, l.prim, v.p + l.wi * l.distance);
+    bool sampled = (p > 0.0 || !is_finite(p)) && !covered;
     if (sampled && same_sides(v, l.wi, wi)) {
         BsdfValue f = bsdf_eval(v.interaction, wi);
         float weight = connection_weight(p, f.pdf);

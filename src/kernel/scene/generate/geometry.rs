@@ -10,7 +10,7 @@ use crate::shape::{ShapeKind, filled};
 /// One test after the other of the kinds of which there are few, then the hierarchy: the least (t, shape, prim) in any
 /// order. `read_primitives()` is to be called once, before.
 pub fn nearest(features: &Features, parameters: &Parameters) -> String {
-    let mut head = String::from("// uses: shape/ray\n");
+    let mut head = String::from("// uses: shape/ray, <cover>\n");
     let mut copies = String::new();
     let (mut read, mut test) = (String::new(), String::new());
     for kind in features.written_out() {
@@ -28,7 +28,7 @@ pub fn nearest(features: &Features, parameters: &Parameters) -> String {
     }
     format!(
         "{head}{copies}void read_primitives() {{\n{read}}}\n\
-         Hit nearest(Ray ray, Target skip) {{\n    Hit best = no_hit(ray.t_max);\n{test}    return best;\n}}\n"
+         Hit nearest(Ray ray, Target skip) {{\n    Hit best = no_hit(ray.t_max);\n{test}    return touching(ray, best);\n}}\n"
     )
 }
 
@@ -48,6 +48,30 @@ pub fn surface(features: &Features) -> String {
     let none = "Surface(ray.o, ray.d, ray.d)";
     let files = (features.shapes.iter()).map(|kind| kind.description().surface_file);
     uses("shape/ray", files) + &dispatch.text(&members, none)
+}
+
+/// Whether a point in the plane of a face lies on it.
+pub fn face_point(features: &Features) -> String {
+    let dispatch = Dispatch {
+        result: "FacePoint",
+        name: "face_point",
+        arguments: &[("Coincidence", "face"), ("vec3", "p")],
+        selector: "face.kind",
+    };
+    let member = |&kind: &ShapeKind| {
+        let shape = kind.description();
+        let x = filled(shape.element, &[("{i}", "face.index")]);
+        (kind as u32, filled(shape.face_point, &[("{x}", &x)]))
+    };
+    let members: Vec<_> = features.shapes.iter().map(member).collect();
+    let none = "FacePoint(false, vec2(0.0))";
+    let files = (features.shapes.iter()).map(|kind| kind.description().face_file);
+    let triangles = match features.shapes.contains(&ShapeKind::Mesh) {
+        true => ", <triangles>",
+        false => "",
+    };
+    let fixed = format!("shape/face/point{triangles}");
+    uses(&fixed, files) + &dispatch.text(&members, none)
 }
 
 /// Access to the buffers of triangles.

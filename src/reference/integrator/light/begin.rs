@@ -35,11 +35,13 @@ pub fn light_start<F: Real>(
     let point = world.light_emission(light, u[1] >> 8, [unit_float(u[2]), unit_float(u[3])]);
     let p = world.light_pmf(light) * point.area_pdf;
     // A broken density breaks what it divides, which the film then drops and counts.
-    let emits = p > F::zero() || !is_finite(p);
+    let shape = world.lights[light].shape;
+    let emits =
+        (p > F::zero() || !is_finite(p)) && !world.is_covered_at(shape, point.prim, point.p);
     emits.then(|| LightStart {
         point,
         radiance: world.lights[light].radiance / p,
-        shape: world.lights[light].shape,
+        shape,
         medium: world.light_media[light],
     })
 }

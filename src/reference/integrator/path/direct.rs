@@ -53,7 +53,8 @@ fn shadow_to_light<F: Real>(
     let p = world.light_pmf(light) * l.pdf;
     let wi = to_local(v.frame, l.wi);
     // A broken density breaks the contribution, which the film then drops and counts.
-    let sampled = p > F::zero() || !is_finite(p);
+    let sampled = (p > F::zero() || !is_finite(p))
+        && !world.is_covered_at(world.lights[light].shape, l.prim, v.p + l.wi * l.distance);
     if !(sampled && same_sides(v, l.wi, wi)) {
         return None;
     }

@@ -1,7 +1,6 @@
 //! Points of axis-aligned boxes; twin of `shaders/light/emission/box.glsl`.
 
 use super::Emission;
-use crate::prepared::NONE;
 use crate::reference::light::sample::{area_density, choice_below};
 use crate::reference::math::{Real, Vec3, vec3};
 
@@ -25,10 +24,15 @@ pub fn box_emission<F: Real>(lo: Vec3<F>, hi: Vec3<F>, u24: u32, u: [F; 2]) -> E
         pick(y, side, pick(x, u[0], u[1])),
         pick(z, side, u[1]),
     );
+    let axis = match (x, y) {
+        (true, _) => 0,
+        (_, true) => 1,
+        _ => 2,
+    };
     Emission {
         p: lo + e * at,
         n: vec3(pick(x, out, zero), pick(y, out, zero), pick(z, out, zero)),
         area_pdf: area_density(lower + lower),
-        prim: NONE,
+        prim: 2 * axis + u32::from(upper),
     }
 }

@@ -1,11 +1,12 @@
 //! Points of capped cylinders; twin of `shaders/light/emission/cylinder.glsl`.
 
 use super::Emission;
-use crate::prepared::NONE;
 use crate::reference::light::sample::{area_density, choice_below};
 use crate::reference::math::frame::to_world;
 use crate::reference::math::{Real, vec3};
-use crate::reference::shape::{Cylinder, cylinder_frame};
+use crate::reference::shape::{
+    CYLINDER_BASE, CYLINDER_SIDE, CYLINDER_TOP, Cylinder, cylinder_frame,
+};
 
 /// Uniform over side, base and top, chosen by `u24` < 2²⁴: 2π r h, π r² and π r².
 pub fn cylinder_emission<F: Real>(cylinder: &Cylinder<F>, u24: u32, u: [F; 2]) -> Emission<F> {
@@ -31,11 +32,16 @@ pub fn cylinder_emission<F: Real>(cylinder: &Cylinder<F>, u24: u32, u: [F; 2]) -
         };
         (cylinder.radius * u[1].sqrt(), z, vec3(zero, zero, out))
     };
+    let part = match (on_side, on_base) {
+        (true, _) => CYLINDER_SIDE,
+        (_, true) => CYLINDER_BASE,
+        _ => CYLINDER_TOP,
+    };
     let frame = cylinder_frame(cylinder);
     Emission {
         p: cylinder.base + to_world(frame, vec3(cos * r, sin * r, z)),
         n: to_world(frame, n),
         area_pdf: area_density(total),
-        prim: NONE,
+        prim: part,
     }
 }

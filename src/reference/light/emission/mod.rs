@@ -21,7 +21,7 @@ pub struct Emission<F> {
     pub n: Vec3<F>,
     /// Density per area; 0: nothing begins here.
     pub area_pdf: F,
-    /// The triangle that the point is on, [`NONE`] on a solid.
+    /// The face that the point is on, as in [`Hit::prim`](crate::reference::shape::Hit::prim).
     pub prim: u32,
 }
 

@@ -1,7 +1,6 @@
 //! Points of spheres; twin of `shaders/light/emission/sphere.glsl`.
 
 use super::Emission;
-use crate::prepared::NONE;
 use crate::reference::light::sample::{area_density, unit_sphere};
 use crate::reference::math::{Real, Vec3};
 
@@ -12,6 +11,6 @@ pub fn sphere_emission<F: Real>(centre: Vec3<F>, radius: F, u: [F; 2]) -> Emissi
         p: centre + n * radius,
         n,
         area_pdf: area_density(F::new(12.566370614359172) * (radius * radius)),
-        prim: NONE,
+        prim: 0,
     }
 }

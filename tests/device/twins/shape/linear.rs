@@ -12,7 +12,9 @@ use vkpt::reference::shape::{
 use super::super::harness::{In, Rng, Row, Twin};
 use super::solids::{CYLINDER, cylinder, read_cylinder};
 use super::triangles::{read_triangles, triangles_slot};
-use super::{OUT_HIT, READ_HIT, READ_RAY, aimed, out_hit, prelude, read_hit, read_ray, some_shape};
+use super::{
+    OUT_HIT, READ_HIT, READ_RAY, aimed, no_cover, out_hit, prelude, read_hit, read_ray, some_shape,
+};
 
 const READ_SEARCH: &str = "Target skip = Target(in_u(), in_u()); float t_max = in_f();";
 
@@ -57,6 +59,7 @@ fn scene(
         .collect();
     Twin::new(name, file)
         .prelude(prelude() + &declare)
+        .slot("cover", no_cover())
         .glsl(&format!(
             "{fill} {READ_RAY} {READ_SEARCH} Hit found = no_hit(t_max); {calls} {OUT_HIT}"
         ))

@@ -1,10 +1,12 @@
 //! Twins of `shaders/shape/`.
 
+mod cover;
 mod linear;
 mod ray;
 mod solids;
 mod triangles;
 
+use vkpt::kernel::Slot;
 use vkpt::layout::{self, GpuStruct};
 use vkpt::prepared::NONE;
 use vkpt::reference::math::{Real, Vec3};
@@ -20,6 +22,7 @@ pub fn twins() -> Vec<Twin> {
         solids::twins(),
         triangles::twins(),
         linear::twins(),
+        cover::twins(),
     ]
     .into_iter()
     .flatten()
@@ -29,6 +32,11 @@ pub fn twins() -> Vec<Twin> {
 /// What every kernel declares.
 pub fn prelude() -> String {
     layout::Ray::glsl()
+}
+
+/// For shapes of which no two faces coincide.
+fn no_cover() -> Slot {
+    Slot::File("shape/cover/none".into())
 }
 
 /// Reads a ray, writes a hit, writes a surface.

@@ -3,6 +3,7 @@
 use vkpt::kernel::Slot;
 use vkpt::prepared::NONE;
 use vkpt::reference::math::{Vec3, vec3};
+use vkpt::reference::shape::cover::NoCover;
 use vkpt::reference::shape::normal::interpolated_normal;
 use vkpt::reference::shape::triangle::area::{
     abs3, triangle_area, triangle_point, triangle_sample,
@@ -16,8 +17,8 @@ use vkpt::reference::shape::{
 
 use super::super::harness::{In, Rng, Row, Twin};
 use super::{
-    OUT_HIT, OUT_SURFACE, READ_HIT, READ_RAY, aimed, narrow, out_hit, out_surface, prelude,
-    read_hit, read_ray, scale,
+    OUT_HIT, OUT_SURFACE, READ_HIT, READ_RAY, aimed, narrow, no_cover, out_hit, out_surface,
+    prelude, read_hit, read_ray, scale,
 };
 
 /// Two triangles as a scene's buffers would hold them.
@@ -222,6 +223,7 @@ fn origins() -> Vec<Twin> {
             .prelude(prelude())
             .slot("triangles", triangles_slot())
             .slot("shading_normal", Slot::File("shape/normal/flat".into()))
+            .slot("cover", no_cover())
             .file("shape/triangle/nearer")
     };
     let t = 4.0;
@@ -266,7 +268,7 @@ fn origins() -> Vec<Twin> {
                 let [_, other] = read_triangles(i);
                 let (ray, best) = (read_ray(i), read_hit(i));
                 let skip = Target { shape: i.u(), prim: i.u() };
-                out_hit(nearer_triangle(ray, ray_shear(ray.d), skip, best, &other, 1), o);
+                out_hit(nearer_triangle(ray, ray_shear(ray.d), skip, best, &other, 1, &NoCover), o);
             })
             .seeded(8000, move |r| {
                 let row = departure(r).hit(t * scale(r), r.below(3), r.below(3), [0.25, 0.5]);

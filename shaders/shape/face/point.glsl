@@ -1,0 +1,11 @@
+// A point of a face's plane.
+// Twin of src/reference/shape/face.rs.
+
+// uses:
+
+struct FacePoint {
+    // On the face, its edge included.
+    bool within;
+    // Weights of a triangle's second and third corner.
+    vec2 uv;
+};

@@ -1,0 +1,134 @@
+//! Which faces of a scene coincide, and which of them comes first.
+
+use rayon::prelude::*;
+use rstar::primitives::{GeomWithData, Rectangle};
+use rstar::{AABB, RTree};
+
+use super::patch::{Orientation, Patch};
+use super::placed::Placed;
+use super::{Material, Prepared, Shape};
+use crate::shape::{Coincidence, Coincidences, ShapeKind};
+
+/// A face, and what it is a face of.
+struct Face {
+    shape: u32,
+    prim: u32,
+    kind: ShapeKind,
+    index: u32,
+    transmissive: bool,
+    patch: Patch,
+}
+
+impl Face {
+    fn entry(&self, touches: bool) -> Coincidence {
+        Coincidence {
+            shape: self.shape,
+            prim: self.prim,
+            kind: self.kind,
+            index: self.index,
+            touches: u32::from(touches),
+        }
+    }
+
+    /// Opaque shapes, which stand before the others, then file order.
+    fn order(&self) -> (u32, u32) {
+        (self.shape, self.prim)
+    }
+
+    fn is_mesh(&self) -> bool {
+        self.kind == ShapeKind::Mesh
+    }
+}
+
+/// The table of a placed scene; empty where no faces coincide.
+pub fn coincidences(placed: &Placed, materials: &[Material]) -> Coincidences {
+    let faces: Vec<Face> = (placed.shapes.iter().enumerate())
+        .flat_map(|(i, shape)| faces(placed, materials, i as u32, shape))
+        .collect();
+    let list = entries_of_all(&faces);
+    if list.is_empty() {
+        return Coincidences::default();
+    }
+    let faces: Vec<_> = placed.shapes.iter().map(Shape::faces).collect();
+    Coincidences::new(&faces, list)
+}
+
+fn faces(placed: &Placed, materials: &[Material], number: u32, shape: &Shape) -> Vec<Face> {
+    let first = shape.first as usize;
+    let p = &placed.primitives;
+    let patches: Vec<Option<Patch>> = match shape.kind {
+        ShapeKind::Sphere => vec![Some(Patch::sphere(&p.spheres[first]))],
+        ShapeKind::Box => Patch::cuboid(&p.boxes[first]).map(Some).into(),
+        ShapeKind::Cylinder => Patch::cylinder(&p.cylinders[first]).map(Some).into(),
+        ShapeKind::Mesh => {
+            let triangles = &p.triangles[first..first + shape.count as usize];
+            triangles.iter().map(Patch::triangle).collect()
+        }
+    };
+    let face = |(prim, patch): (u32, Option<Patch>)| {
+        Some(Face {
+            shape: number,
+            prim,
+            kind: shape.kind,
+            index: match shape.kind {
+                ShapeKind::Mesh => prim,
+                _ => shape.first,
+            },
+            transmissive: Prepared::is_transmissive(&materials[shape.material as usize]),
+            patch: patch.filter(Patch::is_finite)?,
+        })
+    };
+    shape.faces().zip(patches).filter_map(face).collect()
+}
+
+/// The entries of all pairs of faces but those of one solid, in no order of meaning.
+fn entries_of_all(faces: &[Face]) -> Vec<(u32, u32, Coincidence)> {
+    let bounds = |face: &Face| {
+        let (bounds, near) = (face.patch.bounds(), face.patch.near());
+        [bounds.lo - near, bounds.hi + near].map(|v| v.to_array())
+    };
+    let node = |(i, face): (usize, &Face)| {
+        let [lo, hi] = bounds(face);
+        GeomWithData::new(Rectangle::from_corners(lo, hi), i)
+    };
+    let tree = RTree::bulk_load(faces.iter().enumerate().map(node).collect());
+    let with_later_ones = |(i, face): (usize, &Face)| {
+        let [lo, hi] = bounds(face);
+        let others = tree.locate_in_envelope_intersecting(AABB::from_corners(lo, hi));
+        let later = others.map(|node| node.data).filter(|j| i < *j);
+        let others = later.map(|j| &faces[j]);
+        let others = others.filter(|other| other.shape != face.shape || face.is_mesh());
+        others
+            .flat_map(|other| entries(face, other))
+            .collect::<Vec<_>>()
+    };
+    faces
+        .par_iter()
+        .enumerate()
+        .flat_map_iter(with_later_ones)
+        .collect()
+}
+
+/// What a pair that coincides adds to the lists of either: (shape, prim) of the list, and the entry.
+fn entries(a: &Face, b: &Face) -> Vec<(u32, u32, Coincidence)> {
+    let Some(orientation) = a.patch.coincides(&b.patch) else {
+        return Vec::new();
+    };
+    let [first, second] = if a.order() < b.order() {
+        [a, b]
+    } else {
+        [b, a]
+    };
+    let opposite = orientation == Orientation::Opposite;
+    let in_list_of = |of: &Face, entry| (of.shape, of.prim, entry);
+    match (first.transmissive, second.transmissive) {
+        // Light goes from the one into the other.
+        (true, true) if opposite => vec![
+            in_list_of(first, second.entry(true)),
+            in_list_of(second, first.entry(true)),
+        ],
+        // No ray is between two opaque solids that stand face to face; of a mesh it is not known that it is closed.
+        (false, false) if opposite && !first.is_mesh() && !second.is_mesh() => Vec::new(),
+        _ => vec![in_list_of(second, first.entry(false))],
+    }
+}
