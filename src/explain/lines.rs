@@ -17,7 +17,7 @@ pub fn lines(prepared: &Prepared, member: Member) -> Vec<usize> {
         Member::ManyLights if prepared.lights.len() > 1 => lights(prepared, |_| true),
         Member::ManyLights => Vec::new(),
         Member::ShadingNormals => shapes(&|s| has_normals(prepared, s)),
-        Member::CoincidentFaces => coincident(prepared),
+        Member::Covered(kind) => covered(prepared, kind),
         _ => materials(prepared, member).map(|m| m.line).collect(),
     };
     lines.sort_unstable();
@@ -57,12 +57,12 @@ fn lights(prepared: &Prepared, of: impl Fn(&Light) -> bool) -> Vec<usize> {
     prepared.lights.iter().filter(|l| of(l)).map(line).collect()
 }
 
-/// The lines of shapes that have a face which coincides with another.
-fn coincident(prepared: &Prepared) -> Vec<usize> {
+/// The lines of shapes of a kind that have a face which may be covered, and of those that cover it.
+fn covered(prepared: &Prepared, kind: ShapeKind) -> Vec<usize> {
     let table = &prepared.primitives.coincident;
-    let lists = (0..).zip(&prepared.shapes).flat_map(|(i, shape)| {
-        let faces = shape.faces();
-        let lists = faces.map(move |prim| (i, table.of(i, prim)));
+    let of_kind = (0..).zip(&prepared.shapes).filter(|(_, s)| s.kind == kind);
+    let lists = of_kind.flat_map(|(i, shape)| {
+        let lists = shape.faces().map(move |prim| (i, table.of(i, prim)));
         lists.filter(|(_, list)| !list.is_empty())
     });
     let shapes = lists.flat_map(|(i, list)| list.iter().map(|c| c.shape).chain([i]));

@@ -50,7 +50,7 @@ fn name(subject: &Subject, member: Member) -> (&'static str, String) {
         },
         Member::Absorption(rule) => ("absorption", rule.name().to_owned()),
         Member::ShadingNormals => ("normals", "of meshes".to_owned()),
-        Member::CoincidentFaces => ("coincident faces", "the first is there".to_owned()),
+        Member::Covered(kind) => ("covered", kind.description().name.to_owned()),
     }
 }
 
@@ -63,6 +63,7 @@ fn remark(subject: &Subject, member: Member) -> String {
         (Member::Light(kind), _) if kind != LightKind::Background => light(subject, kind),
         (Member::ManyLights, _) => "chosen for each connection, by power".to_owned(),
         (Member::Absorption(_), Some(m)) => absorbing(subject, m),
+        (Member::Covered(_), _) => "where faces coincide the first in the file is there".to_owned(),
         _ => String::new(),
     }
 }

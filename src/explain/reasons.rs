@@ -25,7 +25,12 @@ pub fn reason(subject: &Subject, member: Member) -> String {
             true => "no mesh file gives normals",
             false => "there is no mesh",
         },
-        Member::CoincidentFaces => "no two faces coincide",
+        Member::Covered(kind) => {
+            return format!(
+                "no face of a {} is where another comes first",
+                kind.description().name
+            );
+        }
     };
     words.to_owned()
 }

@@ -20,7 +20,8 @@ pub enum Member {
     ManyLights,
     Absorption(Absorption),
     ShadingNormals,
-    CoincidentFaces,
+    /// Faces of this kind of shape may be covered by others.
+    Covered(ShapeKind),
 }
 
 impl Member {
@@ -31,10 +32,10 @@ impl Member {
             Self::ManyLights,
             Self::Absorption(absorption),
             Self::ShadingNormals,
-            Self::CoincidentFaces,
         ]);
         all.extend(ShapeKind::EVERY.map(Self::Shape));
         all.extend(ShapeKind::EVERY.map(Self::InBvh));
+        all.extend(ShapeKind::EVERY.map(Self::Covered));
         all.extend(MaterialKind::EVERY.map(Self::Material));
         all.extend(Distribution::EVERY.map(Self::Distribution));
         all.extend(Fresnel::EVERY.map(Self::Fresnel));
@@ -50,11 +51,11 @@ impl Features {
             (self.diffuse_beside, Member::DiffuseBeside),
             (self.many_lights, Member::ManyLights),
             (self.shading_normals, Member::ShadingNormals),
-            (self.coincident_faces, Member::CoincidentFaces),
         ];
         let mut all: BTreeSet<Member> = flags.iter().filter(|f| f.0).map(|f| f.1).collect();
         all.extend(self.shapes.iter().copied().map(Member::Shape));
         all.extend(self.in_bvh.iter().copied().map(Member::InBvh));
+        all.extend(self.covered.iter().copied().map(Member::Covered));
         all.extend(self.materials.iter().copied().map(Member::Material));
         all.extend(self.distributions.iter().copied().map(Member::Distribution));
         all.extend(self.fresnel.iter().copied().map(Member::Fresnel));
@@ -100,7 +101,7 @@ impl Features {
             Member::ManyLights => self.many_lights = there,
             Member::Absorption(rule) => self.absorption = there.then_some(rule),
             Member::ShadingNormals => self.shading_normals = there,
-            Member::CoincidentFaces => self.coincident_faces = there,
+            Member::Covered(kind) => put(&mut self.covered, kind, there),
         }
     }
 }
@@ -116,7 +117,7 @@ fn put<T: Ord>(set: &mut BTreeSet<T>, member: T, there: bool) {
 /// The kind of shape whose buffers a member reads.
 fn shape_needed(member: Member) -> Option<ShapeKind> {
     match member {
-        Member::InBvh(kind) => Some(kind),
+        Member::InBvh(kind) | Member::Covered(kind) => Some(kind),
         Member::Light(kind) => kind.shape(),
         Member::ShadingNormals => Some(ShapeKind::Mesh),
         _ => None,

@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use glam::DVec3;
 
 use crate::film::Aov;
-use crate::prepared::{LightKind, Material, MaterialKind, Prepared, ShapeKind};
+use crate::prepared::{LightKind, Material, MaterialKind, Prepared, Shape, ShapeKind};
 use crate::settings::{
     Absorption, Connect, Distribution, Fresnel, Integrator, LobeChoice, Normals, Roulette, Sampler,
     Settings,
@@ -57,8 +57,8 @@ pub struct Features {
     pub max_depth: bool,
     /// A mesh brings normals of its own.
     pub shading_normals: bool,
-    /// Faces of shapes coincide.
-    pub coincident_faces: bool,
+    /// Kinds with a face that another shape's may come before, in the same place.
+    pub covered: BTreeSet<ShapeKind>,
     /// What is made beside the picture.
     pub aovs: BTreeSet<Aov>,
 }
@@ -97,7 +97,7 @@ impl Features {
                 .any(|m| Prepared::is_transmissive(m) && m.sigma != DVec3::ZERO)
                 .then_some(settings.model.absorption),
             shading_normals: !prepared.primitives.normals.is_empty(),
-            coincident_faces: !prepared.primitives.coincident.is_empty(),
+            covered: covered(prepared),
             ..Self::bare(settings, aovs)
         }
     }
@@ -138,7 +138,7 @@ impl Features {
             absorption: None,
             max_depth: model.max_depth.is_some(),
             shading_normals: false,
-            coincident_faces: false,
+            covered: BTreeSet::new(),
             aovs: aovs.iter().copied().collect(),
         }
     }
@@ -164,6 +164,15 @@ impl Features {
     pub fn keeps_moments(&self) -> bool {
         self.aovs.contains(&Aov::Stderr)
     }
+}
+
+/// Those with an entry in the table of coincident faces.
+fn covered(prepared: &Prepared) -> BTreeSet<ShapeKind> {
+    let table = &prepared.primitives.coincident;
+    let has = |i: u32, shape: &Shape| shape.faces().any(|prim| !table.of(i, prim).is_empty());
+    let shapes = (0..).zip(&prepared.shapes);
+    let covered = shapes.filter(|(i, shape)| !table.is_empty() && has(*i, shape));
+    covered.map(|(_, shape)| shape.kind).collect()
 }
 
 /// All kinds but the rarest, which together have few primitives.

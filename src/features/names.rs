@@ -12,6 +12,7 @@ impl Features {
         let mut names = vec![
             set("shapes", list(&self.shapes)),
             set("in a hierarchy", list(&self.in_bvh)),
+            set("covered where faces coincide", list(&self.covered)),
             set("materials", list(&self.materials)),
             set("distributions", list(&self.distributions)),
             set("fresnel", list(&self.fresnel)),
@@ -30,7 +31,6 @@ impl Features {
             (self.diffuse_beside, "diffuse beside specular"),
             (self.many_lights, "choice of a light"),
             (self.shading_normals, "shading normals"),
-            (self.coincident_faces, "coincident faces"),
             (self.radiance_scaling, "radiance scaling"),
             (self.max_depth, "longest path"),
         ];

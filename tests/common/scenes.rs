@@ -73,8 +73,8 @@ brdf 0 0 0 0 0 0 1 .5 .7 .9 1
 box -.5 -1.2 .01 .8 .6 .7
 ";
 
-/// Faces that coincide: a lamp flush with the ceiling, glass that stands on the floor and touches other glass, a ball whose
-/// line stands there twice.
+/// Faces that coincide: a lamp flush with the ceiling, glass that stands on the floor and touches other glass, a ball and a
+/// cylinder whose lines stand there twice.
 pub const FLUSH: &str = "screen 32 24
 camera 0 -6 1.5 .35 x 80
 light 6 5 4
@@ -83,8 +83,10 @@ brdf .6 .6 .6 0 0 0 1
 box -5 -5 3 10 10 .2
 box -5 -5 -.1 10 10 .1
 sphere 1.6 0 .7 .5
+cylinder 2.6 .5 .3 .2 .3 1 .3
 brdf .2 .6 .6 0 0 0 1
 sphere 1.6 0 .7 .5
+cylinder 2.6 .5 .3 .2 .3 1 .3
 fresnel exact
 distribution ggx
 brdf 0 0 0 .04 .04 .04 0 .9 .8 .95 1.5

@@ -69,7 +69,7 @@ fn solids_that_stand_twice() {
         [[0, 0], [1, 2], [2, 1]].map(|[a, b]| ([3, a], [2, b], false))
     );
     let r#box = "box 0 0 0 1 2 3\n";
-    let twice = of(&format!("{MATTE}{}{}", r#box, r#box));
+    let twice = of(&format!("light 1 1 1\n{}{}", r#box, r#box));
     assert_eq!(
         twice,
         [0, 1, 2, 3, 4, 5].map(|face| ([3, face], [2, face], false))

@@ -1,7 +1,7 @@
 // A triangle's part in the search for the nearest hit.
 // Twin of src/reference/shape/triangle/nearer.rs.
 
-// uses: shape/ray, shape/triangle/hit, shape/triangle/origin, <triangles>, <cover>
+// uses: shape/ray, shape/triangle/hit, shape/triangle/origin, <triangles>, <covered>
 
 // The nearer of `best` and the hit with `triangle`, which is number `prim`. A shadow ray's target is passed over.
 Hit nearer_triangle(Ray ray, RayShear shear, Target skip, Hit best, Triangle triangle, uint prim) {
@@ -12,7 +12,7 @@ Hit nearer_triangle(Ray ray, RayShear shear, Target skip, Hit best, Triangle tri
         nearer = closer(hit.t, shape, prim, best)
             && !is_origin(ray, triangle.v0, triangle.v1, triangle.v2, shape, prim, hit);
     }
-    bool covered = is_covered(nearer, ray, shape, prim, hit.t, !hit.back);
+    bool covered = mesh_covered(nearer, ray, shape, prim, hit.t, !hit.back);
     Hit result = best;
     if (nearer && !covered) {
         result = Hit(hit.t, shape, prim, vec2(hit.u, hit.v));

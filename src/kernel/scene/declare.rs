@@ -139,7 +139,7 @@ fn structs(features: &Features) -> String {
         + &layout::Subpath::glsl();
     let primitives = (features.shapes.iter()).filter_map(|kind| kind.description().declaration);
     text.extend(primitives.map(|declaration| declaration()));
-    if features.coincident_faces {
+    if !features.covered.is_empty() {
         text += &device::Coincidence::glsl();
     }
     if !features.lights.is_empty() {

@@ -227,9 +227,9 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
         ),
         (
             "cover",
-            match features.coincident_faces {
-                true => "shape/cover/table",
-                false => "shape/cover/none",
+            match features.covered.is_empty() {
+                true => "shape/cover/none",
+                false => "shape/cover/table",
             },
         ),
         (

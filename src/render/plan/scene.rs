@@ -51,7 +51,7 @@ impl<'a> ScenePlan<'a> {
         all.scene(job.prepared, job.seed);
         all.primitives(job.prepared, features);
         all.lights(job.prepared, features);
-        if features.coincident_faces {
+        if !features.covered.is_empty() {
             let faces = absent::coincident_faces(job.prepared);
             let count = faces.len();
             all.words("coincident_faces", Element::Uint, count, move || {

@@ -35,6 +35,14 @@ void main() {
 }
 ";
 
+/// No two faces coincide.
+const NEVER_COVERED: &str = "// uses: shape/ray
+bool sphere_covered(bool asked, Ray ray, uint shape, uint prim, float t, bool enters) { return false; }
+bool box_covered(bool asked, Ray ray, uint shape, uint prim, float t, bool enters) { return false; }
+bool cylinder_covered(bool asked, Ray ray, uint shape, uint prim, float t, bool enters) { return false; }
+bool mesh_covered(bool asked, Ray ray, uint shape, uint prim, float t, bool enters) { return false; }
+";
+
 /// A scene on the device, and the kernel that searches it.
 pub struct Search<'a> {
     device: &'a Device,
@@ -158,7 +166,7 @@ fn compose(
     .concat();
     let mut composer = Composer::new()
         .prelude(prelude + &structs + declarations)
-        .slot("cover", Slot::File("shape/cover/none".into()))
+        .slot("covered", Slot::Text(NEVER_COVERED.into()))
         .slot("leaf", Slot::Text(bvh::leaf_text(ALL_KINDS)))
         .slot("triangles", Slot::File("shape/triangle/corners".into()))
         .add("root", ROOT);

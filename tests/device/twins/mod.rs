@@ -145,18 +145,23 @@ fn all() -> Vec<Twin> {
 
 /// Dispatch that is generated for a scene. Each branch calls a function that has a row; that it is the right one show
 /// whole paths in `tests/device/same_bits.rs`.
-const GENERATED: [&str; 11] = [
+const GENERATED: [&str; 16] = [
+    "box_covered",
     "bsdf_eval",
     "bsdf_sample",
+    "cylinder_covered",
     "distribution_d",
     "distribution_g1",
     "distribution_sample",
+    "face_point",
     "fresnel",
     "hit_surface",
     "light_pdf",
     "light_sample",
+    "mesh_covered",
     "nearest",
     "read_primitives",
+    "sphere_covered",
 ];
 
 #[test]
@@ -195,6 +200,7 @@ fn every_function_that_naga_lists_is_accounted_for() {
             common::scenes::TABLE,
             common::scenes::SMOOTH,
             common::scenes::WIDE,
+            common::scenes::FLUSH,
         ] {
             let scene = common::render::prepared(text, &settings);
             let job = common::render::job(&scene, settings, 1, 1);

@@ -50,6 +50,10 @@ pub const KERNEL_ONLY: &[(&str, &str)] = &[
     ),
     ("integrator/path/shade", "a turn of the loop in trace_path"),
     ("coincidences_of", "Coincidences::of"),
+    ("box_covered", CALLS_IS_COVERED),
+    ("cylinder_covered", CALLS_IS_COVERED),
+    ("mesh_covered", CALLS_IS_COVERED),
+    ("sphere_covered", CALLS_IS_COVERED),
     ("shape/bvh/", "each renderer has a hierarchy of its own"),
     (
         "shape/normal/",
@@ -57,6 +61,8 @@ pub const KERNEL_ONLY: &[(&str, &str)] = &[
     ),
     ("shape/triangle/corner", "reads a buffer"),
 ];
+
+const CALLS_IS_COVERED: &str = "is_covered, where faces of the kind coincide with others";
 
 const SAMPLE: &str = "the kernel has the sample's index in no SampleId";
 

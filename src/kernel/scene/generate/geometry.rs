@@ -50,6 +50,22 @@ pub fn surface(features: &Features) -> String {
     uses("shape/ray", files) + &dispatch.text(&members, none)
 }
 
+/// Whether a hit with a shape is none, a function a kind: `is_covered`, or never.
+pub fn covered(features: &Features) -> String {
+    let function = |kind: &ShapeKind| {
+        let value = match features.covered.contains(kind) {
+            true => "is_covered(asked, ray, shape, prim, t, enters)",
+            false => "false",
+        };
+        let name = kind.description().name;
+        format!(
+            "bool {name}_covered(bool asked, Ray ray, uint shape, uint prim, float t, bool enters) {{\n    return {value};\n}}\n"
+        )
+    };
+    let functions: String = features.shapes.iter().map(function).collect();
+    format!("// uses: <cover>\n{functions}")
+}
+
 /// Whether a point in the plane of a face lies on it.
 pub fn face_point(features: &Features) -> String {
     let dispatch = Dispatch {

@@ -20,6 +20,7 @@ pub fn texts(features: &Features, parameters: &Parameters) -> Vec<(&'static str,
         ("light_emission", light::emission(features)),
         ("triangles", geometry::triangles(features)),
         ("nearest", geometry::nearest(features, parameters)),
+        ("covered", geometry::covered(features)),
         ("face_point", geometry::face_point(features)),
     ];
     if !features.in_bvh.is_empty() {

@@ -59,7 +59,7 @@ fn scene(
         .collect();
     Twin::new(name, file)
         .prelude(prelude() + &declare)
-        .slot("cover", no_cover())
+        .slot("covered", no_cover())
         .glsl(&format!(
             "{fill} {READ_RAY} {READ_SEARCH} Hit found = no_hit(t_max); {calls} {OUT_HIT}"
         ))

@@ -36,7 +36,15 @@ pub fn prelude() -> String {
 
 /// For shapes of which no two faces coincide.
 fn no_cover() -> Slot {
-    Slot::File("shape/cover/none".into())
+    let never = |kind: &str| {
+        format!(
+            "bool {kind}_covered(bool asked, Ray ray, uint shape, uint prim, float t, bool enters) {{ return false; }}\n"
+        )
+    };
+    Slot::Text(
+        "// uses: shape/ray\n".to_owned()
+            + &["box", "sphere", "cylinder", "mesh"].map(never).concat(),
+    )
 }
 
 /// Reads a ray, writes a hit, writes a surface.

@@ -223,7 +223,7 @@ fn origins() -> Vec<Twin> {
             .prelude(prelude())
             .slot("triangles", triangles_slot())
             .slot("shading_normal", Slot::File("shape/normal/flat".into()))
-            .slot("cover", no_cover())
+            .slot("covered", no_cover())
             .file("shape/triangle/nearer")
     };
     let t = 4.0;
