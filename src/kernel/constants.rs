@@ -1,5 +1,8 @@
 //! The texts that stand where a file says `// uses: constants/NAME`.
 
+use std::fmt::Debug;
+
+use crate::features::words;
 use crate::layout::constants::{self, uint};
 use crate::prepared::{MaterialKind, ShapeKind};
 use crate::sample::GROUPS;
@@ -9,32 +12,25 @@ use crate::sample::GROUPS;
 pub fn text(name: &str) -> Option<String> {
     let name = name.strip_prefix("constants/")?;
     match name {
-        "material_kind" => {
-            let kinds = MaterialKind::EVERY.map(|k| (format!("{k:?}"), k as u32));
-            Some(enumerated("KIND", kinds))
-        }
-        "shape_kind" => {
-            let kinds = ShapeKind::EVERY.map(|k| (format!("{k:?}"), k as u32));
-            Some(enumerated("SHAPE", kinds))
-        }
+        "material_kind" => Some(
+            MaterialKind::EVERY
+                .map(|k| one("KIND", &k, k as u32))
+                .concat(),
+        ),
+        "shape_kind" => Some(
+            ShapeKind::EVERY
+                .map(|k| one("SHAPE", &k, k as u32))
+                .concat(),
+        ),
         "groups" => Some(uint("GROUPS", GROUPS)),
         _ => constants::glsl(name),
     }
 }
 
-/// PREFIX_FIRST_VARIANT and so on.
-fn enumerated(prefix: &str, variants: impl IntoIterator<Item = (String, u32)>) -> String {
-    let line = |(variant, value): (String, u32)| {
-        let mut name = prefix.to_owned();
-        for c in variant.chars() {
-            if c.is_uppercase() {
-                name.push('_');
-            }
-            name.extend(c.to_uppercase());
-        }
-        uint(&name, value)
-    };
-    variants.into_iter().map(line).collect()
+/// The number of a variant: `RoughDielectric` of prefix KIND is KIND_ROUGH_DIELECTRIC.
+fn one(prefix: &str, variant: &impl Debug, value: u32) -> String {
+    let name = words(variant).to_uppercase().replace(' ', "_");
+    uint(&format!("{prefix}_{name}"), value)
 }
 
 #[cfg(test)]
