@@ -1,6 +1,6 @@
 // Where a path goes on from a vertex.
 // Twin of src/reference/path/extend.rs.
-// uses: constants/lobe, math/finite, path/vertex, path/spawn, path/throughput, sampler/dimensions, sampler/unit_float, sampler/chance, <sampler>, <blocks>, <bsdf>, <correction>, <crossing>, <roulette>
+// uses: constants/lobe, math/finite, path/vertex, path/spawn, path/throughput, sampler/dimensions, sampler/unit_float, sampler/chance, <sampler>, <blocks>, <bsdf>, <valid>, <correction>, <crossing>, <roulette>
 
 // What came of the attempt.
 struct Extension {
@@ -20,7 +20,7 @@ Extension extend(inout Subpath path, Vertex v, uint pixel_index, uint sample_ind
     BsdfRandom random = BsdfRandom(unit_float(u.x), unit_float(u.y), vec2(unit_float(u.z), unit_float(u.w)),
                                    vec2(unit_float(w.y), unit_float(w.z)));
     BsdfSample b = bsdf_sample(v.interaction, random);
-    vec3 wi = to_world(v.frame, b.wi);
+    vec3 wi = leaving_direction(v.frame.n, v.facing, to_world(v.frame, b.wi), b.wi.z, b.lobe);
     bool found = b.lobe != LOBE_NONE && same_sides(v, wi, b.wi);
     vec3 weight = corrected(v, wi, b.wi, b.weight);
     bool faint = underflows(path.throughput, weight);

@@ -1,5 +1,5 @@
 // A vertex of the path: the surface that a ray has hit, seen from the side it came from.
-// uses: math/frame, shape/ray, bsdf/interaction, <surface>, <medium>
+// uses: math/frame, shape/ray, bsdf/interaction, <surface>, <medium>, <valid>
 
 struct Vertex {
     vec3 p;
@@ -27,10 +27,11 @@ Vertex path_vertex(Ray ray, Hit hit, float distance) {
     v.outside = dot3(wo, surface.ng) >= 0.0;
     v.facing = v.outside ? surface.ng : -surface.ng;
     // The geometric normal decides the side; the shading normal makes only the frame (model.md, "Conventions").
-    v.frame = frame_about(dot3(surface.ns, v.facing) < 0.0 ? -surface.ns : surface.ns);
     v.shape = hit.shape;
     v.prim = hit.prim;
     v.material = shapes[v.shape].material;
+    vec3 ns = dot3(surface.ns, v.facing) < 0.0 ? -surface.ns : surface.ns;
+    v.frame = frame_about(seen_normal(ns, v.facing, wo, materials[v.material].kind));
     v.interaction = interaction(materials[v.material], v.outside, to_local(v.frame, wo),
                                 term_attenuation(v.material, v.outside, distance));
     return v;

@@ -31,3 +31,4 @@ mod scene;
 mod shape;
 mod slots;
 mod twin_names;
+mod valid;

@@ -56,6 +56,8 @@ pub fn cases() -> Vec<Case> {
             ),
         ),
         needle_light(),
+        coarse("mirror", "a mirror", "0 0 0 1 1 1 0"),
+        coarse("glass", "smooth glass", "0 0 0 .04 .04 .04 0 1 1 1 1.5"),
         lit(
             "million",
             "a plane of a million triangles",
@@ -120,6 +122,49 @@ fn mesh(corners: &[[f64; 3]], triangles: Vec<[u32; 3]>) -> Mesh {
         scale: 1.0,
         rotate: DQuat::IDENTITY,
     }
+}
+
+/// A coarse ball with the normals of a sphere: towards its rim mirrored directions would lie below the faces, and normals
+/// turn away.
+fn coarse(name: &str, what: &str, brdf: &str) -> Case {
+    let view = "screen 32 32\ncamera 0 -6 1 .22 x 81\nbackground 1 1 1\nfresnel exact\n";
+    let stiff = Stiffness::new(2.0, 64.0, 1.0, "edges, and the rim; all weights are 1");
+    Case::new(
+        format!("mesh/coarse-{name}"),
+        format!("{what}, a coarse mesh with the normals of a sphere"),
+        format!("{view}brdf {brdf}\n"),
+        stiff,
+    )
+    .mesh(ball(5, 8))
+    .weight(1.0, "smooth surfaces only turn light")
+    .mean(1.0, "a surface that absorbs nothing is not to be seen")
+}
+
+/// A ball of radius 1: `rings` circles of `n` corners between two poles, its normals those of the sphere.
+fn ball(rings: u32, n: u32) -> Mesh {
+    let corner = |ring: u32, k: u32| {
+        let (sin, cos) = (PI * f64::from(ring) / f64::from(rings + 1)).sin_cos();
+        let (y, x) = (2.0 * PI * f64::from(k) / f64::from(n)).sin_cos();
+        [sin * x, sin * y, cos]
+    };
+    let mut corners = vec![[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
+    corners.extend((1..=rings).flat_map(|ring| (0..n).map(move |k| corner(ring, k))));
+    let at = |ring: u32, k: u32| 2 + (ring - 1) * n + k % n;
+    let caps = (0..n).flat_map(|k| {
+        [
+            [0, at(1, k), at(1, k + 1)],
+            [1, at(rings, k + 1), at(rings, k)],
+        ]
+    });
+    let bands = (1..rings).flat_map(|r| {
+        (0..n).flat_map(move |k| {
+            let [a, b, c, d] = [at(r, k), at(r + 1, k), at(r + 1, k + 1), at(r, k + 1)];
+            [[a, b, c], [a, c, d]]
+        })
+    });
+    let mut mesh = mesh(&corners, caps.chain(bands).collect());
+    mesh.normals = Some(mesh.positions.clone());
+    mesh
 }
 
 /// 2n² triangles of a plane from −4 to 4.

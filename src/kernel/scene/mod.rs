@@ -240,6 +240,13 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
             },
         ),
         (
+            "valid",
+            match features.shading_normals {
+                true => "path/valid/smooth",
+                false => "path/valid/flat",
+            },
+        ),
+        (
             "moments",
             match features.keeps_moments() {
                 true => "film/moments/welford",

@@ -5,6 +5,7 @@ use super::correction::corrected;
 use super::roulette::roulette_survival;
 use super::spawn::spawn_ray;
 use super::throughput::underflows;
+use super::valid::leaving_direction;
 use super::vertex::{Vertex, same_sides};
 use super::{SampleId, Subpath};
 use crate::reference::bsdf::{BsdfRandom, LOBE_DELTA, LOBE_NONE, bsdf_sample, transmission_scale};
@@ -50,6 +51,7 @@ pub fn extend<F: Real>(
     };
     let b = bsdf_sample(settings, &v.interaction, random);
     let wi = to_world(v.frame, b.wi);
+    let wi = leaving_direction(v.frame.n, v.facing, wi, b.wi.z, b.lobe);
     let found = b.lobe != LOBE_NONE && same_sides(v, wi, b.wi);
     let weight = corrected(from, v, wi, b.wi, b.weight);
     let faint = underflows(path.throughput, weight);

@@ -8,6 +8,7 @@ pub mod roulette;
 pub mod spawn;
 pub mod throughput;
 pub mod trace;
+pub mod valid;
 pub mod vertex;
 
 use super::math::Vec3;

@@ -2,6 +2,7 @@
 //! Twin of `shaders/path/vertex.glsl`.
 
 use super::medium::term_attenuation;
+use super::valid::seen_normal;
 use crate::prepared::{NONE, ShapeKind};
 use crate::reference::bsdf::{Interaction, interaction};
 use crate::reference::math::frame::{Frame, frame_about, to_local};
@@ -42,12 +43,14 @@ pub fn path_vertex<F: Real>(
     let outside = dot3(wo, surface.ng) >= F::zero();
     let facing = if outside { surface.ng } else { -surface.ng };
     // The geometric normal decides the side; the shading normal makes only the frame (model.md, "Conventions").
-    let frame = frame_about(if dot3(surface.ns, facing) < F::zero() {
+    let ns = if dot3(surface.ns, facing) < F::zero() {
         -surface.ns
     } else {
         surface.ns
-    });
+    };
     let shape = &world.shapes[hit.shape as usize];
+    let material = world.materials[shape.material as usize];
+    let frame = frame_about(seen_normal(ns, facing, wo, material.kind));
     let attenuation = term_attenuation(
         world,
         settings.model.absorption,
@@ -55,7 +58,6 @@ pub fn path_vertex<F: Real>(
         outside,
         distance,
     );
-    let material = world.materials[shape.material as usize];
     Vertex {
         p: surface.p,
         ng: surface.ng,

@@ -1,10 +1,14 @@
 //! Twins of those functions of `shaders/path/` that need no scene: weights, Beer's law, roulette, signatures.
 
+use vkpt::prepared::MaterialKind;
+use vkpt::reference::bsdf::{LOBE_DELTA, LOBE_REFLECTION, LOBE_TRANSMISSION};
 use vkpt::reference::integrator::path::connect::{connection_weight, hit_weight, power_heuristic};
 use vkpt::reference::integrator::path::signature::{decide, is_light, path_signature};
+use vkpt::reference::math::normalize3;
 use vkpt::reference::path::medium::{beer, beer3};
 use vkpt::reference::path::roulette::roulette_survival;
 use vkpt::reference::path::throughput::underflows;
+use vkpt::reference::path::valid::{leaving_direction, seen_normal};
 use vkpt::settings::{Connect, Roulette};
 
 use super::harness::{Rng, Row, Twin};
@@ -18,6 +22,7 @@ pub fn twins() -> Vec<Twin> {
         decision(),
         light(),
         signature(),
+        valid(),
     ];
     // Where light is found by chance alone, the kernel connects nothing.
     let connects = CONNECT
@@ -53,6 +58,31 @@ const DENSITIES: [[f32; 2]; 8] = [
     [f32::INFINITY, 1.0],
     [1.0, f32::INFINITY],
 ];
+
+/// Normals on one side of a face, from the face's own to one that turns away from wo, and directions on either side of it.
+fn valid() -> Twin {
+    Twin::new("seen_normal", "path/valid/smooth")
+        .also(&["leaving_direction"])
+        .glsl(
+            "vec3 n = in_vec3(); vec3 g = in_vec3(); vec3 w = in_vec3(); float z = in_f(); uint lobe = in_u();
+             out_vec3(seen_normal(n, g, w, in_u()));
+             out_vec3(leaving_direction(n, g, w, z, lobe));",
+        )
+        .rust(|i, o| {
+            let (n, g, w, z, lobe) = (i.vec3(), i.vec3(), i.vec3(), i.f(), i.u());
+            o.vec3(seen_normal(n, g, w, MaterialKind::EVERY[i.u() as usize]));
+            o.vec3(leaving_direction(n, g, w, z, lobe));
+        })
+        .seeded(4000, |r| {
+            let g = r.direction();
+            let near = [1.0, 1e-3, 0.0][r.below(3) as usize];
+            let n = normalize3(g + r.direction() * near);
+            let lobe = [LOBE_REFLECTION, LOBE_TRANSMISSION][r.below(2) as usize];
+            let delta = [0, LOBE_DELTA][r.below(2) as usize];
+            let row = Row::new().vec3(n).vec3(g).vec3(r.direction());
+            row.f([-0.5, 0.5][r.below(2) as usize]).u(lobe | delta).u(r.below(7))
+        })
+}
 
 fn heuristic() -> Twin {
     Twin::new("power_heuristic", "integrator/path/connect/mis")

@@ -24,6 +24,7 @@ pub const HOMES: &[(&str, &str)] = &[
     ("integrator/path/begin", "integrator/path"),
     ("integrator/path/shade", "integrator/path"),
     ("path/null_interface/", "path/trace"),
+    ("path/valid/", "path/valid"),
     // there is a table or there is none: `Cover`
     ("shape/cover/", "shape/cover"),
     ("shape/face/", "shape/face"),
