@@ -1,5 +1,7 @@
 //! One sample of one pixel, as a renderer made it: what renderers are compared by, path by path.
 
+use std::cmp::Ordering;
+
 /// Groups that the samples of a pixel fall into: the sample of index i into group i mod `GROUPS`. They are independent
 /// of each other, and how far their means are apart tells the error of the whole.
 ///
@@ -24,6 +26,26 @@ pub struct Path {
     pub radiance: [f64; 3],
     /// The hash of the path's decisions (`reference::integrator::path::signature`): the same where two paths decided alike.
     pub signature: u32,
+}
+
+/// The sample of a rendering with the brightest channel. Where it is far above the mean, a few samples make the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Largest {
+    pub address: Address,
+    /// Its brightest channel, W·sr⁻¹·m⁻².
+    pub radiance: f64,
+}
+
+impl Largest {
+    /// The larger of two; of equals the one whose pixel comes first, row by row.
+    pub fn or(self, other: Self) -> Self {
+        let place = |l: &Self| [l.address.pixel[1], l.address.pixel[0]];
+        let order = self.radiance.total_cmp(&other.radiance);
+        match order.then(place(&other).cmp(&place(&self))) {
+            Ordering::Less => other,
+            _ => self,
+        }
+    }
 }
 
 /// A sample as the device and both references made it.

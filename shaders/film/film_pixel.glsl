@@ -1,7 +1,7 @@
 // A pixel of the film: the sum of its samples, and what was counted on the way.
 // Twin of src/reference/film/film_pixel.rs.
 
-// uses: math/finite, film/pixel_sum
+// uses: math/finite, math/vec, film/pixel_sum
 
 // Adds a sample; one that is broken, or too large to add up, counts as 0, and by its cause. Samples of even and of odd index are the two groups.
 void film_sample(inout FilmPixel pixel, vec3 radiance) {
@@ -14,5 +14,9 @@ void film_sample(inout FilmPixel pixel, vec3 radiance) {
     pixel.sum = sum.sum;
     pixel.comp = sum.comp;
     pixel.contrast = x - pixel.contrast;
+    float brightest = max_component(x);
+    bool larger = brightest > pixel.largest;
+    pixel.largest = larger ? brightest : pixel.largest;
+    pixel.largest_sample = larger ? pixel.samples : pixel.largest_sample;
     pixel.samples += 1u;
 }

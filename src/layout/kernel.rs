@@ -89,6 +89,12 @@ crate::gpu_struct! {
         contrast: vec3,
         /// Paths that ended because f32 holds no less throughput.
         underflows: uint,
+        /// The brightest channel of all samples, W·sr⁻¹·m⁻².
+        largest: float,
+        /// The index of the first sample that has it.
+        largest_sample: uint,
+        pad0: uint,
+        pad1: uint,
     }
 
     /// What a pixel's samples x tell of the error of their mean, each sum in two parts as the film's is.

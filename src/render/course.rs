@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use super::slices::Slices;
 use super::{Job, Progress};
 use crate::film::Film;
-use crate::metrics::noise::{RelMse, rel_mse};
+use crate::metrics::noise::{Culprits, RelMse, rel_mse};
 
 /// When a rendering ends before it has all its samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -39,7 +39,8 @@ pub struct ErrorAt {
     pub spp: u32,
     /// Seconds of rendering so far, compiling apart.
     pub seconds: f64,
-    /// `None` of one sample, which tells nothing of its error, and of a picture that overflows.
+    /// `None` of one sample, which tells nothing of its error, and of a picture that overflows. Pixels are those of the
+    /// full picture.
     pub rel_mse: Option<RelMse>,
 }
 
@@ -159,7 +160,7 @@ impl<'a> Course<'a> {
     /// The upper end of the last interval.
     fn upper_end(&self) -> Option<f64> {
         let last = self.errors.last()?.rel_mse?;
-        last.interval.map(|[_, high]| high)
+        last.interval.ok().map(|[_, high]| high)
     }
 
     /// About how many samples the error asked for takes: the error is inverse to their number.
@@ -182,8 +183,12 @@ impl<'a> Course<'a> {
     fn look(&mut self, halves: impl FnOnce() -> Halves) {
         // Looks between two powers of two leave no trace, but for the last.
         self.errors.pop_if(|last| !last.spp.is_power_of_two());
+        let area = self.job.area();
         let of = |h: Halves| rel_mse(&h.mean, &h.half_difference).ok();
-        let rel_mse = (self.done >= 2).then(halves).and_then(of);
+        let mut rel_mse = (self.done >= 2).then(halves).and_then(of);
+        if let Some(Err(Culprits { worst, .. })) = rel_mse.as_mut().map(|r| &mut r.interval) {
+            *worst = [area.x + worst[0], area.y + worst[1]];
+        }
         self.errors.push(ErrorAt {
             spp: self.done,
             seconds: self.seconds(),

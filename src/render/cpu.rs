@@ -78,6 +78,7 @@ fn render_by<F: Real, R: Render<F>>(
         dropped: counts.dropped,
         long_paths: counts.long_paths,
         underflows: counts.underflows,
+        largest: film.largest(),
         ..Stats::default()
     };
     Outcome {

@@ -3,6 +3,7 @@
 use super::Dropped;
 use super::course::Halves;
 use crate::film::Film;
+use crate::sample::Largest;
 
 /// The film of a picture, or of its crop, between two slices of samples.
 pub trait HostFilm {
@@ -13,6 +14,8 @@ pub trait HostFilm {
     /// Of that mean, where it was asked for and one sample is not all there is.
     fn standard_errors(&self, spp: u32) -> Option<Film>;
     fn counts(&self) -> Counts;
+    /// The sample with the brightest channel; `None` where all are black.
+    fn largest(&self) -> Option<Largest>;
 }
 
 /// What was counted on the way.

@@ -11,6 +11,7 @@ use crate::reference::film::{FilmPixel, PixelSum, film_add, is_summable};
 use crate::reference::integrator::light::splat::Window;
 use crate::reference::integrator::light::{LightCounts, Splat};
 use crate::reference::math::Real;
+use crate::sample::Largest;
 
 /// The film of a light tracer.
 pub struct LightFilm<F> {
@@ -108,5 +109,9 @@ impl<F: Real> HostFilm for LightFilm<F> {
         counts.dropped.nan += self.counts.nan;
         counts.dropped.infinite += self.counts.infinite;
         counts
+    }
+
+    fn largest(&self) -> Option<Largest> {
+        self.pixels.largest()
     }
 }

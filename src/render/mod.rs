@@ -22,6 +22,7 @@ pub use crate::gpu::Selector;
 use crate::gpu::{Device, GpuError};
 use crate::kernel::{KernelError, OwnFile, Spirv};
 use crate::prepared::Prepared;
+use crate::sample::Largest;
 use crate::settings::Settings;
 pub use course::{End, ErrorAt, Until};
 pub use host_film::{Counts, HostFilm};
@@ -195,6 +196,8 @@ pub struct Stats {
     pub dropped: Dropped,
     pub long_paths: u64,
     pub underflows: u64,
+    /// The sample with the brightest channel; `None` where all are black.
+    pub largest: Option<Largest>,
     /// What the kernel holds.
     pub features: Vec<String>,
     /// Size of the kernel's module; 0 for the reference, which has none.

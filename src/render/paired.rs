@@ -79,7 +79,7 @@ impl<'a> References<'a> {
     ) -> Vec<Vec<PairedSample>> {
         let pixel = |(k, outcomes): (usize, &Vec<PathOutcome>)| {
             let k = k as u32;
-            let pixel = [tile.x + k % tile.width, tile.y + k / tile.width];
+            let pixel = tile.pixel(k);
             let sample = |(index, device)| self.sample(Address { pixel, index }, device);
             (first..).zip(outcomes).map(sample).collect()
         };

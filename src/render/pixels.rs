@@ -10,6 +10,7 @@ use crate::reference::film::{
     FilmMoments, FilmPixel, film_half_difference, film_mean, film_moments, film_sample, film_stderr,
 };
 use crate::reference::math::{Real, Vec3};
+use crate::sample::{Address, Largest};
 
 /// The pixels under way, row by row.
 pub struct Pixels<F> {
@@ -105,5 +106,17 @@ impl<F: Real> HostFilm for Pixels<F> {
                 loops: 0,
             },
         }
+    }
+
+    fn largest(&self) -> Option<Largest> {
+        let of = |(i, p): (u32, &FilmPixel<F>)| Largest {
+            address: Address {
+                pixel: self.area.pixel(i),
+                index: p.largest_sample,
+            },
+            radiance: p.largest.f64(),
+        };
+        let all = (0..).zip(&self.film).map(of);
+        all.reduce(Largest::or).filter(|l| l.radiance > 0.0)
     }
 }

@@ -13,6 +13,11 @@ impl Tile {
     pub fn pixels(&self) -> u32 {
         self.width * self.height
     }
+
+    /// Column and row of pixel `i`, row by row, in the full picture.
+    pub fn pixel(&self, i: u32) -> [u32; 2] {
+        [self.x + i % self.width, self.y + i / self.width]
+    }
 }
 
 /// Cuts `area` into tiles of at most `most` ≥ 1 pixels: whole rows where a row fits, pieces of rows elsewhere.

@@ -30,8 +30,17 @@ fn rel_mse(error: &ErrorAt) -> String {
     match (error.rel_mse, interval) {
         (None, _) => "relMSE unknown".to_owned(),
         (Some(0.0), _) => "relMSE 0".to_owned(),
-        (Some(estimate), None) => format!("relMSE {estimate:.1e}? (too few pixels make it)"),
+        (Some(estimate), None) => format!("relMSE {estimate:.1e}?{}", culprits(error)),
         (Some(estimate), Some(ends)) => with_interval(estimate, ends.into()),
+    }
+}
+
+/// ` (half of it in 3 pixels, the worst 12,40)`
+fn culprits(error: &ErrorAt) -> String {
+    match (error.half_in_pixels, error.worst_pixel) {
+        (Some(1), Some([x, y])) => format!(" (half of it in pixel {x},{y})"),
+        (Some(n), Some([x, y])) => format!(" (half of it in {n} pixels, the worst {x},{y})"),
+        _ => String::new(),
     }
 }
 

@@ -19,7 +19,7 @@ mod table;
 
 pub use comparison::{Comparison, Tested, comparison};
 pub use header::{aov_notes, noted_sampler, notes};
-pub use record::{Dropped, ErrorAt, Job, Kernel, Machine, Memory, Record, Seconds, Work};
+pub use record::{Dropped, ErrorAt, Job, Kernel, Largest, Machine, Memory, Record, Seconds, Work};
 pub use settings::SettingsRecord;
 pub use summary::{concerns, summary};
 

@@ -15,6 +15,8 @@ pub struct Record {
     pub seconds: Seconds,
     #[serde(flatten)]
     pub work: Work,
+    /// The sample with the brightest channel; `None` where all are black.
+    pub largest: Option<Largest>,
     /// After 1, 2, 4 … samples a pixel, and after the last.
     pub error: Vec<ErrorAt>,
     pub files: Vec<String>,
@@ -107,6 +109,22 @@ pub struct ErrorAt {
     /// Its 95 % interval; `None` where no honest one is to be had.
     pub low: Option<f64>,
     pub high: Option<f64>,
+    /// Where there is none: how few pixels make half of the error, and column and row of the worst.
+    pub half_in_pixels: Option<usize>,
+    pub worst_pixel: Option<[u32; 2]>,
+}
+
+/// A sample, and what it weighs.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Largest {
+    /// Its brightest channel, W·sr⁻¹·m⁻².
+    pub radiance: f64,
+    /// That over the mean of the picture, all channels together. Of samples that are alike it is about 1.
+    pub weight: f64,
+    /// Column and row in the full picture.
+    pub pixel: [u32; 2],
+    /// Its index among those of its pixel: `--trace` prints the path of X,Y,I.
+    pub sample: u32,
 }
 
 /// What was done.

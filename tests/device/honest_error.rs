@@ -59,7 +59,7 @@ fn told(scene: &Prepared, sampler: Sampler, pictures: u32) -> Vec<Told> {
 fn misses(all: &[Told], scale: f64) -> [u64; 2] {
     let intervals = all
         .iter()
-        .filter_map(|t| Some((scale * t.truth, t.estimate.interval?)));
+        .filter_map(|t| Some((scale * t.truth, t.estimate.interval.ok()?)));
     let missed = intervals
         .clone()
         .filter(|(truth, [low, high])| truth < low || truth > high);

@@ -15,6 +15,7 @@ mod gpu;
 mod gpu_cache;
 mod hand_over;
 mod honest_error;
+mod largest;
 mod light_tracing;
 mod oracle;
 mod paired;

@@ -157,12 +157,13 @@ fn device_equals_reference(job: &Job, name: &str) {
             o.stats.long_paths,
             o.stats.underflows,
             o.stats.dropped,
+            o.stats.largest,
         )
     };
     assert_eq!(
         counts(&device),
         counts(&reference),
-        "{name}: rays, long paths, underflows, dropped samples"
+        "{name}: rays, long paths, underflows, dropped samples, the largest"
     );
     assert!(
         device.film.rgb.iter().flatten().any(|&x| x > 0.0),

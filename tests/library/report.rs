@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 use vkpt::report::{
-    Dropped, ErrorAt, Job, Kernel, Machine, Memory, Record, SOFTWARE, Seconds, Work, concerns,
-    noted_sampler, notes, summary,
+    Dropped, ErrorAt, Job, Kernel, Largest, Machine, Memory, Record, SOFTWARE, Seconds, Work,
+    concerns, noted_sampler, notes, summary,
 };
 use vkpt::settings::{
     Connect, Distribution, DistributionRule, Fresnel, Roulette, Sampler, Settings,
@@ -52,6 +52,12 @@ fn record() -> Record {
         },
         work: Work::new(&seconds, 7_680_000, 40_000_000, Dropped::default(), 0, 0),
         seconds,
+        largest: Some(Largest {
+            radiance: 812.5,
+            weight: 1300.0,
+            pixel: [3, 4],
+            sample: 17,
+        }),
         error: vec![
             at(1, 0.1, None, None),
             at(64, 7.5, Some(3.1e-3), Some([2.76e-3, 3.54e-3])),
@@ -68,6 +74,8 @@ fn at(spp: u32, seconds: f64, rel_mse: Option<f64>, interval: Option<[f64; 2]>) 
         rel_mse,
         low: interval.map(|[low, _]| low),
         high: interval.map(|[_, high]| high),
+        half_in_pixels: None,
+        worst_pixel: None,
     }
 }
 
@@ -115,9 +123,16 @@ fn json_holds_every_field_by_name() {
         "dropped": { "nan": 1, "infinite": 2, "loop": 3 },
         "long_paths": 0,
         "underflows": 0,
+        "largest": { "radiance": 812.5, "weight": 1300.0, "pixel": [3, 4], "sample": 17 },
         "error": [
-            { "spp": 1, "seconds": 0.1, "rel_mse": null, "low": null, "high": null },
-            { "spp": 64, "seconds": 7.5, "rel_mse": 3.1e-3, "low": 2.76e-3, "high": 3.54e-3 },
+            {
+                "spp": 1, "seconds": 0.1, "rel_mse": null, "low": null, "high": null,
+                "half_in_pixels": null, "worst_pixel": null,
+            },
+            {
+                "spp": 64, "seconds": 7.5, "rel_mse": 3.1e-3, "low": 2.76e-3, "high": 3.54e-3,
+                "half_in_pixels": null, "worst_pixel": null,
+            },
         ],
         "files": ["a.png"],
         "warnings": [],
@@ -169,9 +184,20 @@ fn the_last_line_tells_the_error_as_well_as_it_is_known() {
     assert_eq!(known(1.5, 0.9, 2.1), "relMSE 1.5e0 (95 %: 0.9–2.1e0)");
     assert_eq!(known(0.0, 0.0, 0.0), "relMSE 0");
     assert_eq!(line(vec![at(1, 1.0, None, None)]), "relMSE unknown");
+    let made_by = |half, worst| {
+        line(vec![ErrorAt {
+            half_in_pixels: Some(half),
+            worst_pixel: Some(worst),
+            ..at(2, 1.0, Some(2e-2), None)
+        }])
+    };
     assert_eq!(
-        line(vec![at(2, 1.0, Some(2e-2), None)]),
-        "relMSE 2.0e-2? (too few pixels make it)"
+        made_by(3, [12, 40]),
+        "relMSE 2.0e-2? (half of it in 3 pixels, the worst 12,40)"
+    );
+    assert_eq!(
+        made_by(1, [0, 7]),
+        "relMSE 2.0e-2? (half of it in pixel 0,7)"
     );
     assert_eq!(line(Vec::new()), "960 k samples/s");
 }

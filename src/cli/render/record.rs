@@ -4,7 +4,9 @@ use super::arguments::RenderArguments;
 use crate::cli::exit::Failure;
 use crate::cli::job::Ready;
 use crate::render::{self, End, Outcome, Stats};
-use crate::report::{Dropped, ErrorAt, Job, Kernel, Machine, Memory, Record, Seconds, Work};
+use crate::report::{
+    Dropped, ErrorAt, Job, Kernel, Largest, Machine, Memory, Record, Seconds, Work,
+};
 
 pub fn record(
     arguments: &RenderArguments,
@@ -72,6 +74,7 @@ pub fn record(
             stats.underflows,
         ),
         seconds,
+        largest: largest(outcome),
         error: outcome.errors.iter().map(error).collect(),
         files: Vec::new(),
         warnings: ready.warnings.clone(),
@@ -79,14 +82,29 @@ pub fn record(
 }
 
 fn error(at: &render::ErrorAt) -> ErrorAt {
-    let interval = at.rel_mse.and_then(|e| e.interval);
+    let interval = at.rel_mse.and_then(|e| e.interval.ok());
+    let culprits = at.rel_mse.and_then(|e| e.interval.err());
     ErrorAt {
         spp: at.spp,
         seconds: at.seconds,
         rel_mse: at.rel_mse.map(|e| e.estimate),
         low: interval.map(|[low, _]| low),
         high: interval.map(|[_, high]| high),
+        half_in_pixels: culprits.map(|c| c.half),
+        worst_pixel: culprits.map(|c| c.worst),
     }
+}
+
+fn largest(outcome: &Outcome) -> Option<Largest> {
+    let of = outcome.stats.largest?;
+    let values = outcome.film.rgb.as_flattened();
+    let mean = values.iter().map(|&x| f64::from(x)).sum::<f64>() / values.len() as f64;
+    Some(Largest {
+        radiance: of.radiance,
+        weight: of.radiance / mean,
+        pixel: of.address.pixel,
+        sample: of.address.index,
+    })
 }
 
 /// The kernel of a Vulkan device; the reference has none.

@@ -78,17 +78,24 @@ impl<'a> Guide<'a> {
         }
     }
 
-    /// The terms of one row of pixels.
+    /// The sums over one row of pixels.
     pub fn row(&self, y: usize) -> Terms {
-        let (values, halves) = (self.mean.row(y), self.half_difference.row(y));
         let mut terms = Terms::default();
-        for ((x, h), around) in values.iter().zip(halves).zip(self.around(y)) {
-            let (x, h) = (x.map(f64::from), h.map(f64::from));
-            let q = |g: Rgb| (0..3).map(|c| h[c] * h[c] * weight(g[c])).sum::<f64>() / 3.0;
-            let [q, others @ ..] = guides(x, h, &around).map(q);
+        for [q, others @ ..] in self.terms(y) {
             terms.add(q, others);
         }
         terms
+    }
+
+    /// Of each pixel of a row, its term of relMSE by each guide, that of the estimate first.
+    pub fn terms(&self, y: usize) -> impl Iterator<Item = [f64; GUIDES]> {
+        let (values, halves) = (self.mean.row(y), self.half_difference.row(y));
+        let pixels = values.iter().zip(halves).zip(self.around(y));
+        pixels.map(|((x, h), around)| {
+            let (x, h) = (x.map(f64::from), h.map(f64::from));
+            let q = |g: Rgb| (0..3).map(|c| h[c] * h[c] * weight(g[c])).sum::<f64>() / 3.0;
+            guides(x, h, &around).map(q)
+        })
     }
 
     /// What the neighbours of a row's pixels are like. All pixels of the row turn to one neighbour after the other.

@@ -1,6 +1,6 @@
 //! From what the pixels tell to an estimate and its interval.
 
-use super::RelMse;
+use super::{Culprits, RelMse};
 
 /// Of a normal distribution, 95 % lie within so many standard deviations of the mean.
 const Z: f64 = 1.959_963_984_540_054;
@@ -46,15 +46,18 @@ impl Terms {
     /// A normal h has E h⁴ = 3 (Var x)², so 4/3 Σ q² estimates the variance 4 Σ w² (Var x)² of Σ q's distance from the
     /// error: exactly where the channels' noise is one, too much where it is not, or where it has heavier tails than
     /// the normal distribution. What the choice of the guide makes of it is no chance, which may cancel: it comes on
-    /// top in full.
-    pub fn rel_mse(&self) -> RelMse {
+    /// top in full. `culprits` is asked where there is no interval.
+    pub fn rel_mse(&self, culprits: impl FnOnce() -> Culprits) -> RelMse {
         let chance = Z * (4.0 / 3.0 * self.squares).sqrt();
         let off = self.others.map(|other| (other - self.sum).abs());
         let reach = chance + off[0].max(off[1]);
         let interval = [self.sum - reach, self.sum + reach].map(|end| end / self.pixels);
         RelMse {
             estimate: self.sum / self.pixels,
-            interval: (reach <= WIDEST * self.sum).then_some(interval),
+            interval: match reach <= WIDEST * self.sum {
+                true => Ok(interval),
+                false => Err(culprits()),
+            },
         }
     }
 }

@@ -27,9 +27,18 @@ use interval::Terms;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RelMse {
     pub estimate: f64,
-    /// Lower and upper end of the 95 % interval of the picture's error. `None` where nothing honest can be said: most
-    /// of the error is that of a few pixels, or there is more noise than picture.
-    pub interval: Option<[f64; 2]>,
+    /// Lower and upper end of the 95 % interval of the picture's error. Where nothing honest can be said, for most of
+    /// the error is that of a few pixels, or there is more noise than picture: which pixels make it.
+    pub interval: Result<[f64; 2], Culprits>,
+}
+
+/// The pixels that make an error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Culprits {
+    /// The fewest that make half of it.
+    pub half: usize,
+    /// Column and row of the one that makes most.
+    pub worst: [u32; 2],
 }
 
 /// Estimates the relMSE of the picture `mean`, whose values have standard errors of about |`half_difference`|: of two
@@ -46,5 +55,26 @@ pub fn rel_mse(mean: &Film, half_difference: &Film) -> Result<RelMse, MetricsErr
     let rows = (0..mean.height as usize).into_par_iter();
     let terms: Vec<Terms> = rows.map(|y| guide.row(y)).collect();
     let all = terms.into_iter().fold(Terms::default(), Terms::plus);
-    Ok(all.rel_mse())
+    Ok(all.rel_mse(|| culprits(&guide, mean, all.sum)))
+}
+
+/// The pixels that make an error, of which `sum` is the sum over all pixels; of equals the first, row by row.
+fn culprits(guide: &Guide, film: &Film, sum: f64) -> Culprits {
+    let rows = (0..film.height).into_par_iter();
+    let row = |y: u32| {
+        (0..)
+            .zip(guide.terms(y as usize))
+            .map(move |(x, [q, ..])| (q, [x, y]))
+    };
+    let mut pixels: Vec<(f64, [u32; 2])> = rows.flat_map_iter(row).collect();
+    pixels.par_sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut made = 0.0;
+    let makes_half = |(q, _): &(f64, _)| {
+        made += q;
+        made >= 0.5 * sum
+    };
+    Culprits {
+        worst: pixels[0].1,
+        half: 1 + pixels.iter().position(makes_half).unwrap_or(0),
+    }
 }

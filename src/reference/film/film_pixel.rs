@@ -2,7 +2,7 @@
 
 use super::pixel_sum::{PixelSum, film_add, film_mean, is_summable};
 use crate::reference::math::finite::has_nan;
-use crate::reference::math::{Real, Vec3};
+use crate::reference::math::{Real, Vec3, max_component};
 use crate::sample::GROUPS;
 
 // One sum of either sign is enough for two groups.
@@ -26,6 +26,10 @@ pub struct FilmPixel<F> {
     pub long_paths: u64,
     /// Paths that ended because the scalar holds no less throughput.
     pub underflows: u64,
+    /// The brightest channel of all samples. A mean over RGB or a luminance would hide fireflies of one colour.
+    pub largest: F,
+    /// The index of the first sample that has it.
+    pub largest_sample: u32,
 }
 
 impl<F: Real> Default for FilmPixel<F> {
@@ -39,6 +43,8 @@ impl<F: Real> Default for FilmPixel<F> {
             rays: 0,
             long_paths: 0,
             underflows: 0,
+            largest: F::zero(),
+            largest_sample: 0,
         }
     }
 }
@@ -53,6 +59,11 @@ pub fn film_sample<F: Real>(pixel: &mut FilmPixel<F>, radiance: Vec3<F>) {
     let x = if broken { Vec3::zero() } else { radiance };
     pixel.sum = film_add(pixel.sum, x);
     pixel.contrast = x - pixel.contrast;
+    let brightest = max_component(x);
+    if brightest > pixel.largest {
+        pixel.largest = brightest;
+        pixel.largest_sample = pixel.samples;
+    }
     pixel.samples += 1;
 }
 

@@ -18,8 +18,7 @@ impl<F: Real> Render<F> for Pixels<F> {
     fn advance(&mut self, job: &Job, world: &World<F>, samples: Range<u32>) {
         let area = self.area;
         self.each(|i, mut pixel| {
-            let i = i as u32;
-            let (column, row) = (area.x + i % area.width, area.y + i / area.width);
+            let [column, row] = area.pixel(i as u32);
             for sample in samples.clone() {
                 let id = SampleId {
                     column,

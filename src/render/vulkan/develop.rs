@@ -8,6 +8,7 @@ use crate::reference::math::{Vec3, vec3};
 use crate::render::course::Halves;
 use crate::render::tiles::Tile;
 use crate::render::{Counts, HostFilm};
+use crate::sample::{Address, Largest};
 
 impl HostFilm for PathFilm {
     fn picture(&self, spp: u32) -> Film {
@@ -50,6 +51,19 @@ impl HostFilm for PathFilm {
             counts.dropped.loops += u64::from(p.loops);
         }
         counts
+    }
+
+    fn largest(&self) -> Option<Largest> {
+        let of = |tile: &Tile, (i, p): (u32, &FilmPixel)| Largest {
+            address: Address {
+                pixel: tile.pixel(i),
+                index: p.largest_sample,
+            },
+            radiance: p.largest.into(),
+        };
+        let tiles = self.tiles.iter();
+        let all = tiles.flat_map(|t| (0..).zip(&t.pixels).map(move |p| of(&t.tile, p)));
+        all.reduce(Largest::or).filter(|l| l.radiance > 0.0)
     }
 }
 

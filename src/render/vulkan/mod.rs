@@ -87,6 +87,7 @@ fn render_by<'a, R: Rendering<'a>>(
         dropped: counts.dropped,
         long_paths: counts.long_paths,
         underflows: counts.underflows,
+        largest: run.film().largest(),
         features: features.names(),
         spirv_bytes: costs.spirv_bytes,
         buffers: run.buffers(),

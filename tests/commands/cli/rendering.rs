@@ -193,6 +193,61 @@ fn quiet_says_nothing_and_json_says_all() {
     }
 }
 
+/// A lamp so small that paths find it once in a thousand samples.
+const LOTTERY: &str = "screen 12 9\ncamera 0 -6 3 .35 x 65\nlight 900 800 700\nsphere 0 0 4 .05\n\
+     brdf .6 .5 .4 0 0 0 1\nbox -5 -5 -.1 10 10 .1\n";
+
+/// The last line and the JSON tell the same pixels, and the JSON the sample, whose path `--trace` prints.
+#[test]
+fn a_lottery_is_told_with_its_pixel_and_its_sample() {
+    let folder = folder(LOTTERY);
+    let out = rendered(
+        folder.path(),
+        &[
+            "-o",
+            "a.png",
+            "--connect",
+            "bsdf",
+            "--crop",
+            "3,2,11,9",
+            "--spp",
+            "64",
+            "--json",
+            "a.json",
+        ],
+    );
+    let text = fs::read_to_string(folder.path().join("a.json")).expect("a report");
+    let json: Value = serde_json::from_str(&text).expect("JSON");
+    let (largest, last) = (&json["largest"], &json["error"][6]);
+    let [x, y] = [0, 1].map(|i| largest["pixel"][i].as_u64().expect("a pixel"));
+    assert!((3..11).contains(&x) && (2..9).contains(&y), "{text}");
+    assert!(largest["weight"].as_f64() > Some(100.0), "{text}");
+    assert_eq!(last["spp"], 64);
+    assert_eq!((&last["low"], &last["high"]), (&Value::Null, &Value::Null));
+    let [u, v] = [0, 1].map(|i| last["worst_pixel"][i].as_u64().expect("a pixel"));
+    let said = match last["half_in_pixels"].as_u64().expect("a number") {
+        1 => format!("? (half of it in pixel {u},{v})\n"),
+        n => format!("? (half of it in {n} pixels, the worst {u},{v})\n"),
+    };
+    assert!(out.ends_with(&said), "{out}{said}");
+
+    let address = format!("{x},{y},{}", largest["sample"]);
+    let path = rendered(folder.path(), &["--connect", "bsdf", "--trace", &address]);
+    let radiance = path
+        .lines()
+        .rfind(|l| l.trim_start().starts_with("radiance"));
+    let channels = radiance
+        .expect("a radiance")
+        .split_whitespace()
+        .skip(1)
+        .take(3);
+    let brightest = channels
+        .map(|x| x.parse::<f64>().expect("a number"))
+        .fold(0.0, f64::max);
+    let told = largest["radiance"].as_f64().expect("a number");
+    assert!((brightest / told - 1.0).abs() < 1e-6, "{told}\n{path}");
+}
+
 #[test]
 fn a_flag_beats_a_word_and_a_word_beats_the_preset() {
     let fresnel = |arguments: &[&str]| {

@@ -40,6 +40,7 @@ fn full_equals_composed(scene: &Prepared, settings: Settings, name: &str) {
             o.stats.long_paths,
             o.stats.underflows,
             o.stats.dropped,
+            o.stats.largest,
         )
     };
     assert_eq!(counts(&composed), counts(&full), "{name}");

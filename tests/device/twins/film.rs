@@ -78,16 +78,17 @@ fn dropping() -> Twin {
         .prelude(vkpt::layout::FilmPixel::glsl())
         .glsl(
             "vec3 radiance = in_vec3();
-             FilmPixel pixel = FilmPixel(vec3(1.0), in_u(), vec3(0.0), 0u, 1u, 2u, 0u, 0u, vec3(0.75), 0u);
+             FilmPixel pixel = FilmPixel(vec3(1.0), in_u(), vec3(0.0), 0u, 1u, 2u, 0u, 0u, vec3(0.75), 0u, 1.5, 3u, 0u, 0u);
              film_sample(pixel, radiance);
              out_vec3(pixel.sum); out_vec3(pixel.comp); out_vec3(pixel.contrast);
-             out_u(pixel.samples); out_u(pixel.nan); out_u(pixel.infinite);",
+             out_u(pixel.samples); out_u(pixel.nan); out_u(pixel.infinite);
+             out_f(pixel.largest); out_u(pixel.largest_sample);",
         )
         .rust(|i, o| {
             let sum = PixelSum { sum: Vec3::one(), comp: Vec3::zero() };
             let radiance = i.vec3();
             let contrast = Vec3::splat(0.75);
-            let mut pixel = FilmPixel { sum, samples: i.u(), nan: 1, infinite: 2, contrast, ..FilmPixel::default() };
+            let mut pixel = FilmPixel { sum, samples: i.u(), nan: 1, infinite: 2, contrast, largest: 1.5, largest_sample: 3, ..FilmPixel::default() };
             film_sample(&mut pixel, radiance);
             o.vec3(pixel.sum.sum);
             o.vec3(pixel.sum.comp);
@@ -95,10 +96,14 @@ fn dropping() -> Twin {
             o.u(pixel.samples);
             o.u(pixel.nan as u32);
             o.u(pixel.infinite as u32);
+            o.f(pixel.largest);
+            o.u(pixel.largest_sample);
         })
         .edges([0.0, 1e-45, f32::MAX, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, -f32::NAN].map(row))
         // 2⁹⁶ and what is next below
         .edges([0x6f80_0000, 0x6f7f_ffff, 0xef80_0000].map(|bits| row(f32::from_bits(bits))))
+        // the largest so far, once more, and what is next above
+        .edges([0x3fc0_0000, 0x3fc0_0001].map(|bits| Row::new().vec3(vec3(0.0, 1.0, f32::from_bits(bits))).u(6)))
         .edge(Row::new().vec3(vec3(f32::INFINITY, f32::NAN, f32::NEG_INFINITY)).u(6))
         .edge(Row::new().vec3(vec3(f32::INFINITY, f32::NEG_INFINITY, 1.0)).u(6))
         .seeded(1000, |r| Row::new().u(r.u32()).u(r.u32()).u(r.u32()).u(r.u32() >> 1))

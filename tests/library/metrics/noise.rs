@@ -2,7 +2,7 @@
 
 use statrs::distribution::{Binomial, DiscreteCDF};
 use vkpt::film::Film;
-use vkpt::metrics::noise::{RelMse, rel_mse};
+use vkpt::metrics::noise::{Culprits, RelMse, rel_mse};
 use vkpt::metrics::{Errors, Pair};
 
 use super::pictures::{Random, constant, film, mapped};
@@ -34,15 +34,48 @@ fn a_firefly_counts_with_the_weight_of_its_neighbours() {
     );
     let exact = 1e8 / (0.25 + 0.01) / 63.0;
     assert!((found.estimate / exact - 1.0).abs() < 1e-6, "{found:?}");
-    // Of one pixel nothing can be said.
-    assert_eq!(found.interval, None);
+    // Of one pixel nothing can be said, but which it is.
+    let it = Culprits {
+        half: 1,
+        worst: [4, 3],
+    };
+    assert_eq!(found.interval, Err(it));
+}
+
+/// Fireflies of 4, 3, 2 and 1 parts of the error, each alone among its neighbours: the first two make more than half.
+#[test]
+fn few_pixels_that_make_the_error_are_told() {
+    let parts = [
+        ([2, 2], 2.0f32),
+        ([12, 2], 4.0),
+        ([2, 12], 1.0),
+        ([12, 12], 3.0),
+    ];
+    let half = film(15, 15, |x, y| {
+        let here = parts.iter().find(|(at, _)| *at == [x, y]);
+        [here.map_or(0.0, |(_, part)| part.sqrt()); 3]
+    });
+    let told = |mean: &Film| of(mean, &half).interval.expect_err("four pixels");
+    let flat = constant(15, 15, [0.5; 3]);
+    let it = Culprits {
+        half: 2,
+        worst: [12, 2],
+    };
+    assert_eq!(told(&flat), it);
+    // Where the surroundings are bright, an error counts less.
+    let bright = film(15, 15, |_, y| [if y < 8 { 50.0 } else { 0.5 }; 3]);
+    let it = Culprits {
+        half: 1,
+        worst: [12, 12],
+    };
+    assert_eq!(told(&bright), it);
 }
 
 #[test]
 fn no_noise_is_no_error() {
     let picture = film(5, 4, |x, y| [x as f32, y as f32, 0.0]);
     let found = of(&picture, &constant(5, 4, [0.0; 3]));
-    assert_eq!((found.estimate, found.interval), (0.0, Some([0.0, 0.0])));
+    assert_eq!((found.estimate, found.interval), (0.0, Ok([0.0, 0.0])));
 }
 
 #[test]
@@ -194,7 +227,7 @@ fn misses(row: &Row, pictures: u64, scale: f32) -> [u64; 2] {
         let truth = Errors::of(&pair).rel_mse.all;
         let found = of(&mean, &mapped(&half, |h| scale * h));
         ratio += found.estimate / truth / pictures as f64;
-        if let Some([low, high]) = found.interval {
+        if let Ok([low, high]) = found.interval {
             given += 1;
             missed += u64::from(truth < low || truth > high);
         }
