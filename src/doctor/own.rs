@@ -24,7 +24,7 @@ pub struct Own {
 
 const TURN: u32 = 0x3f80_0000;
 
-pub const OWN: [Own; 5] = [
+pub const OWN: [Own; 7] = [
     Own {
         name: "sincos_2pi, sine",
         file: "math/elementary/sincos",
@@ -74,6 +74,26 @@ pub const OWN: [Own; 5] = [
         f32: elementary::log1p,
         f64: f64::ln_1p,
         bound: 1.0,
+    },
+    Own {
+        name: "erfc",
+        file: "math/elementary/erfc",
+        expression: "erfc(x)",
+        range: "all",
+        last: u32::MAX,
+        f32: elementary::erfc,
+        f64: <f64 as Real>::erfc,
+        bound: 6.0,
+    },
+    Own {
+        name: "erfc_inverse",
+        file: "math/elementary/erfc_inverse",
+        expression: "erfc_inverse(x)",
+        range: "[0, 2]",
+        last: 0x4000_0000,
+        f32: elementary::erfc_inverse,
+        f64: <f64 as Real>::erfc_inverse,
+        bound: 4.0,
     },
 ];
 

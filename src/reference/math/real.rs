@@ -6,12 +6,14 @@
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use statrs::function::erf;
+
 use super::elementary;
 
 /// A floating-point scalar with the operations that the kernels use and no others.
 ///
 /// `+ − × ÷ √` round correctly. The elementary functions are the project's own polynomials in `f32`
-/// (twins of `shaders/math/elementary/`) and the standard library's in `f64`.
+/// (twins of `shaders/math/elementary/`), and those of the standard library and of `libm` in `f64`.
 pub trait Real:
     Copy
     + Debug
@@ -63,6 +65,10 @@ pub trait Real:
     fn expm1(x: Self) -> Self;
     /// ln(1 + x), accurate near 0; −∞ at −1, NaN below.
     fn log1p(x: Self) -> Self;
+    /// 1 − erf x, accurate where erf x is near 1.
+    fn erfc(x: Self) -> Self;
+    /// The x with erfc x = z; ∞ at 0, −∞ at 2, NaN outside and at −0.
+    fn erfc_inverse(z: Self) -> Self;
 
     /// 0
     fn zero() -> Self {
@@ -124,6 +130,12 @@ impl Real for f32 {
     fn log1p(x: Self) -> Self {
         elementary::log1p(x)
     }
+    fn erfc(x: Self) -> Self {
+        elementary::erfc(x)
+    }
+    fn erfc_inverse(z: Self) -> Self {
+        elementary::erfc_inverse(z)
+    }
 }
 
 impl Real for f64 {
@@ -145,5 +157,15 @@ impl Real for f64 {
     }
     fn log1p(x: Self) -> Self {
         f64::ln_1p(x)
+    }
+    fn erfc(x: Self) -> Self {
+        libm::erfc(x)
+    }
+    fn erfc_inverse(z: Self) -> Self {
+        if z.is_sign_negative() || z > 2.0 {
+            f64::NAN
+        } else {
+            erf::erfc_inv(z)
+        }
     }
 }

@@ -1,7 +1,8 @@
 //! Twins of `shaders/math/elementary/`.
 
 use vkpt::reference::math::elementary::{
-    exp, exp_reduce, expm1, log1p, pow2, quadrant, rotate_by_quadrant, scale_by_pow2, sincos_2pi,
+    erfc, erfc_inverse, erfc_inverse_far, erfc_inverse_near, exp, exp_minus_square, exp_reduce,
+    expm1, log1p, pow2, quadrant, rotate_by_quadrant, scale_by_pow2, sincos_2pi,
 };
 use vkpt::reference::math::vec3;
 
@@ -11,6 +12,7 @@ use super::math::SPECIAL;
 pub fn twins() -> Vec<Twin> {
     let mut twins = angles();
     twins.extend(exponentials());
+    twins.extend(error_functions());
     twins
 }
 
@@ -111,5 +113,27 @@ fn exponentials() -> Vec<Twin> {
                     .f(r.range(-2.0, 2.0))
                     .f(r.below(300) as f32 - 160.0)
             }),
+    ]
+}
+
+fn error_functions() -> Vec<Twin> {
+    let (erfc_file, inverse) = ("math/elementary/erfc", "math/elementary/erfc_inverse");
+    let ranged = |name, file, f: fn(f32) -> f32, low: f32, high: f32| {
+        Twin::new(name, file)
+            .glsl(&format!("out_f({name}(in_f()));"))
+            .rust(move |i, o| o.f(f(i.f())))
+            .edges([low, high].map(|x| Row::from([x])))
+            .seeded(5000, move |r| Row::new().f(r.range(low, high)))
+    };
+    vec![
+        unary("erfc", erfc_file, erfc)
+            .edges([-0.5, 0.5, 9.19, 10.06, 11.0].map(|x| Row::from([x]))),
+        ranged("exp_minus_square", erfc_file, exp_minus_square, -11.0, 11.0),
+        unary("erfc_inverse", inverse, erfc_inverse)
+            .edges([0.5, 1.5, 2.0, 5.421_011e-20].map(|x| Row::from([x])))
+            .seeded(20_000, |r| Row::new().f(r.range(0.0, 2.0)))
+            .seeded(5000, |r| Row::new().f(r.log_range(1e-44, 1.0))),
+        ranged("erfc_inverse_near", inverse, erfc_inverse_near, 0.0, 5.0),
+        ranged("erfc_inverse_far", inverse, erfc_inverse_far, 2.236, 10.2),
     ]
 }

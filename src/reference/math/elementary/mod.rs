@@ -11,10 +11,12 @@
 //! | [`exp`] | 1 ulp | 0 below −103.97, ∞ above 88.72 |
 //! | [`expm1`] | 1 ulp | −1 below −17.3, ∞ above 88.72 |
 //! | [`log1p`] | 1 ulp | −∞ at −1, NaN below, ∞ at ∞ |
+//! | [`erfc`] | 6 ulp | 2 below −3.9, 0 above 10.06 |
+//! | [`erfc_inverse`] | 4 ulp | ∞ at 0, −∞ at 2, NaN outside [0, 2] and at −0 |
 //!
 //! A NaN yields a NaN. The sign of a zero result is not kept.
 //!
-//! Polynomials: Remez's exchange for the relative error of the function, coefficients rounded to `f32` one
+//! Polynomials: Remez's exchange (of `erfc` Lawson's weights) for the relative error of the function, coefficients rounded to `f32` one
 //! after the other from the lowest order, the rest fitted again. The reductions follow the FreeBSD msun
 //! library (e_expf.c, s_expm1f.c, s_log1pf.c), with compensated sums in place of its divisions.
 
@@ -23,6 +25,8 @@
     reason = "the digits are those of the GLSL twins"
 )]
 
+mod erfc;
+mod erfc_inverse;
 mod exp;
 mod expm1;
 mod log1p;
@@ -30,6 +34,8 @@ mod sincos;
 #[cfg(test)]
 mod tests;
 
+pub use erfc::{erfc, exp_minus_square};
+pub use erfc_inverse::{erfc_inverse, erfc_inverse_far, erfc_inverse_near};
 pub use exp::{exp, exp_reduce, pow2, scale_by_pow2};
 pub use expm1::expm1;
 pub use log1p::log1p;

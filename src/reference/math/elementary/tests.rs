@@ -1,6 +1,7 @@
-//! Sweeps over the bits of `f32` against the same functions in f64 (the C library's, below 1 ulp of f64).
+//! Sweeps over the bits of `f32` against the same functions in f64 (the C library's, below 1 ulp of f64; those that it
+//! lacks against tables).
 
-use super::{exp, expm1, log1p, sincos_2pi};
+use super::{erfc, erfc_inverse, exp, exp_minus_square, expm1, log1p, sincos_2pi};
 use crate::reference::math::{Real, ulps};
 
 /// Sum of the rounding errors: sine ½ (last sum) + 0.36 (r (π/2 − 1)) + 0.36 (second sum) + 0.07 (polynomial),
@@ -8,6 +9,10 @@ use crate::reference::math::{Real, ulps};
 const SIN_COS_BOUND: f64 = 1.4;
 /// ½ for the last sum; with compensated sums the rest is that of the small term q, below ½.
 const BOUND: f64 = 1.0;
+/// ½ for the product, 1½ for the exponential of the square, and what E(t) makes of an error of t, of 1½: 2½.
+const ERFC_BOUND: f64 = 6.0;
+/// ½ for the product, 1 for ln and what the polynomial makes of it and of its own rounding: 1½.
+const ERFC_INVERSE_BOUND: f64 = 4.0;
 
 /// The argument with the largest error over every `stride`-th pattern of bits in `bits`.
 fn worst(
@@ -45,14 +50,61 @@ fn sincos_error(u: f32) -> f64 {
 fn sweep(stride: usize) {
     let (u, e) = worst(0..=1f32.to_bits(), stride, sincos_error);
     assert!(e <= SIN_COS_BOUND, "sincos_2pi({u:e}) is {e} ulp off");
-    let all = [
-        ("exp", exp as fn(f32) -> f32, f64::exp as fn(f64) -> f64),
-        ("expm1", expm1, f64::exp_m1),
-        ("log1p", log1p, f64::ln_1p),
+    type Row = (&'static str, fn(f32) -> f32, fn(f64) -> f64, f64);
+    let all: [Row; 5] = [
+        ("exp", exp, f64::exp, BOUND),
+        ("expm1", expm1, f64::exp_m1, BOUND),
+        ("log1p", log1p, f64::ln_1p, BOUND),
+        ("erfc", erfc, <f64 as Real>::erfc, ERFC_BOUND),
+        (
+            "erfc_inverse",
+            erfc_inverse,
+            <f64 as Real>::erfc_inverse,
+            ERFC_INVERSE_BOUND,
+        ),
     ];
-    for (name, f, truth) in all {
+    for (name, f, truth, bound) in all {
         let (x, e) = worst(0..=u32::MAX, stride, |x| ulps(f(x), truth(f64::from(x))));
-        assert!(e <= BOUND, "{name}({x:e}) is {e} ulp off");
+        assert!(e <= bound, "{name}({x:e}) is {e} ulp off");
+    }
+    let square = |x: f32| ulps(exp_minus_square(x), (-(f64::from(x) * f64::from(x))).exp());
+    let (x, e) = worst(0..=11f32.to_bits(), stride, square);
+    assert!(e <= 1.5, "exp_minus_square({x:e}) is {e} ulp off");
+}
+
+/// By mpmath 1.3.0 with 40 and 340 digits.
+#[test]
+fn erfc_and_its_inverse_are_right_in_f64() {
+    let erfc = [
+        (-2.5, 1.999_593_047_982_555),
+        (-0.3, 1.328_626_759_459_127_4),
+        (1e-10, 0.999_999_999_887_162_1),
+        (0.3, 0.671_373_240_540_872_6),
+        (1.0, 0.157_299_207_050_285_13),
+        (2.5, 4.069_520_174_449_589e-4),
+        (6.0, 2.151_973_671_249_891_3e-17),
+        (26.0, 5.663_192_408_856_143e-296),
+    ];
+    let inverse = [
+        (1e-300, 26.209_469_960_516_124),
+        (1e-30, 8.148_616_223_169_865),
+        (1e-9, 4.320_005_384_913_445),
+        (0.003, 2.098_507_611_793_671),
+        (0.2, 0.906_193_802_436_823_2),
+        (0.75, 0.225_312_055_012_178_1),
+        (1.0625, -0.055_445_948_772_782_02),
+        (1.9, -1.163_087_153_676_673_8),
+        (1.999_999_999_999_090_5, -5.051_254_085_249_39),
+    ];
+    let off = |found: f64, truth: f64| (found / truth - 1.0).abs();
+    for (x, y) in erfc {
+        let found = <f64 as Real>::erfc(x);
+        assert!(off(found, y) < 1e-15, "erfc {x}: {found}");
+        assert!(off(found, y * (1.0 + 1e-14)) > 1e-15);
+    }
+    for (z, x) in inverse {
+        let found = <f64 as Real>::erfc_inverse(z);
+        assert!(off(found, x) < 2e-15, "inverse at {z}: {found}");
     }
 }
 
@@ -101,7 +153,14 @@ fn ends_are_what_the_table_says() {
     assert_eq!([exp(-inf), exp(0.0), exp(inf)], [0.0, 1.0, inf]);
     assert_eq!([expm1(-inf), expm1(0.0), expm1(inf)], [-1.0, 0.0, inf]);
     assert_eq!([log1p(-1.0), log1p(0.0), log1p(inf)], [-inf, 0.0, inf]);
+    assert_eq!([erfc(-inf), erfc(0.0), erfc(inf)], [2.0, 1.0, 0.0]);
+    let inverses = [erfc_inverse(0.0), erfc_inverse(1.0), erfc_inverse(2.0)];
+    assert_eq!(inverses, [inf, 0.0, -inf]);
+    let outside = [-0.0, -1e-45, -1e-30, -1.0, 2.000_000_2, inf].map(erfc_inverse);
     for y in [exp(nan), expm1(nan), log1p(nan), log1p(-1.5), log1p(-inf)] {
+        assert!(y.is_nan());
+    }
+    for y in outside.into_iter().chain([erfc(nan), erfc_inverse(nan)]) {
         assert!(y.is_nan());
     }
     // the smallest denormal passes through the two that are x + … near 0
