@@ -1,32 +1,14 @@
-// Micro-normals that wo sees.
-// Twin of src/reference/bsdf/normals/visible.rs. Fills the slot <normals>.
-// GGX is drawn exactly. Beckmann and Phong have no closed form: their normals come from the GGX of the same
-// width, with its density. D_target/D_ggx <= 4/e and G1_target/G1_ggx <= 1.77, so no weight exceeds 2.61.
+// Micro-normals that wo sees, of the material's own distribution or nearly so.
+// Twin of src/reference/bsdf/normals/visible/mod.rs. Fills the slot <normals>.
 
-// uses: math/vec, math/elementary/sincos, bsdf/interaction, bsdf/distribution/ggx
+// uses: bsdf/interaction, <visible>
 
-// A visible GGX micro-normal (Dupuy & Benyoub, Sampling Visible GGX Normals with Spherical Caps, 2023).
-// w = normalize(alpha wo.x, alpha wo.y, wo.z); a point of the cap z in (-w.z, 1] about N, and h = it + w. In
-// z = (1 - u2)(1 + w.z) - w.z both h.z and 1 +- z would cancel; formed apart they do not.
+// A micro-normal; it may be one that wo just fails to see.
 vec3 normals_sample(Interaction at, vec2 u) {
-    float alpha = at.material.width;
-    vec3 w = normalize3(vec3(alpha * at.wo.x, alpha * at.wo.y, at.wo.z));
-    vec2 phi = sincos_2pi(u.x);
-    float height = 1.0 + w.z;
-    // h.z = z + w.z
-    float h_z = (1.0 - u.y) * height;
-    // 1 - z, and 1 + z = h.z + (1 - w.z), 1 - w.z = (w.x^2 + w.y^2)/(1 + w.z)
-    float below_top = u.y * height;
-    float above_bottom = h_z + (w.x * w.x + w.y * w.y) / height;
-    float radius = sqrt(below_top * above_bottom);
-    float h_x = radius * phi.y + w.x;
-    float h_y = radius * phi.x + w.y;
-    return normalize3(vec3(alpha * h_x, alpha * h_y, h_z));
+    return visible_sample(at, u);
 }
 
-// D_wo(m) = G1(wo) max(0, wo.m) D(m)/wo.z, of the GGX of the material's width (Heitz 2018, eq. 3).
+// Density with which it is drawn: of GGX and Beckmann D_wo(m) = G1(wo) max(0, wo.m) D(m)/wo.z (Heitz 2018, eq. 3).
 float normals_pdf(Interaction at, vec3 m) {
-    float alpha = at.material.width;
-    float c = max2(dot3(at.wo, m), 0.0);
-    return ggx_g1(at.wo, alpha) * c * ggx_d(m, alpha) / at.wo.z;
+    return visible_pdf(at, m);
 }

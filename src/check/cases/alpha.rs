@@ -56,9 +56,10 @@ fn case(distribution: Distribution, alpha: &str) -> Case {
     // w f/p ≤ f/(2 p_lobe) by the power heuristic.
     let (most, by) = match distribution {
         Distribution::Ggx => (1.5, "1 by the lobe, ½ by the connection"),
-        _ => (
-            1.5 * 2.61,
-            r#"4/e · 1.77 by the lobe (model.md, "Visible micro-normals"), half of it by the connection"#,
+        Distribution::Beckmann => (1.5001, "1.000062 by the lobe, half of it by the connection"),
+        Distribution::Phong => (
+            1.5 * 1.0329,
+            r#"1.0328 · 1.000062 by the lobe (model.md, "Visible micro-normals"), half of it by the connection"#,
         ),
     };
     let albedo = if width == 0.0 {

@@ -146,7 +146,7 @@ fn all() -> Vec<Twin> {
 
 /// Dispatch that is generated for a scene. Each branch calls a function that has a row; that it is the right one show
 /// whole paths in `tests/device/same_bits.rs`.
-const GENERATED: [&str; 16] = [
+const GENERATED: [&str; 18] = [
     "box_covered",
     "bsdf_eval",
     "bsdf_sample",
@@ -163,6 +163,8 @@ const GENERATED: [&str; 16] = [
     "nearest",
     "read_primitives",
     "sphere_covered",
+    "visible_pdf",
+    "visible_sample",
 ];
 
 #[test]

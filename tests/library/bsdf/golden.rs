@@ -47,7 +47,7 @@ fn computed<F: Real>(row: &Row) -> Vec<(&'static str, f64)> {
     ]
 }
 
-/// Density by the visible normals of the material's own D; the renderer draws those of the GGX of its width.
+/// Density by the visible normals of the material's own D and the model's G1, which are not quite the renderer's.
 fn own_visible_pdf<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,

@@ -4,6 +4,7 @@
 //! whole family of a test (Šidák), and each comparator is shown to fail on a planted error.
 
 mod albedo;
+mod chain;
 mod densities;
 mod extremes;
 mod golden;
@@ -13,5 +14,7 @@ mod lobes;
 mod micro_normals;
 mod planted;
 mod precision;
+mod second_moment;
+mod slopes;
 mod support;
 mod weights;

@@ -64,14 +64,33 @@ fn distributions_keep_their_digits() {
     }
 }
 
-/// Visible normals in the form without cancellation, at every angle (model.md, "Visible micro-normals").
+/// Visible normals lose few digits at any angle (model.md, "Visible micro-normals"): GGX's form cancels nowhere; next to
+/// where `wo` sees no facets, those that it sees are at the root of what is left of the others, and of its digits.
 #[test]
 fn visible_normals_keep_their_digits() {
+    let bounds = [
+        (Distribution::Ggx, 2e-7, 2e-6),
+        (Distribution::Beckmann, 4e-7, 2e-5),
+        (Distribution::Phong, 4e-7, 2e-5),
+    ];
+    for (distribution, median, nearly_all) in bounds {
+        let errors = visible_normal_errors(distribution);
+        let (p50, p99) = (quantile(errors.clone(), 0.5), quantile(errors, 0.99));
+        assert!(
+            p50 < median && p99 < nearly_all,
+            "{distribution:?}: {p50:e} {p99:e}"
+        );
+    }
+}
+
+/// Of the slope of a normal in f32 against f64's, relative to it.
+fn visible_normal_errors(distribution: Distribution) -> Vec<f64> {
     let mut r = Random::new(2);
     let mut errors = Vec::new();
     for _ in 0..20_000 {
         let width = f64::from((1e-4f64).powf(r.unit()) as f32);
-        let m = opaque(Distribution::Ggx, width, DVec3::ZERO, DVec3::ONE);
+        let alpha = f64::from(parameter(distribution, width) as f32);
+        let m = opaque(distribution, alpha, DVec3::ZERO, DVec3::ONE);
         let wo = Vec3::<f32>::new(direction(r.unit().powi(2) + 1e-6, 6.0 * r.unit()).f64());
         let exact = vec3(f64::from(wo.x), f64::from(wo.y), f64::from(wo.z));
         let u = [uniform(&mut r), uniform(&mut r)];
@@ -81,8 +100,7 @@ fn visible_normals_keep_their_digits() {
         let off = (n.f64() / f64::from(n.z) - truth / truth.z).length();
         errors.push(off / (truth / truth.z).truncate().length());
     }
-    let (p50, p99) = (quantile(errors.clone(), 0.5), quantile(errors, 0.99));
-    assert!(p50 < 2e-7 && p99 < 2e-6, "{p50:e} {p99:e}");
+    errors
 }
 
 /// Exact Fresnel at n = 1 + 1e-6, where the usual form is 9 % off (model.md, "Exact reflectance").

@@ -9,6 +9,7 @@ pub const HOMES: &[(&str, &str)] = &[
     ("generated", "bsdf/distribution"),
     ("generated", "bsdf/fresnel"),
     ("generated", "bsdf/kind"),
+    ("generated", "bsdf/normals/visible"),
     ("generated", "world"),
     // the tables of the scene
     ("light/choice/", "world"),

@@ -50,19 +50,22 @@ pub fn bsdf(features: &Features) -> String {
         + &eval.text(&members("eval(at, wi)"), "no_value()")
 }
 
-pub fn distribution(features: &Features) -> String {
-    let stem = |d: Distribution| match d {
+/// File of `bsdf/distribution/` and of `bsdf/normals/visible/`, and stem of their functions.
+fn stem(distribution: Distribution) -> &'static str {
+    match distribution {
         Distribution::Phong => "phong",
         Distribution::Beckmann => "beckmann",
         Distribution::Ggx => "ggx",
-    };
-    let members = |call: &dyn Fn(Distribution) -> String| -> Vec<(u32, String)> {
-        features
-            .distributions
-            .iter()
-            .map(|&d| (d as u32, call(d)))
-            .collect()
-    };
+    }
+}
+
+/// The distributions of a scene, and a call for each.
+fn calls(features: &Features, call: impl Fn(Distribution) -> String) -> Vec<(u32, String)> {
+    let each = features.distributions.iter();
+    each.map(|&d| (d as u32, call(d))).collect()
+}
+
+pub fn distribution(features: &Features) -> String {
     let function = |result, name, arguments| Dispatch {
         result,
         name,
@@ -77,7 +80,7 @@ pub fn distribution(features: &Features) -> String {
             &[("Material", "material"), ("vec3", "m")],
         )
         .text(
-            &members(&|d| format!("{}_d(m, material.alpha)", stem(d))),
+            &calls(features, |d| format!("{}_d(m, material.alpha)", stem(d))),
             "0.0",
         )
         + &function(
@@ -86,7 +89,7 @@ pub fn distribution(features: &Features) -> String {
             &[("Material", "material"), ("vec3", "v")],
         )
         .text(
-            &members(&|d| format!("{}_g1(v, material.width)", stem(d))),
+            &calls(features, |d| format!("{}_g1(v, material.width)", stem(d))),
             "1.0",
         )
         + &function(
@@ -95,9 +98,33 @@ pub fn distribution(features: &Features) -> String {
             &[("Material", "material"), ("vec2", "u")],
         )
         .text(
-            &members(&|d| format!("{}_sample(material.alpha, u)", stem(d))),
+            &calls(features, |d| {
+                format!("{}_sample(material.alpha, u)", stem(d))
+            }),
             "vec3(0.0, 0.0, 1.0)",
         )
+}
+
+pub fn visible(features: &Features) -> String {
+    let selector = "at.material.distribution";
+    let sample = Dispatch {
+        result: "vec3",
+        name: "visible_sample",
+        arguments: &[("Interaction", "at"), ("vec2", "u")],
+        selector,
+    };
+    let pdf = Dispatch {
+        result: "float",
+        name: "visible_pdf",
+        arguments: &[("Interaction", "at"), ("vec3", "m")],
+        selector,
+    };
+    let samples = calls(features, |d| format!("visible_{}_sample(at, u)", stem(d)));
+    let pdfs = calls(features, |d| format!("visible_{}_pdf(at, m)", stem(d)));
+    let file = |&d| format!("bsdf/normals/visible/{}", stem(d));
+    uses("bsdf/interaction", features.distributions.iter().map(file))
+        + &sample.text(&samples, "vec3(0.0, 0.0, 1.0)")
+        + &pdf.text(&pdfs, "0.0")
 }
 
 pub fn fresnel(features: &Features) -> String {

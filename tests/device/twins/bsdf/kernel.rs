@@ -62,6 +62,28 @@ vec3 distribution_sample(Material material, vec2 u) {
 }
 ";
 
+const VISIBLE: &str =
+    "// uses: bsdf/normals/visible/phong, bsdf/normals/visible/beckmann, bsdf/normals/visible/ggx
+vec3 visible_sample(Interaction at, vec2 u) {
+    vec3 result;
+    switch (at.material.distribution) {
+        case 0u: { result = visible_phong_sample(at, u); break; }
+        case 1u: { result = visible_beckmann_sample(at, u); break; }
+        default: { result = visible_ggx_sample(at, u); break; }
+    }
+    return result;
+}
+float visible_pdf(Interaction at, vec3 m) {
+    float result;
+    switch (at.material.distribution) {
+        case 0u: { result = visible_phong_pdf(at, m); break; }
+        case 1u: { result = visible_beckmann_pdf(at, m); break; }
+        default: { result = visible_ggx_pdf(at, m); break; }
+    }
+    return result;
+}
+";
+
 const FRESNEL: &str = "// uses: bsdf/fresnel/schlick, bsdf/fresnel/exact
 vec3 fresnel(Interaction at, float c) {
     vec3 result;
@@ -97,6 +119,7 @@ pub fn twin(name: &'static str, file: &'static str, settings: &Settings) -> Twin
     Twin::new(name, file)
         .prelude(device::Material::glsl())
         .slot("distribution", Slot::Text(DISTRIBUTION.into()))
+        .slot("visible", Slot::Text(VISIBLE.into()))
         .slot("fresnel", Slot::Text(FRESNEL.into()))
         .slot("normals", file_slot(normals))
         .slot("choice", file_slot(choice))

@@ -6,6 +6,7 @@ mod kinds;
 mod lobes;
 mod micro_normals;
 mod slots;
+mod visible;
 
 use super::harness::Twin;
 
@@ -13,6 +14,7 @@ pub fn twins() -> Vec<Twin> {
     [
         micro_normals::twins(),
         slots::twins(),
+        visible::twins(),
         lobes::twins(),
         kinds::twins(),
     ]

@@ -2,6 +2,7 @@
 
 pub mod albedo;
 pub mod chi_square;
+pub mod moments;
 pub mod quadrature;
 pub mod random;
 pub mod rqmc;

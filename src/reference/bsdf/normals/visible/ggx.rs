@@ -1,17 +1,14 @@
-//! Micro-normals that `wo` sees; twin of `shaders/bsdf/normals/visible.glsl`.
-//!
-//! GGX is drawn exactly. Beckmann and Phong have no closed form: their normals come from the GGX of the same
-//! width, with its density. D_target/D_ggx ≤ 4/e and G1_target/G1_ggx ≤ 1.77, so no weight exceeds 2.61.
+//! Visible normals of GGX; twin of `shaders/bsdf/normals/visible/ggx.glsl`.
 
 use crate::reference::bsdf::distribution::ggx::{ggx_d, ggx_g1};
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::math::{Real, Vec3, dot3, max2, normalize3, vec3};
 
-/// A visible GGX micro-normal (Dupuy & Benyoub, Sampling Visible GGX Normals with Spherical Caps, 2023).
+/// A visible micro-normal (Dupuy & Benyoub, Sampling Visible GGX Normals with Spherical Caps, 2023).
 ///
 /// w = normalize(α wo.x, α wo.y, wo.z); a point of the cap z ∈ (−w.z, 1] about N, and h = it + w. In
 /// z = (1 − u2)(1 + w.z) − w.z both h.z and 1 ± z would cancel; formed apart they do not.
-pub fn normals_sample<F: Real>(at: &Interaction<F>, u: [F; 2]) -> Vec3<F> {
+pub fn visible_ggx_sample<F: Real>(at: &Interaction<F>, u: [F; 2]) -> Vec3<F> {
     let one = F::one();
     let alpha = at.material.width;
     let w = normalize3(vec3(alpha * at.wo.x, alpha * at.wo.y, at.wo.z));
@@ -28,8 +25,8 @@ pub fn normals_sample<F: Real>(at: &Interaction<F>, u: [F; 2]) -> Vec3<F> {
     normalize3(vec3(alpha * h_x, alpha * h_y, h_z))
 }
 
-/// D_wo(m) = G1(wo) max(0, wo·m) D(m)/wo.z, of the GGX of the material's width (Heitz 2018, eq. 3).
-pub fn normals_pdf<F: Real>(at: &Interaction<F>, m: Vec3<F>) -> F {
+/// D_wo(m) = G1(wo) max(0, wo·m) D(m)/wo.z (Heitz 2018, eq. 3).
+pub fn visible_ggx_pdf<F: Real>(at: &Interaction<F>, m: Vec3<F>) -> F {
     let alpha = at.material.width;
     let c = max2(dot3(at.wo, m), F::zero());
     ggx_g1(at.wo, alpha) * c * ggx_d(m, alpha) / at.wo.z
