@@ -18,6 +18,7 @@ mod progress;
 mod render;
 mod settings;
 mod source;
+mod stderr;
 mod streams;
 mod values;
 mod view;

@@ -1,6 +1,7 @@
 //! What settings and flags decide. Whether such a part is there, the kernel's own list of files says.
 
 use super::Subject;
+use crate::film::Aov;
 use crate::report::SettingsRecord;
 use crate::report::explanation::Part;
 use crate::settings::{Connect, Integrator, LobeChoice, Normals, Roulette, Sampler};
@@ -33,7 +34,7 @@ pub fn parts(subject: &Subject) -> Vec<Part> {
             quote: String::new(),
         }
     };
-    all.chain(beside()).map(part).collect()
+    all.chain(beside(subject)).map(part).collect()
 }
 
 /// The flag that gave a setting the value `now`, unless it is the preset's.
@@ -164,14 +165,19 @@ fn model(subject: &Subject) -> [Setting; 2] {
 }
 
 /// What is kept beside the picture.
-fn beside() -> [Setting; 2] {
+fn beside(subject: &Subject) -> [Setting; 2] {
     [
         Setting {
             group: "beside film",
-            name: "standard errors".to_owned(),
+            name: "spread of samples".to_owned(),
             file: "film/moments/welford",
-            by: "--aov stderr".to_owned(),
-            absent: "no --aov stderr is given: a pixel's sum is enough",
+            by: "--aov stderr of independent samples".to_owned(),
+            absent: match subject.job.aovs.contains(&Aov::Stderr) {
+                true => {
+                    "--aov stderr comes from the two groups of samples: Sobol's are not independent"
+                }
+                false => "no --aov stderr is given: a pixel's sum is enough",
+            },
         },
         Setting {
             group: "beside film",

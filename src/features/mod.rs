@@ -160,9 +160,10 @@ impl Features {
         self.materials.contains(&MaterialKind::NullInterface)
     }
 
-    /// The kernel keeps each pixel's moments.
+    /// Each pixel's moments are kept, of which standard errors come where samples are independent. Of other samplers they
+    /// come from the two groups of samples, which any film keeps apart.
     pub fn keeps_moments(&self) -> bool {
-        self.aovs.contains(&Aov::Stderr)
+        self.aovs.contains(&Aov::Stderr) && self.sampler == Sampler::Random
     }
 }
 

@@ -16,6 +16,7 @@ mod pair;
 pub mod paired;
 mod rel_mse;
 mod smape;
+mod standard_errors;
 mod trimmed;
 mod worst;
 
@@ -25,6 +26,7 @@ pub use difference::{
 pub use error::MetricsError;
 pub use heatmap::{HEATMAP_RANGE, heatmap, heatmap_scale};
 pub use pair::Pair;
+pub use standard_errors::StandardErrors;
 pub use trimmed::{Trimmed, trimmed};
 pub use worst::{WorstPixel, worst_pixels};
 

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use super::course::Course;
 use super::replicates::Growing;
-use super::{HostFilm, Job, LightFilm, Outcome, Pixels, Progress, SetUp, Stats};
+use super::{HostFilm, Job, LightFilm, Outcome, Pixels, Progress, SetUp, Stats, standard_errors};
 use crate::reference::math::Real;
 use crate::reference::world::World;
 use crate::settings::Integrator;
@@ -83,7 +83,7 @@ fn render_by<F: Real, R: Render<F>>(
     };
     Outcome {
         film: film.picture(done),
-        stderr: film.standard_errors(done),
+        stderr: standard_errors(job, &film, done),
         spp: done,
         end,
         errors,

@@ -25,7 +25,7 @@ pub struct LightFilm<F> {
 }
 
 impl<F: Real> LightFilm<F> {
-    /// What it keeps of each pixel, standard errors not counted.
+    /// What it keeps of each pixel, moments not counted.
     pub const PIXEL_BYTES: u64 = (size_of::<FilmPixel<F>>() + size_of::<PixelSum<F>>()) as u64;
 
     /// No samples yet.
@@ -97,8 +97,8 @@ impl<F: Real> HostFilm for LightFilm<F> {
         self.pixels.halves(spp)
     }
 
-    fn standard_errors(&self, spp: u32) -> Option<Film> {
-        self.pixels.standard_errors(spp)
+    fn spread(&self, spp: u32) -> Option<Film> {
+        self.pixels.spread(spp)
     }
 
     fn counts(&self) -> Counts {

@@ -25,7 +25,7 @@ use crate::prepared::Prepared;
 use crate::sample::Largest;
 use crate::settings::Settings;
 pub use course::{End, ErrorAt, Until};
-pub use host_film::{Counts, HostFilm};
+pub use host_film::{Counts, HostFilm, freedom, standard_errors};
 use light_film::LightFilm;
 pub use paired::paired;
 use pixels::Pixels;
@@ -154,7 +154,8 @@ pub struct Dropped {
 #[derive(Clone, Debug)]
 pub struct Outcome {
     pub film: Film,
-    /// Standard error of the mean per pixel and channel: if [`Aov::Stderr`] was asked for and there are two samples.
+    /// Standard error of the mean per pixel and channel: if [`Aov::Stderr`] was asked for and there are two samples. Its
+    /// square is unbiased and has as many degrees of freedom as [`freedom`] says.
     pub stderr: Option<Film>,
     /// Samples in every pixel.
     pub spp: u32,

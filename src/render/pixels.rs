@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::course::Halves;
 use super::tiles::Tile;
 use super::{Counts, Dropped, HostFilm, Job};
-use crate::film::{Aov, Film};
+use crate::film::Film;
 use crate::reference::film::{
     FilmMoments, FilmPixel, film_half_difference, film_mean, film_moments, film_sample, film_stderr,
 };
@@ -16,7 +16,7 @@ use crate::sample::{Address, Largest};
 pub struct Pixels<F> {
     pub area: Tile,
     film: Vec<FilmPixel<F>>,
-    /// Where standard errors are asked for.
+    /// Where standard errors are to come from them.
     moments: Option<Vec<FilmMoments<F>>>,
 }
 
@@ -41,11 +41,11 @@ impl<F: Real> Pixels<F> {
     pub fn new(job: &Job) -> Self {
         let area = job.area();
         let pixels = area.pixels() as usize;
-        let stderr = job.aovs.contains(&Aov::Stderr);
+        let kept = job.features().keeps_moments();
         Self {
             area,
             film: vec![FilmPixel::default(); pixels],
-            moments: stderr.then(|| vec![FilmMoments::default(); pixels]),
+            moments: kept.then(|| vec![FilmMoments::default(); pixels]),
         }
     }
 
@@ -90,8 +90,8 @@ impl<F: Real> HostFilm for Pixels<F> {
         }
     }
 
-    fn standard_errors(&self, spp: u32) -> Option<Film> {
-        let moments = self.moments.as_ref().filter(|_| spp >= 2)?;
+    fn spread(&self, spp: u32) -> Option<Film> {
+        let moments = self.moments.as_ref()?;
         Some(self.develop(moments.iter().map(|m| film_stderr(m, spp))))
     }
 

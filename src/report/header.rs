@@ -25,27 +25,29 @@ pub fn notes(job: &Job, device: &str) -> Vec<(&'static str, String)> {
     notes
 }
 
-/// The notes of what is written beside a picture: its own, after a line that says what the values are.
-pub fn aov_notes(aov: Aov, job: &Job, device: &str) -> Vec<(&'static str, String)> {
-    let values = match (aov, job.settings.sampler == Sampler::Sobol.name()) {
-        (Aov::Stderr, false) => {
-            "standard error of the mean, per pixel and channel, of independent samples"
-        }
-        (Aov::Stderr, true) => {
-            "standard error of the mean, per pixel and channel, as if samples were independent, which Sobol's are not: \
-             more than the error is"
-        }
+/// The notes of standard errors, after lines that say what the values are and with how many degrees of freedom.
+pub fn stderr_notes(freedom: f64, job: &Job, device: &str) -> Vec<(&'static str, String)> {
+    let from = match job.settings.sampler == Sampler::Random.name() {
+        true => "the spread of independent samples",
+        false => "the difference of two independent groups of samples",
     };
-    let mut all = vec![("aov", format!("{}: {values}", aov.name()))];
+    let name = Aov::Stderr.name();
+    let mut all = vec![
+        (
+            "aov",
+            format!("{name}: standard error of the mean, per pixel and channel, from {from}"),
+        ),
+        (FREEDOM, freedom.to_string()),
+    ];
     all.extend(notes(job, device));
     all
 }
 
-/// The sampler of a picture with these notes, as a file has them; `None` where they do not tell.
-pub fn noted_sampler(notes: &str) -> Option<Sampler> {
-    let settings = notes.lines().find_map(|l| l.strip_prefix("settings: "))?;
-    let mut words = settings.split(' ');
-    let name = words.find_map(|word| word.strip_prefix("sampler="))?;
-    let known = Sampler::ALL.iter().find(|(_, known)| *known == name);
-    known.map(|(sampler, _)| *sampler)
+const FREEDOM: &str = "degrees of freedom";
+
+/// The degrees of freedom that standard errors with these notes have, as a file has them; `None` where they do not say.
+pub fn noted_freedom(notes: &str) -> Option<f64> {
+    let mut lines = notes.lines().filter_map(|l| l.split_once(": "));
+    let (_, value) = lines.find(|(name, _)| *name == FREEDOM)?;
+    value.parse().ok().filter(|&freedom: &f64| freedom > 0.0)
 }

@@ -5,7 +5,10 @@ use std::sync::atomic::AtomicBool;
 
 use vkpt::film::Film;
 use vkpt::prepared::{Prepared, prepare};
-use vkpt::render::{DispatchLimits, Job, KernelChoice, Outcome, Target, Until, render, render_on};
+use vkpt::render::{
+    DispatchLimits, Engine, Job, KernelChoice, Outcome, Replicates, Target, Until, render,
+    render_on,
+};
 use vkpt::settings::Settings;
 
 /// A scene from text, prepared.
@@ -53,6 +56,37 @@ pub fn on_device_within(job: &Job, limits: DispatchLimits) -> Option<Outcome> {
 pub fn film(text: &str, settings: Settings, spp: u32, seed: u32, target: &Target) -> Film {
     let prepared = prepared(text, &settings);
     outcome(&job(&prepared, settings, spp, seed), target).film
+}
+
+/// For each seed, pixel and channel: the variance that the mean of the job's samples would have if they were independent,
+/// Σ (x − x̄)²/(n (n − 1)). A sample is what it changes a picture by; by cpu-f32.
+pub fn spread_of_samples(job: &Job, seeds: &[u32]) -> Vec<Vec<[f64; 3]>> {
+    let mut replicates = Replicates::new(job, &Engine::CpuF32, seeds).expect("ready");
+    let mut of = |i: usize| {
+        let size = job.size();
+        let mut sum = vec![[0f64; 3]; (size[0] * size[1]) as usize];
+        let mut squares = sum.clone();
+        for n in 1..=job.spp {
+            replicates
+                .advance(i, n, &AtomicBool::new(false))
+                .expect("a sample");
+            let picture = replicates.picture(i);
+            let pixels = picture.rgb.iter().zip(sum.iter_mut().zip(&mut squares));
+            for (mean, (sum, squares)) in pixels {
+                for c in 0..3 {
+                    let x = f64::from(n) * f64::from(mean[c]) - sum[c];
+                    sum[c] += x;
+                    squares[c] += x * x;
+                }
+            }
+        }
+        let n = f64::from(job.spp);
+        let variance = |(s, q): (&[f64; 3], &[f64; 3])| {
+            [0, 1, 2].map(|c| (q[c] - s[c] * s[c] / n) / (n * (n - 1.0)))
+        };
+        sum.iter().zip(&squares).map(variance).collect()
+    };
+    (0..seeds.len()).map(&mut of).collect()
 }
 
 /// The mean over RGB of each pixel.

@@ -10,7 +10,7 @@ use vkpt::settings::{Connect, Distribution, DistributionRule, Sampler, Settings}
 use crate::common;
 use crate::common::render::{job, on_device, prepared_file};
 use crate::common::scenes::{SMOOTH, TABLE, WIDE, scene_files};
-use crate::common::settings::{estimators, models};
+use crate::common::settings::{estimators, independent, models};
 
 fn plan(job: &Job) -> Plan {
     Plan::new(job, PlanLimits::default()).expect("a plan")
@@ -176,7 +176,7 @@ fn what_a_scene_lacks_is_left_out_and_the_reason_told() {
         ("lobe choice", "fresnel", "two lobes"),
         ("light found", "by connections", "no light"),
         ("longest path", "capped", "--max-depth"),
-        ("beside film", "standard errors", "--aov"),
+        ("beside film", "spread of samples", "--aov"),
     ] {
         let part = find(&parts, group, name);
         assert!(!part.present, "{part:?}");
@@ -234,7 +234,7 @@ fn a_planted_member_is_found() {
 
 #[test]
 fn a_plan_knows_what_is_asked_for_beside_the_picture() {
-    let settings = Settings::default();
+    let settings = independent();
     let scene = common::render::prepared(TABLE, &settings);
     let plain = job(&scene, settings, 2, 1);
     let asked = Job {
@@ -252,7 +252,16 @@ fn a_plan_knows_what_is_asked_for_beside_the_picture() {
     );
     // Four times three floats and a word to pad them, for each of 32 × 24 pixels.
     assert_eq!(with.device_bytes() - without.device_bytes(), 32 * 24 * 64);
-    assert!(find(&explained(&asked, TABLE), "beside film", "standard errors").present);
+    let beside =
+        |job: &Job| find(&explained(job, TABLE), "beside film", "spread of samples").clone();
+    assert!(beside(&asked).present);
+    let of_sobol = Job {
+        settings: Settings::default(),
+        ..asked
+    };
+    assert!(!keeps_moments(&plan(&of_sobol)));
+    let part = beside(&of_sobol);
+    assert!(!part.present && part.why.contains("two groups"), "{part:?}");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use tempfile::NamedTempFile;
 use vkpt::film::Aov;
 use vkpt::kernel::{OwnFile, file};
 use vkpt::render::{Job, KernelChoice, Outcome, Target};
-use vkpt::settings::{Integrator, Settings};
+use vkpt::settings::{Integrator, Sampler, Settings};
 
 use crate::common;
 use crate::common::render::{job, on_device, outcome, pixel_means, prepared};
@@ -56,8 +56,9 @@ fn a_cpu_device_equals_the_reference_bit_for_bit() {
         ("flush", FLUSH),
         ("meshes", &meshes),
     ] {
-        for scaling in [true, false] {
+        for (scaling, sampler) in [(true, Sampler::Sobol), (false, Sampler::Random)] {
             let mut settings = light();
+            settings.estimator.sampler = sampler;
             settings.model.radiance_scaling = scaling;
             let scene = prepared(text, &settings);
             let job = Job {

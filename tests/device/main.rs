@@ -15,6 +15,7 @@ mod gpu;
 mod gpu_cache;
 mod hand_over;
 mod honest_error;
+mod honest_stderr;
 mod largest;
 mod light_tracing;
 mod oracle;

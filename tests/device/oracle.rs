@@ -6,9 +6,10 @@ use std::path::PathBuf;
 use statrs::distribution::{ContinuousCDF, Normal};
 use vkpt::film::{Aov, Film};
 use vkpt::image::{Picture, Precision};
+use vkpt::metrics::StandardErrors;
 use vkpt::metrics::blocks::{ALPHA, Block, BlockTest, Estimate, Stderr, z_test};
 use vkpt::prepared::Prepared;
-use vkpt::render::{Job, Outcome, Target};
+use vkpt::render::{Job, Outcome, Target, freedom};
 use vkpt::settings::Settings;
 
 use crate::common;
@@ -52,12 +53,15 @@ impl Oracle {
     fn test(&self, film: &Film, stderr: &Film) -> BlockTest {
         let oracle = Estimate {
             mean: &self.mean.film,
-            stderr: Stderr::PerPixel(&self.stderr.film),
+            stderr: Stderr::PerPixel(StandardErrors::exact(&self.stderr.film)),
             precision: self.mean.precision,
         };
         let ours = Estimate {
             mean: film,
-            stderr: Stderr::PerPixel(stderr),
+            stderr: Stderr::PerPixel(StandardErrors {
+                film: stderr,
+                freedom: freedom(Settings::default().estimator.sampler, SPP),
+            }),
             precision: Precision::Single,
         };
         z_test(&ours, &oracle, ALPHA).expect("two pictures of one size")

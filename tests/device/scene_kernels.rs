@@ -14,7 +14,7 @@ use crate::common;
 use crate::common::needs::Need;
 use crate::common::render::{job, prepared, prepared_file};
 use crate::common::scenes::{SMOOTH, TABLE, WIDE, scene_files};
-use crate::common::settings::{estimators, models};
+use crate::common::settings::{estimators, independent, models};
 use crate::common::spirv_tools::tool;
 
 /// Diffuse surfaces and a light.
@@ -50,7 +50,7 @@ fn spirv_val_passes_the_kernel_of_every_scene() {
     let scene = prepared(TABLE, &Settings::default());
     check_job(&Job {
         aovs: &[Aov::Stderr],
-        ..job(&scene, Settings::default(), 2, 1)
+        ..job(&scene, independent(), 2, 1)
     });
 }
 
@@ -75,7 +75,7 @@ fn the_validation_layer_is_silent() {
     for text in [DIFFUSE, TABLE, SMOOTH, WIDE] {
         for limits in limits {
             let scene = prepared(text, &Settings::default());
-            let plain = job(&scene, Settings::default(), 2, 1);
+            let plain = job(&scene, independent(), 2, 1);
             for aovs in [&[][..], &[Aov::Stderr]] {
                 let job = Job { aovs, ..plain };
                 let stop = AtomicBool::new(false);
@@ -131,23 +131,23 @@ fn the_kernel_of_a_diffuse_scene_holds_nothing_of_microfacets_and_refraction() {
 }
 
 #[test]
-fn a_kernel_keeps_moments_only_where_standard_errors_are_asked_for() {
+fn a_kernel_keeps_moments_only_where_standard_errors_are_asked_for_of_independent_samples() {
     let Some(device) = common::device() else {
         return;
     };
     let scene = prepared(DIFFUSE, &Settings::default());
-    let keeps_moments = |aovs| {
+    let keeps_moments = |settings, aovs| {
         let job = Job {
             aovs,
-            ..job(&scene, Settings::default(), 2, 1)
+            ..job(&scene, settings, 2, 1)
         };
         let functions = kernel(&job, device).expect("a kernel").functions;
         functions.iter().any(|f| f == "film_moments")
     };
-    assert_eq!(
-        [keeps_moments(&[]), keeps_moments(&[Aov::Stderr])],
-        [false, true]
-    );
+    let asked = &[Aov::Stderr];
+    assert!(keeps_moments(independent(), asked));
+    assert!(!keeps_moments(independent(), &[]));
+    assert!(!keeps_moments(Settings::default(), asked));
 }
 
 /// A scene whose numbers are edited is found again in the drivers' caches: of up to 24 primitives the kernel's text knows

@@ -17,11 +17,16 @@ use crate::common::stats::sidak;
 
 const STDERR: &[Aov] = &[Aov::Stderr];
 
-fn with_errors(scene: &Prepared, spp: u32, seed: u32) -> Job<'_> {
+fn with_errors(scene: &Prepared, settings: Settings, spp: u32, seed: u32) -> Job<'_> {
     Job {
         aovs: STDERR,
-        ..job(scene, independent(), spp, seed)
+        ..job(scene, settings, spp, seed)
     }
+}
+
+/// By either sampler: of the spread of samples, and of their two groups.
+fn both() -> [Settings; 2] {
+    [independent(), Settings::default()]
 }
 
 /// The job by the reference, and on the device where there is one.
@@ -47,12 +52,14 @@ fn same(a: &Film, b: &Film, what: &str) {
 fn the_picture_is_the_same_with_and_without() {
     for text in [TABLE, SMOOTH, WIDE] {
         let scene = prepared(text, &Settings::default());
-        let with = with_errors(&scene, 6, 1);
-        let without = Job { aovs: &[], ..with };
-        for ((name, a), (_, b)) in outcomes(&with).into_iter().zip(outcomes(&without)) {
-            same(&a.film, &b.film, name);
-            assert!(a.stderr.is_some() && b.stderr.is_none(), "{name}");
-            assert_eq!(a.stats.rays, b.stats.rays, "{name}");
+        for settings in both() {
+            let with = with_errors(&scene, settings, 6, 1);
+            let without = Job { aovs: &[], ..with };
+            for ((name, a), (_, b)) in outcomes(&with).into_iter().zip(outcomes(&without)) {
+                same(&a.film, &b.film, name);
+                assert!(a.stderr.is_some() && b.stderr.is_none(), "{name}");
+                assert_eq!(a.stats.rays, b.stats.rays, "{name}");
+            }
         }
     }
 }
@@ -64,8 +71,8 @@ fn the_device_tells_the_errors_of_the_reference() {
     }
     for text in [TABLE, SMOOTH, WIDE] {
         let scene = prepared(text, &Settings::default());
-        for spp in [2, 9] {
-            let job = with_errors(&scene, spp, 1);
+        for (settings, spp) in both().into_iter().flat_map(|s| [(s, 2), (s, 9)]) {
+            let job = with_errors(&scene, settings, spp, 1);
             let device = errors(on_device(&job).expect("a device"));
             let reference = errors(outcome(&job, &Target::CpuF32));
             same(&device, &reference, &format!("{spp} samples of\n{text}"));
@@ -76,8 +83,12 @@ fn the_device_tells_the_errors_of_the_reference() {
 
 #[test]
 fn crop_tiles_and_dispatches_leave_no_trace() {
-    let scene = prepared(TABLE, &Settings::default());
-    let whole = with_errors(&scene, 6, 1);
+    both().into_iter().for_each(crop_and_limits_leave_no_trace);
+}
+
+fn crop_and_limits_leave_no_trace(settings: Settings) {
+    let scene = prepared(TABLE, &settings);
+    let whole = with_errors(&scene, settings, 6, 1);
     let [left, top, right, bottom] = [5, 3, 22, 20];
     let cropped = Job {
         crop: Some([left, top, right, bottom]),
@@ -117,17 +128,20 @@ fn crop_tiles_and_dispatches_leave_no_trace() {
 #[test]
 fn an_interruption_leaves_the_errors_of_the_samples_done() {
     let scene = prepared(TABLE, &Settings::default());
-    for least in [1, 5] {
+    for (settings, least) in both().into_iter().flat_map(|s| [(s, 1), (s, 5)]) {
         let stop = AtomicBool::new(false);
         let stopped = render(
-            &with_errors(&scene, 1 << 31, 1),
+            &with_errors(&scene, settings, 1 << 31, 1),
             &Target::CpuF32,
             &stop,
             &mut |p| stop.store(p.samples_done >= least, Ordering::Relaxed),
         )
         .expect("a rendering");
         assert_eq!(stopped.end, End::Interrupted);
-        let again = outcome(&with_errors(&scene, stopped.spp, 1), &Target::CpuF32);
+        let again = outcome(
+            &with_errors(&scene, settings, stopped.spp, 1),
+            &Target::CpuF32,
+        );
         assert_eq!(stopped.stderr, again.stderr);
         // The first slice is of one sample, of which there is no estimate.
         assert_eq!(stopped.stderr.is_none(), least == 1);
@@ -141,9 +155,11 @@ fn where_all_samples_are_equal_the_error_is_0() {
         "screen 4 3\ncamera 0 0 5 0.1\nlight .1 .7 3\nsphere 0 0 0 3\n",
         &Settings::default(),
     );
-    for (name, outcome) in outcomes(&with_errors(&scene, 49, 1)) {
-        assert!(outcome.film.rgb.iter().all(|p| p[0] > 0.0), "{name}");
-        assert_eq!(errors(outcome).rgb, [[0.0; 3]; 12], "{name}");
+    for settings in both() {
+        for (name, outcome) in outcomes(&with_errors(&scene, settings, 48, 1)) {
+            assert!(outcome.film.rgb.iter().all(|p| p[0] > 0.0), "{name}");
+            assert_eq!(errors(outcome).rgb, [[0.0; 3]; 12], "{name}");
+        }
     }
 }
 
@@ -168,7 +184,10 @@ box .4 -.5 .002 1.1 1.1 1.1
 /// Two renderings of independent seeds, with their errors.
 fn pair(scene: &Prepared, seeds: [u32; 2]) -> [(Film, Film); 2] {
     seeds.map(|seed| {
-        let outcome = outcome(&with_errors(scene, SPP, seed), &Target::CpuF32);
+        let outcome = outcome(
+            &with_errors(scene, independent(), SPP, seed),
+            &Target::CpuF32,
+        );
         (outcome.film.clone(), errors(outcome))
     })
 }

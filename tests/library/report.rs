@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use vkpt::report::{
     Dropped, ErrorAt, Job, Kernel, Largest, Machine, Memory, Record, SOFTWARE, Seconds, Work,
-    concerns, noted_sampler, notes, summary,
+    concerns, noted_freedom, notes, stderr_notes, summary,
 };
 use vkpt::settings::{
     Connect, Distribution, DistributionRule, Fresnel, Roulette, Sampler, Settings,
@@ -308,26 +308,28 @@ fn a_header_holds_what_the_picture_depends_on() {
 }
 
 #[test]
-fn notes_tell_their_sampler_and_no_others_do() {
-    for sampler in [Sampler::Random, Sampler::Sobol] {
-        let mut settings = Settings::default();
-        settings.estimator.sampler = sampler;
-        let job = Job {
-            settings: (&settings).into(),
-            ..record().job
-        };
-        let lines = notes(&job, "d").into_iter();
-        let text: String = lines
-            .map(|(name, value)| format!("{name}: {value}\n"))
-            .collect();
-        assert_eq!(noted_sampler(&text), Some(sampler));
+fn notes_of_standard_errors_tell_their_degrees_of_freedom_and_no_others_do() {
+    let read = |notes: Vec<(&str, String)>| {
+        let lines = notes
+            .into_iter()
+            .map(|(name, value)| format!("{name}: {value}\n"));
+        noted_freedom(&lines.collect::<String>())
+    };
+    for freedom in [1.0, 63.0, 4_294_967_294.0] {
+        assert_eq!(
+            read(stderr_notes(freedom, &record().job, "d")),
+            Some(freedom)
+        );
     }
+    assert_eq!(read(notes(&record().job, "d")), None);
     for foreign in [
         "",
-        "sampler=sobol",
-        "settings: sampler=halton",
-        "settings: spp=4",
+        "degrees of freedom",
+        "degrees of freedom: many",
+        "degrees of freedom: 0",
+        "degrees of freedom: -1",
+        "degrees of freedom: NaN",
     ] {
-        assert_eq!(noted_sampler(foreign), None, "{foreign}");
+        assert_eq!(noted_freedom(foreign), None, "{foreign}");
     }
 }

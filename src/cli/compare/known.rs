@@ -4,11 +4,10 @@ use std::path::PathBuf;
 
 use super::arguments::PictureArguments;
 use crate::cli::exit::Failure;
+use crate::cli::stderr::standard_errors;
 use crate::image::file::stderr_path;
 use crate::image::{self, Picture};
 use crate::metrics::blocks::{Estimate, Stderr};
-use crate::report::noted_sampler;
-use crate::settings::Sampler;
 
 /// A picture, and its standard errors where there are any.
 pub struct Known {
@@ -60,12 +59,6 @@ impl Known {
         self.path.display().to_string()
     }
 
-    /// Whether the standard errors tell more than the error is: samples by Sobol are not independent.
-    pub fn overstates(&self) -> bool {
-        let notes = self.stderr.as_ref().map(|stderr| &stderr.notes);
-        notes.is_some_and(|notes| noted_sampler(notes) == Some(Sampler::Sobol))
-    }
-
     /// The picture with its standard errors; otherwise what is missing.
     pub fn estimate(&self) -> Result<Estimate<'_>, String> {
         let stderr = self.stderr.as_ref().ok_or_else(|| {
@@ -77,7 +70,7 @@ impl Known {
         })?;
         Ok(Estimate {
             mean: &self.picture.film,
-            stderr: Stderr::PerPixel(&stderr.film),
+            stderr: Stderr::PerPixel(standard_errors(stderr)),
             precision: self.picture.precision,
         })
     }

@@ -4,7 +4,7 @@ use super::arguments::PictureArguments;
 use super::known::Known;
 use crate::cli::console::Console;
 use crate::cli::destination::{self, Destination, Written, all_written};
-use crate::cli::exit::{Ending, Failure, warn};
+use crate::cli::exit::{Ending, Failure};
 use crate::film::Film;
 use crate::image::{Format, Frame, Labels, encode};
 use crate::metrics::blocks::{ALPHA, BlockTest, z_test};
@@ -20,7 +20,6 @@ pub fn pictures(arguments: &PictureArguments) -> Result<Ending, Failure> {
         return Err(Failure::Usage("two pictures are needed".to_owned()));
     };
     let comparison = compare(arguments.exposure, tested, reference).map_err(Failure::Pictures)?;
-    warn_of_sobol(&known, &comparison);
     let console = Console::beside(&arguments.heatmap);
     let told = console.print(&report::comparison(&comparison));
     let written = match &arguments.heatmap {
@@ -30,19 +29,6 @@ pub fn pictures(arguments: &PictureArguments) -> Result<Ending, Failure> {
     };
     all_written([told, written])?;
     verdict(arguments, &comparison)
-}
-
-/// Tells where the z-test believes standard errors that are too large.
-fn warn_of_sobol(known: &[Known], comparison: &Comparison) {
-    let names = known.iter().filter(|k| k.overstates()).map(Known::name);
-    let names: Vec<String> = names.collect();
-    if !names.is_empty() && comparison.tested.iter().any(|t| t.z_test.is_ok()) {
-        warn(&format!(
-            "{}: samples by --sampler sobol are not independent, their standard errors too large, and the z-test may \
-             pass what differs",
-            names.join(", ")
-        ));
-    }
 }
 
 /// Each of `tested` against the reference.

@@ -7,14 +7,14 @@ use super::arguments::ConvergeArguments;
 use super::kept::Kept;
 use crate::cli::exit::{Failure, warn};
 use crate::cli::progress::Display;
+use crate::cli::stderr::standard_errors;
 use crate::converge::{ConvergeError, Halves, Plan, halves};
 use crate::image::file::stderr_path;
 use crate::image::{self, Precision};
 use crate::metrics::convergence::Reference;
 use crate::render::{Engine, Job};
 use crate::report::human::duration;
-use crate::report::noted_sampler;
-use crate::settings::{Model, Sampler, Settings};
+use crate::settings::{Model, Settings};
 
 /// No reference of one's own has more samples per pixel.
 const MOST: u32 = 1 << 24;
@@ -102,17 +102,7 @@ fn from_file(path: &Path, size: [u32; 2]) -> Result<Named, Failure> {
     let errors = stderr_path(path);
     let stderr = errors.exists().then(|| image::read(&errors));
     let stderr = stderr.transpose().map_err(|e| told(e.to_string()))?;
-    if stderr
-        .as_ref()
-        .is_some_and(|picture| noted_sampler(&picture.notes) == Some(Sampler::Sobol))
-    {
-        warn(&format!(
-            "{}: samples by --sampler sobol are not independent, their standard errors too large: a bias may stay \
-             unseen, and figures be marked that say something",
-            errors.display()
-        ));
-    }
-    let reference = Reference::picture(film, stderr.as_ref().map(|picture| &picture.film))
+    let reference = Reference::picture(film, stderr.as_ref().map(standard_errors))
         .map_err(|e| told(format!("{name}: {e}")))?;
     Ok(Named { name, reference })
 }

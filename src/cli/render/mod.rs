@@ -17,12 +17,11 @@ use crate::cli::exit::{Ending, Failure, warn};
 use crate::cli::interrupt::stop_flag;
 use crate::cli::job::Ready;
 use crate::cli::progress::Display;
-use crate::film::{Aov, Film};
+use crate::film::Film;
 use crate::image::file::FileError;
 use crate::image::{Frame, Labels};
 use crate::render::{self, End, Outcome};
 use crate::report::{self, Record, SOFTWARE};
-use crate::settings::Sampler;
 pub use arguments::RenderArguments;
 
 /// Reads, prepares, renders, writes and reports; or prints the path that `--trace` asks for.
@@ -96,16 +95,11 @@ fn write(
     let notes = report::notes(job, device);
     let (mut written, mut errors) = write(&outputs.pictures, &outcome.film, &notes);
     if let Some(stderr) = &outcome.stderr {
-        let notes = report::aov_notes(Aov::Stderr, job, device);
+        let freedom = render::freedom(settings.estimator.sampler, job.spp);
+        let notes = report::stderr_notes(freedom, job, device);
         let (more, failed) = write(&outputs.stderr, stderr, &notes);
         written.extend(more);
         errors.extend(failed);
-        if settings.estimator.sampler == Sampler::Sobol {
-            warn(
-                "the standard errors tell more than the error is: samples by --sampler sobol are not independent; \
-                 by --sampler random they are",
-            );
-        }
     } else if !outputs.stderr.is_empty() {
         warn("no standard errors are written: one sample tells nothing of its error");
     }

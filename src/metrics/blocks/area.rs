@@ -1,5 +1,6 @@
 //! Where the blocks are, and the z of one.
 
+use statrs::distribution::{ContinuousCDF, StudentsT};
 use statrs::function::erf::erfc;
 
 use super::Estimate;
@@ -20,6 +21,8 @@ pub struct Block {
     pub means: [f64; 2],
     /// Standard error of the means' difference.
     pub stderr: f64,
+    /// Its degrees of freedom; infinite where it is known exactly.
+    pub freedom: f64,
     /// First less second, beyond what rounding explains, in standard errors; ±∞ where there are none.
     pub z: f64,
     /// How likely agreeing pictures have as large a |z|.
@@ -48,11 +51,14 @@ pub(super) struct Area {
     pub rows: Span,
 }
 
-/// A block's mean in one channel, the square of its standard error, and how far rounding may have moved it.
+/// A block's mean in one channel, and how far rounding may have moved it.
 #[derive(Clone, Copy, Default)]
 struct BlockMean {
     mean: f64,
+    /// The square of its standard error.
     variance: f64,
+    /// Σ v²/ν of the pixels' parts v of that, each with ν degrees of freedom: half of its own variance.
+    doubt: f64,
     rounding: f64,
 }
 
@@ -64,7 +70,13 @@ impl Area {
     }
 
     fn block(&self, a: &BlockMean, b: &BlockMean, channel: usize) -> Block {
-        let stderr = (a.variance + b.variance).sqrt();
+        let variance = a.variance + b.variance;
+        let stderr = variance.sqrt();
+        // ν = (Σ v)²/Σ (v²/νᵢ): Satterthwaite, An Approximate Distribution of Estimates of Variance Components, 1946
+        let freedom = match a.doubt + b.doubt {
+            0.0 => f64::INFINITY,
+            doubt => variance * variance / doubt,
+        };
         let difference = a.mean - b.mean;
         let beyond = (difference.abs() - a.rounding - b.rounding).max(0.0);
         // z = (ā − b̄)/√(se_a² + se_b²); a difference within rounding is none, whatever the errors.
@@ -80,9 +92,9 @@ impl Area {
             channel,
             means: [a.mean, b.mean],
             stderr,
+            freedom,
             z,
-            // P(|Z| > |z|) = erfc(|z|/√2)
-            p: erfc(z.abs() / std::f64::consts::SQRT_2),
+            p: p_of(z, freedom),
         }
     }
 
@@ -92,7 +104,10 @@ impl Area {
             let (value, error, rounding) = picture.pixel(i);
             for (c, sum) in sums.iter_mut().enumerate() {
                 sum.mean += value[c];
-                sum.variance += error[c] * error[c];
+                let square = error[c] * error[c];
+                sum.variance += square;
+                // E v̂² = v² (ν + 2)/ν
+                sum.doubt += square * square / (picture.freedom() + 2.0);
                 sum.rounding += rounding[c];
             }
         }
@@ -101,6 +116,7 @@ impl Area {
         sums.map(|sum| BlockMean {
             mean: sum.mean / n,
             variance: sum.variance / (n * n),
+            doubt: sum.doubt / n.powi(4),
             rounding: sum.rounding / n,
         })
     }
@@ -109,5 +125,14 @@ impl Area {
     fn pixels(&self, width: usize) -> impl Iterator<Item = usize> {
         let [[left, right], [top, bottom]] = [self.columns, self.rows];
         (top..bottom).flat_map(move |y| (left..right).map(move |x| y * width + x))
+    }
+}
+
+/// How likely |T| > |z| is, T of Student's distribution; of the normal one where the standard error is known exactly.
+fn p_of(z: f64, freedom: f64) -> f64 {
+    match StudentsT::new(0.0, 1.0, freedom) {
+        Ok(t) if freedom.is_finite() => 2.0 * t.sf(z.abs()),
+        // P(|Z| > |z|) = erfc(|z|/√2)
+        _ => erfc(z.abs() / std::f64::consts::SQRT_2),
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::film::Film;
 use crate::image::Precision;
-use crate::metrics::MetricsError;
 use crate::metrics::pair::{check, check_errors, same_size};
+use crate::metrics::{MetricsError, StandardErrors};
 
 /// How far two renderers may part that round differently, relatively: a path takes some two hundred operations,
 /// each off by half a unit in the last place of f32; they add up like a random walk: √256 · 2⁻²⁴.
@@ -21,9 +21,8 @@ pub struct Estimate<'a> {
 /// The standard errors of a picture.
 #[derive(Clone, Copy, Debug)]
 pub enum Stderr<'a> {
-    /// Of each pixel and channel, as the picture's unit. Pixels are taken for independent, which they are
-    /// under a filter of one pixel.
-    PerPixel(&'a Film),
+    /// Of each pixel and channel. Pixels are taken for independent, which they are under a filter of one pixel.
+    PerPixel(StandardErrors<'a>),
     /// None: the picture is taken for the truth. Any noise in it is then taken for the other's bias.
     Exact,
 }
@@ -35,7 +34,7 @@ impl Estimate<'_> {
         errors: &'static str,
     ) -> Result<(), MetricsError> {
         check(self.mean, mean)?;
-        if let Stderr::PerPixel(film) = self.stderr {
+        if let Stderr::PerPixel(StandardErrors { film, .. }) = self.stderr {
             check_errors(film, errors)?;
             same_size((self.mean, mean), (film, errors))?;
         }
@@ -45,11 +44,19 @@ impl Estimate<'_> {
             .ok_or(MetricsError::NoRounding { picture: mean })
     }
 
+    /// Degrees of freedom of each standard error.
+    pub(super) fn freedom(&self) -> f64 {
+        match self.stderr {
+            Stderr::PerPixel(errors) => errors.freedom,
+            Stderr::Exact => f64::INFINITY,
+        }
+    }
+
     /// The `i`-th pixel's value, standard error and the most that rounding has moved it, channel by channel.
     pub(super) fn pixel(&self, i: usize) -> ([f64; 3], [f64; 3], [f64; 3]) {
         let value = self.mean.rgb[i];
         let error = match self.stderr {
-            Stderr::PerPixel(film) => film.rgb[i].map(f64::from),
+            Stderr::PerPixel(errors) => errors.film.rgb[i].map(f64::from),
             Stderr::Exact => [0.0; 3],
         };
         // `check` has refused what has no bound.

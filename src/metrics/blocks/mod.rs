@@ -2,7 +2,8 @@
 //!
 //! Tested pixel by pixel, a correct renderer would fail (fireflies have no normal distribution), and 1 % of bias
 //! would pass (it hides below a pixel's noise). The mean of a block of 625 pixels is close to normal, and its
-//! error 25 times smaller. Fireflies so rare that a block has but a few still break that, and reject more often
+//! error 25 times smaller. Where the errors are estimates themselves, of few degrees of freedom a pixel, the test is one
+//! by Student's t, whose degrees of freedom come from all pixels of a block together. Fireflies so rare that a block has but a few still break that, and reject more often
 //! than the level says.
 
 mod area;
@@ -62,17 +63,18 @@ impl BlockTest {
         self.blocks.iter().filter(|b| b.p < self.level).count()
     }
 
-    /// The block of the largest |z|.
+    /// The block of the least p; of equals that of the largest |z|.
     pub fn worst(&self) -> Block {
-        let by_z = |worst: Block, b: &Block| if b.z.abs() > worst.z.abs() { *b } else { worst };
-        self.blocks[1..].iter().fold(self.blocks[0], by_z)
+        let worse = |a: &Block, b: &Block| (a.p, -a.z.abs()) < (b.p, -b.z.abs());
+        let by_p = |worst: Block, b: &Block| if worse(b, &worst) { *b } else { worst };
+        self.blocks[1..].iter().fold(self.blocks[0], by_p)
     }
 
     /// Mean and standard deviation of z over the blocks that have a standard error: near 0 and 1 if the errors
     /// are honest. `None` with fewer than two of them.
     ///
     /// The deviation of m independent z is itself uncertain by 1/√(2m); noise that the channels share makes m
-    /// the number of blocks.
+    /// the number of blocks. Of ν degrees of freedom it is √(ν/(ν − 2)).
     pub fn spread(&self) -> Option<[f64; 2]> {
         let noisy = self.blocks.iter().filter(|b| b.stderr > 0.0);
         let z: Vec<f64> = noisy.map(|b| b.z).collect();

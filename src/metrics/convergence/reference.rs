@@ -6,7 +6,7 @@ use crate::film::Film;
 use crate::metrics::flip::{Viewing, flip};
 use crate::metrics::pair::{check, check_errors, same_size};
 use crate::metrics::rel_mse::relative;
-use crate::metrics::{MetricsError, Pair, symmetric_errors, trimmed};
+use crate::metrics::{MetricsError, Pair, StandardErrors, symmetric_errors, trimmed};
 
 /// A picture, or two independent ones of the same mean.
 #[derive(Clone, Debug)]
@@ -31,7 +31,7 @@ impl Reference {
     ///
     /// # Errors
     /// No pixels, values that are not finite, standard errors of another size or below 0.
-    pub fn picture(film: Film, stderr: Option<&Film>) -> Result<Self, MetricsError> {
+    pub fn picture(film: Film, stderr: Option<StandardErrors>) -> Result<Self, MetricsError> {
         check(&film, "reference")?;
         let mut own = Figures {
             mse: None,
@@ -41,7 +41,11 @@ impl Reference {
             flip: None,
         };
         let mut own_spread = 0.0;
-        if let Some(stderr) = stderr {
+        if let Some(StandardErrors {
+            film: stderr,
+            freedom,
+        }) = stderr
+        {
             check_errors(stderr, "reference's standard errors")?;
             same_size(
                 (&film, "reference"),
@@ -52,8 +56,13 @@ impl Reference {
             own.mse = Some(mse);
             own.rmse = Some(mse.sqrt());
             own.rel_mse = Some(mean(&rel));
-            // (r − µ)² of a normal r has the variance 2 (Var r)².
-            own_spread = spread(2.0, &rel);
+            // (r − µ)² of a normal r has the variance 2 v², v = Var r; its estimate v̂, which is taken off, 2 v²/ν; and
+            // v² is on average v̂² ν/(ν + 2).
+            let factor = match freedom.is_finite() {
+                true => 2.0 * (freedom + 1.0) / (freedom + 2.0),
+                false => 2.0,
+            };
+            own_spread = spread(factor, &rel);
         }
         Ok(Self {
             kind: Kind::Picture,

@@ -48,7 +48,8 @@ pub fn film_moments<F: Real>(moments: &mut FilmMoments<F>, radiance: Vec3<F>, n:
 /// The standard error of the mean of `n` ≥ 2 samples, in their unit.
 ///
 /// Presumes that the samples are independent, which is true of [`Sampler::Random`](crate::settings::Sampler): every
-/// pixel, sample and dimension draws random numbers of its own. Sobol points have a smaller error than this one tells.
+/// pixel, sample and dimension draws random numbers of its own. Of Sobol points it would be too large: their error comes
+/// from two groups of them ([`film_half_difference`](super::film_half_difference)).
 pub fn film_stderr<F: Real>(moments: &FilmMoments<F>, n: u32) -> Vec3<F> {
     // s²/n with the unbiased s² = Σ (x − mean)² / (n − 1)
     let variance = moments.m2.sum / (F::from_u32(n) * F::from_u32(n - 1));

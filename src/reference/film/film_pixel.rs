@@ -69,10 +69,15 @@ pub fn film_sample<F: Real>(pixel: &mut FilmPixel<F>, radiance: Vec3<F>) {
 
 /// A number whose square is an unbiased estimate of the variance of the mean of `n` ≥ 2 samples: half the difference
 /// of the two groups' means, (a − b)/2, where they are equally large.
+///
+/// For even `n` that needs independent groups of one distribution, and nothing of the samples within a group: they may be
+/// points of a sequence. For odd `n` it needs independent samples too; of a sequence the estimate is on average at least
+/// (n − 1)/(n + 1) and at most (n + 1)/(n − 1) of the variance.
 pub fn film_half_difference<F: Real>(sum: PixelSum<F>, contrast: Vec3<F>, n: u32) -> Vec3<F> {
     // Groups of n₀ = ⌈n/2⌉ and n₁ = ⌊n/2⌋ samples of variance σ² and D = Σ ± x: for even n, Var D = n σ², so
     // D²/n² has the expectation σ²/n. For odd n, D − x̄ has the mean 0 and the variance σ² (n² − 1)/n, and
-    // (D − x̄)²/(n² − 1) that expectation.
+    // (D − x̄)²/(n² − 1) that expectation. If the groups' sums have the variances V₀ and V₁, the mean has (V₀ + V₁)/n²,
+    // and the estimate [(n − 1)² V₀ + (n + 1)² V₁]/(n² (n² − 1)): between (n − 1)/(n + 1) and (n + 1)/(n − 1) of that.
     let odd = n & 1;
     let count = F::from_u32(n);
     let scale = (count * count - F::from_u32(odd)).sqrt();

@@ -142,6 +142,35 @@ fn the_half_difference_squares_to_the_variance_of_the_mean() {
     }
 }
 
+/// Of an odd number of samples whose groups are all equal or cancel, the two extremes of dependence: a group of m samples,
+/// each 0 or 1 as one coin falls, has the variance m²/4, one of constants 0.
+#[test]
+fn of_odd_numbers_of_dependent_samples_the_square_is_within_its_bounds() {
+    for n in [3u32, 5, 9] {
+        let (first, second) = (n.div_ceil(2), n / 2);
+        let square = |coins: [f64; 2]| {
+            let mut pixel = FilmPixel::<f64>::default();
+            for i in 0..n {
+                film_sample(&mut pixel, Vec3::splat(coins[i as usize % 2]));
+            }
+            film_half_difference(pixel.sum, pixel.contrast, n).x.powi(2)
+        };
+        // One group is the coin's, the other's samples are ½.
+        let told = |group: usize| {
+            let of = |coin| square(if group == 0 { [coin, 0.5] } else { [0.5, coin] });
+            (of(0.0) + of(1.0)) / 2.0
+        };
+        let true_variance = |m: u32| f64::from(m * m) / 4.0 / f64::from(n * n);
+        let bound = f64::from(n - 1) / f64::from(n + 1);
+        let ratios = [
+            told(0) / true_variance(first),
+            told(1) / true_variance(second),
+        ];
+        assert!((ratios[0] - bound).abs() < 1e-12, "{n}: {ratios:?}");
+        assert!((ratios[1] - 1.0 / bound).abs() < 1e-12, "{n}: {ratios:?}");
+    }
+}
+
 #[test]
 fn the_half_difference_of_two_samples_and_of_three() {
     let half_difference = |samples: &[f32]| {

@@ -26,7 +26,7 @@ pub enum StatePlan {
 pub struct PathPlan {
     pub paths: ArrayPlan,
     pub film: ArrayPlan,
-    /// Where standard errors are asked for.
+    /// Where standard errors are to come from them.
     pub moments: Option<ArrayPlan>,
     /// Events of one path, or outcomes of all.
     pub recorded: Option<ArrayPlan>,

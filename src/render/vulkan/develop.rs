@@ -28,7 +28,7 @@ impl HostFilm for PathFilm {
         }
     }
 
-    fn standard_errors(&self, spp: u32) -> Option<Film> {
+    fn spread(&self, spp: u32) -> Option<Film> {
         let stderr = |m: &FilmMoments| {
             let moments = film::FilmMoments {
                 mean: parts(m.mean, m.mean_comp),
@@ -37,7 +37,7 @@ impl HostFilm for PathFilm {
             film_stderr(&moments, spp)
         };
         let kept = self.tiles.iter().all(|t| !t.moments.is_empty());
-        (kept && spp >= 2).then(|| assemble(&self.tiles, self.area, |t, k| stderr(&t.moments[k])))
+        kept.then(|| assemble(&self.tiles, self.area, |t, k| stderr(&t.moments[k])))
     }
 
     fn counts(&self) -> Counts {

@@ -15,7 +15,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::course::Course;
 use super::replicates::Growing;
-use super::{HostFilm, Job, Outcome, Progress, RenderError, Stats};
+use super::{HostFilm, Job, Outcome, Progress, RenderError, Stats, standard_errors};
 use crate::gpu::Device;
 use crate::kernel::scene::Recording;
 use crate::layout::Record;
@@ -94,7 +94,7 @@ fn render_by<'a, R: Rendering<'a>>(
     };
     Ok(Outcome {
         film: run.film().picture(done),
-        stderr: run.film().standard_errors(done),
+        stderr: standard_errors(job, run.film(), done),
         spp: done,
         end,
         errors,

@@ -10,7 +10,7 @@ use crate::render::tiles::Tile;
 pub struct TileFilm {
     pub tile: Tile,
     pub pixels: Vec<FilmPixel>,
-    /// Empty where nobody asks for standard errors.
+    /// Empty where no standard errors come from them.
     pub moments: Vec<FilmMoments>,
 }
 

@@ -300,12 +300,15 @@ fn standard_errors_stand_beside_each_picture() {
         (picture.origin, picture.size, picture.full)
     );
     assert!(errors.rgb.iter().flatten().any(|&e| e > 0.0));
-    let (first, rest) = errors.comments.split_once('\n').expect("notes");
+    let mut notes = errors.comments.splitn(3, '\n');
+    let mut next = || notes.next().expect("notes");
+    let first = next();
     assert!(
         first.starts_with("aov: stderr: standard error of the mean"),
         "{first}"
     );
-    assert_eq!(rest, picture.comments);
+    assert_eq!(next(), "degrees of freedom: 7");
+    assert_eq!(next(), picture.comments);
 }
 
 /// A diffuse floor under a small light.

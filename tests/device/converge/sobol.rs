@@ -1,5 +1,5 @@
 //! Samples by Sobol are not independent of one another, but those of two seeds are: what replicates and halves tell of
-//! the error holds, where the standard error of a pixel's samples does not.
+//! the error holds, where the spread of a pixel's samples does not.
 
 use vkpt::film::{Aov, Film};
 use vkpt::metrics::convergence::{Metric, Reference, floor};
@@ -8,7 +8,7 @@ use vkpt::render::{Engine, Job, Replicates, Target};
 use vkpt::settings::{Sampler, Settings};
 
 use super::{LIT, RUNNING};
-use crate::common::render::{job, outcome, prepared};
+use crate::common::render::{job, outcome, prepared, spread_of_samples};
 
 const SAMPLES: u32 = 16;
 const REPLICATES: usize = 24;
@@ -58,14 +58,14 @@ fn halves_and_replicates_tell_the_error_and_the_spread_of_samples_does_not() {
         .iter()
         .map(|film| figures(film).of(Metric::Mse).all)
         .collect();
-    let (truth, doubt) = estimate(&errors);
+    let (truth, doubt_of_mse) = estimate(&errors);
     // Of two seeds: E (x − y)²/2, as halves tell of their own error.
     let pairs = all
         .chunks_exact(2)
         .map(|two| mean(&two[0], &two[1], |x, y| 0.5 * (x - y) * (x - y)));
     let (by_pairs, doubt_of_pairs) = estimate(&pairs.collect::<Vec<_>>());
     // 4.44: Student's t of 11 degrees of freedom, two-sided at 1e-3.
-    let tolerance = 4.44 * doubt.hypot(doubt_of_pairs);
+    let tolerance = 4.44 * doubt_of_mse.hypot(doubt_of_pairs);
     assert!(
         (by_pairs - truth).abs() < tolerance,
         "{by_pairs} for {truth} ± {tolerance}"
@@ -90,17 +90,34 @@ fn halves_and_replicates_tell_the_error_and_the_spread_of_samples_does_not() {
         "{by_groups} for {truth_of_line} ± {tolerance_of_line}"
     );
 
-    // Planted: the standard errors of samples that were taken for independent.
-    let with_errors = Job {
-        aovs: &[Aov::Stderr],
-        ..job
+    // What the standard errors of its pixels say, from the same two groups.
+    let squares = |seed: u32| {
+        let with_errors = Job {
+            aovs: &[Aov::Stderr],
+            seed,
+            ..job
+        };
+        let errors = outcome(&with_errors, &Target::CpuF32)
+            .stderr
+            .expect("errors");
+        mean(&errors, &errors, |e, _| e * e)
     };
-    let stderr = outcome(&with_errors, &Target::CpuF32)
-        .stderr
-        .expect("errors");
-    let by_samples = mean(&stderr, &stderr, |e, _| e * e);
+    let (by_errors, doubt_of_errors) =
+        estimate(&(0..REPLICATES as u32).map(squares).collect::<Vec<_>>());
+    let tolerance_of_errors = 3.77 * doubt_of_mse.hypot(doubt_of_errors);
     assert!(
-        by_samples > truth + tolerance,
+        (by_errors - truth).abs() < tolerance_of_errors,
+        "{by_errors} for {truth} ± {tolerance_of_errors}"
+    );
+
+    // Planted: the standard errors of samples that are taken for independent.
+    let by_samples = spread_of_samples(&job, &[0])[0]
+        .as_flattened()
+        .iter()
+        .sum::<f64>()
+        / (3 * all[0].rgb.len()) as f64;
+    assert!(
+        by_samples > truth + tolerance.max(tolerance_of_errors),
         "{by_samples} for {truth} ± {tolerance}"
     );
 }

@@ -75,6 +75,7 @@ fn the_full_kernel_makes_the_picture_of_other_settings() {
         "connect light",
         "connect bsdf",
         "max-depth 3",
+        "sampler random",
         "the hand-out's",
     ];
     let all = estimators().into_iter().chain(models());

@@ -3,6 +3,7 @@
 use statrs::distribution::{Binomial, DiscreteCDF};
 use vkpt::film::Film;
 use vkpt::image::Precision;
+use vkpt::metrics::StandardErrors;
 use vkpt::metrics::blocks::{BlockTest, Estimate, Stderr, z_test};
 
 use super::pictures::{Random, constant, film, mapped};
@@ -10,7 +11,7 @@ use super::pictures::{Random, constant, film, mapped};
 fn test(a: &Film, b: &Film, stderr: &Film, alpha: f64) -> BlockTest {
     let [a, b] = [a, b].map(|mean| Estimate {
         mean,
-        stderr: Stderr::PerPixel(stderr),
+        stderr: Stderr::PerPixel(StandardErrors::exact(stderr)),
         precision: Precision::Single,
     });
     z_test(&a, &b, alpha).expect("two pictures")
@@ -52,6 +53,39 @@ fn under_normal_noise_it_rejects_as_often_as_it_says() {
     let n = z.len() as f64;
     let square = z.iter().map(|z| z * z).sum::<f64>() / n;
     assert!((square - 1.0).abs() < 4.06 * (2.0 / n).sqrt(), "{square}");
+}
+
+/// Of 4000 pairs of pictures of `size`, how many are rejected at 5 % by errors of one degree of freedom a pixel, whose
+/// blocks take `freedom` for that of each.
+fn rejected_by_estimates([width, height]: [u32; 2], freedom: f64) -> u64 {
+    let mean = constant(width, height, [1.0; 3]);
+    let exact = film(width, height, |x, y| {
+        [0.1, 0.1 + 0.1 * (x % 2) as f32, 0.1 * (1 + y % 3) as f32]
+    });
+    let black = constant(width, height, [0.0; 3]);
+    let mut random = Random(15);
+    let rejects = |_: &u32| {
+        // A normal number's square times the variance is an unbiased estimate of it.
+        let [a, b] = [0, 1].map(|_| random.noisy(&mean, &exact));
+        let [told_a, told_b] = [0, 1].map(|_| mapped(&random.noisy(&black, &exact), f32::abs));
+        let [a, b] = [(&a, &told_a), (&b, &told_b)].map(|(mean, film)| Estimate {
+            mean,
+            stderr: Stderr::PerPixel(StandardErrors { film, freedom }),
+            precision: Precision::Single,
+        });
+        !z_test(&a, &b, 0.05).expect("two pictures").passes()
+    };
+    (0..4000).filter(rejects).count() as u64
+}
+
+/// A block of 20 pixels has up to 40 degrees of freedom; taken for infinitely many, it rejects too often.
+#[test]
+fn errors_of_one_degree_of_freedom_reject_as_often_as_the_test_says() {
+    let honest = rejected_by_estimates([5, 4], 1.0);
+    let planted = rejected_by_estimates([5, 4], f64::INFINITY);
+    println!("{honest} and {planted} of 4000");
+    assert!(p_of_count(honest, 4000, 0.05) > 1e-3, "{honest}");
+    assert!(p_of_count(planted, 4000, 0.05) < 1e-3, "{planted}");
 }
 
 /// Errors given 20 % too small or too large: the deviation of z is 1/0.8 or 1/1.2 instead of 1. Of 1200×900
@@ -98,14 +132,15 @@ fn rejected(rarity: u32, seed: u64) -> usize {
         ..mean
     };
     let passes = |picture: &Film| {
-        let [a, b] =
-            [(picture, Stderr::PerPixel(&stderr)), (&mean, Stderr::Exact)].map(|(mean, stderr)| {
-                Estimate {
-                    mean,
-                    stderr,
-                    precision: Precision::Single,
-                }
-            });
+        let [a, b] = [
+            (picture, Stderr::PerPixel(StandardErrors::exact(&stderr))),
+            (&mean, Stderr::Exact),
+        ]
+        .map(|(mean, stderr)| Estimate {
+            mean,
+            stderr,
+            precision: Precision::Single,
+        });
         z_test(&a, &b, 1e-3).expect("two pictures").passes()
     };
     (0..100).filter(|_| !passes(&picture())).count()

@@ -2,11 +2,11 @@
 
 use statrs::distribution::{Binomial, DiscreteCDF};
 use vkpt::film::Film;
-use vkpt::metrics::Trimmed;
 use vkpt::metrics::convergence::{
     Figures, Interval, Metric, Reference, Summary, floor, ratio_of_efficiencies, slope,
 };
 use vkpt::metrics::flip::Viewing;
+use vkpt::metrics::{StandardErrors, Trimmed};
 
 use super::pictures::{Random, constant, film, mapped};
 
@@ -248,6 +248,43 @@ fn every_metric_falls_with_the_samples() {
     }
 }
 
+/// The mean of (floor/its standard error)² over references whose noise is all there is, with errors of one degree of freedom
+/// that are taken for such of `freedom`.
+fn mean_square_of_floors(freedom: f64) -> f64 {
+    let (truth, black) = (constant(40, 30, [1.0; 3]), constant(40, 30, [0.0; 3]));
+    let mut random = Random(19);
+    let mut noisy = |film: &Film, sigma: f64| Film {
+        rgb: film
+            .rgb
+            .iter()
+            .map(|p| [p[0] + (sigma * random.normal()) as f32; 3])
+            .collect(),
+        ..*film
+    };
+    let trials = 1000;
+    let square = |_| {
+        let errors = mapped(&noisy(&black, 0.01), f32::abs);
+        let errors = StandardErrors {
+            film: &errors,
+            freedom,
+        };
+        let reference = Reference::picture(noisy(&truth, 0.01), Some(errors)).expect("a reference");
+        let pictures = [(); 3].map(|()| noisy(&truth, 1e-5));
+        let floor = floor(&pictures, &reference).expect("three pictures");
+        (floor.rel_mse / floor.standard_error).powi(2)
+    };
+    (0..trials).map(square).sum::<f64>() / f64::from(trials)
+}
+
+/// It is 1, with a standard error of √(2/1000).
+#[test]
+fn the_floor_of_a_reference_allows_for_its_degrees_of_freedom() {
+    let off = |freedom| (mean_square_of_floors(freedom) - 1.0).abs() / (2.0f64 / 1000.0).sqrt();
+    let (honest, planted) = (off(1.0), off(f64::INFINITY));
+    println!("{honest} and {planted} standard errors off");
+    assert!(honest < 3.3 && planted > 5.0);
+}
+
 #[test]
 fn a_reference_of_another_size_or_with_nan_is_refused() {
     let (truth, mut random) = (truth(), Random(17));
@@ -260,5 +297,5 @@ fn a_reference_of_another_size_or_with_nan_is_refused() {
     assert!(Reference::halves(truth.clone(), constant(3, 2, [1.0; 3]), &VIEWING).is_err());
     assert!(Reference::picture(mapped(&truth, |_| f32::NAN), None).is_err());
     let negative = mapped(&truth, |_| -1.0);
-    assert!(Reference::picture(truth.clone(), Some(&negative)).is_err());
+    assert!(Reference::picture(truth.clone(), Some(StandardErrors::exact(&negative))).is_err());
 }

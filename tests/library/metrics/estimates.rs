@@ -2,12 +2,13 @@
 
 use vkpt::film::Film;
 use vkpt::image::Precision;
+use vkpt::metrics::StandardErrors;
 use vkpt::metrics::blocks::{ALPHA, BlockTest, Estimate, Stderr, z_test};
 
 pub fn measured<'a>(mean: &'a Film, stderr: &'a Film) -> Estimate<'a> {
     Estimate {
         mean,
-        stderr: Stderr::PerPixel(stderr),
+        stderr: Stderr::PerPixel(StandardErrors::exact(stderr)),
         precision: Precision::Single,
     }
 }
