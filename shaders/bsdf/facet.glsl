@@ -26,7 +26,7 @@ Facet facet(Interaction at, vec3 wi, vec3 m) {
     x.c = dot3(at.wo, m);
     x.ci = dot3(wi, m);
     x.f = fresnel(at, x.c);
-    x.p_reflect = reflect_probability(at, x.c, mean3(x.f));
+    x.p_reflect = reflect_probability(at, x.c, carried_mean(at, x.f));
     x.pm = normals_pdf(at, m);
     x.dg = distribution_d(at.material, m) * g / at.wo.z;
     return x;

@@ -1,7 +1,7 @@
 // A surface seen from one direction.
 // Twin of src/reference/bsdf/interaction.rs.
 
-// uses:
+// uses: math/vec
 
 struct Interaction {
     Material material;
@@ -16,6 +16,8 @@ struct Interaction {
     float d;
     // A(t) of the stretch that led here inside the medium, with absorption by `term`; 1 otherwise.
     vec3 attenuation;
+    // The path's throughput over its mean, by which the choice of lobe weighs channels; 1 unless the path says otherwise.
+    vec3 carried;
 };
 
 // `material` seen from `wo`, which is on the outer side if `outside`.
@@ -27,5 +29,13 @@ Interaction interaction(Material material, bool outside, vec3 wo, vec3 attenuati
     at.one_minus_eta2 = outside ? material.one_minus_eta2.x : material.one_minus_eta2.y;
     at.d = outside ? material.d.x : material.d.y;
     at.attenuation = attenuation;
+    at.carried = vec3(1.0);
     return at;
+}
+
+// The mean of f over what the path carries, within [0, 1]; of a grey f it is f to the bit.
+float carried_mean(Interaction at, vec3 f) {
+    float mean = mean3(f);
+    float weighted = mean + mean3(at.carried * (f - vec3(mean)));
+    return min2(max2(weighted, 0.0), 1.0);
 }

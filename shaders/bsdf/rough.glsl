@@ -22,7 +22,7 @@ RoughDraw rough_draw(Interaction at, BsdfRandom random) {
 
 // Whether the drawn micro-normal reflects, with probability R(c); else it refracts.
 bool rough_reflects(Interaction at, RoughDraw draw, BsdfRandom random) {
-    float f_mean = mean3(fresnel(at, draw.c));
+    float f_mean = carried_mean(at, fresnel(at, draw.c));
     return random.reflect < reflect_probability(at, draw.c, f_mean);
 }
 

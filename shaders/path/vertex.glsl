@@ -1,5 +1,5 @@
 // A vertex of the path: the surface that a ray has hit, seen from the side it came from.
-// uses: math/frame, shape/ray, bsdf/interaction, <surface>, <medium>, <valid>
+// uses: math/frame, shape/ray, bsdf/interaction, path/throughput, <surface>, <medium>, <valid>
 
 struct Vertex {
     vec3 p;
@@ -17,8 +17,8 @@ struct Vertex {
     uint material;
 };
 
-// The vertex where `ray` has hit, `distance` away from the path's last vertex.
-Vertex path_vertex(Ray ray, Hit hit, float distance) {
+// The vertex where `ray` has hit, `distance` away from the path's last vertex, with this `throughput`.
+Vertex path_vertex(Ray ray, Hit hit, float distance, vec3 throughput) {
     Surface surface = hit_surface(ray, hit);
     vec3 wo = -ray.d;
     Vertex v;
@@ -34,6 +34,7 @@ Vertex path_vertex(Ray ray, Hit hit, float distance) {
     v.frame = frame_about(seen_normal(ns, v.facing, wo, materials[v.material].kind));
     v.interaction = interaction(materials[v.material], v.outside, to_local(v.frame, wo),
                                 term_attenuation(v.material, v.outside, distance));
+    v.interaction.carried = channel_shares(throughput);
     return v;
 }
 

@@ -9,7 +9,7 @@ BsdfSample smooth_dielectric_delta(Interaction at, BsdfRandom random) {
     float c = at.wo.z;
     vec3 f = fresnel(at, c);
     float p_m = facet_probability(at);
-    float p_r = reflect_probability(at, c, mean3(f));
+    float p_r = reflect_probability(at, c, carried_mean(at, f));
     bool reflects = random.reflect < p_r;
     vec3 reflected = reflected_share(at, c, f);
     vec3 refracted = (vec3(1.0) - f) * at.attenuation * transmission_scale(at.eta);

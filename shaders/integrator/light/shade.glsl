@@ -5,7 +5,7 @@ void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Trace
            uint pixel_index) {
     bool alive = false;
     if (traced.hit.shape != NONE) {
-        Vertex v = path_vertex(traced.ray, traced.hit, traced.distance);
+        Vertex v = path_vertex(traced.ray, traced.hit, traced.distance, path.throughput);
         // A path sets out with some light: what has none has lost it to absorption.
         bool absorbed = is_black(path.throughput);
         lane.underflows += absorbed ? 1u : 0u;

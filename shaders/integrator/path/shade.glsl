@@ -27,7 +27,7 @@ void shade(inout PathState s, inout Subpath path, inout ShadowRay shadow, Traced
         record_escape(s, path);
         end_path(s, path);
     } else {
-        Vertex v = path_vertex(traced.ray, traced.hit, traced.distance);
+        Vertex v = path_vertex(traced.ray, traced.hit, traced.distance, path.throughput);
         record_hit(s, path, v);
         s.radiance += path.throughput * emission_seen(path, v, traced.origin, traced.distance);
         // A path sets out with some light: what has none has lost it to absorption.

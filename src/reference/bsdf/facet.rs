@@ -4,9 +4,9 @@
 use super::choice::reflect_probability;
 use super::distribution::{distribution_d, distribution_g1};
 use super::fresnel::fresnel;
-use super::interaction::Interaction;
+use super::interaction::{Interaction, carried_mean};
 use super::normals::normals_pdf;
-use crate::reference::math::{Real, Vec3, dot3, mean3};
+use crate::reference::math::{Real, Vec3, dot3};
 use crate::settings::Settings;
 
 /// A micro-normal between `wo` and `wi`.
@@ -40,7 +40,7 @@ pub fn facet<F: Real>(
         c,
         ci: dot3(wi, m),
         f,
-        p_reflect: reflect_probability(settings, at, c, mean3(f)),
+        p_reflect: reflect_probability(settings, at, c, carried_mean(at, f)),
         pm: normals_pdf(settings, at, m),
         dg: distribution_d(&at.material, m) * g / at.wo.z,
     }

@@ -1,7 +1,7 @@
 //! A surface seen from one direction; twin of `shaders/bsdf/interaction.glsl`.
 
 use super::material::Material;
-use crate::reference::math::{Real, Vec3};
+use crate::reference::math::{Real, Vec3, max2, mean3, min2};
 
 /// A material and the side of it that `wo` is on.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +19,8 @@ pub struct Interaction<F> {
     /// A(t) of the stretch that led here inside the medium, with absorption by `term`; 1 otherwise. It stands
     /// wherever E_t does, so one formula serves both settings.
     pub attenuation: Vec3<F>,
+    /// The path's throughput over its mean, by which the choice of lobe weighs channels; 1 unless the path says otherwise.
+    pub carried: Vec3<F>,
 }
 
 /// `material` seen from `wo`, which is on the outer side if `outside`.
@@ -36,5 +38,16 @@ pub fn interaction<F: Real>(
         one_minus_eta2: material.one_minus_eta2[side],
         d: material.d[side],
         attenuation,
+        carried: Vec3::one(),
     }
+}
+
+/// The mean of `f` over what the path carries, within [0, 1]: Σ βf/Σ β, which for a grey `f` is `f` to the bit.
+///
+/// Chosen by it, a reflection of weight f/R leaves the mean of the path's throughput as it is; by the plain mean of f its
+/// channels would drift apart, each with a variance that grows at every choice.
+pub fn carried_mean<F: Real>(at: &Interaction<F>, f: Vec3<F>) -> F {
+    let mean = mean3(f);
+    let weighted = mean + mean3(at.carried * (f - Vec3::splat(mean)));
+    min2(max2(weighted, F::zero()), F::one())
 }

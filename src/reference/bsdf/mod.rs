@@ -33,7 +33,7 @@ pub mod scaling;
 pub mod snell;
 pub mod transmission;
 
-pub use interaction::{Interaction, interaction};
+pub use interaction::{Interaction, carried_mean, interaction};
 pub use kind::{bsdf_eval, bsdf_sample};
 pub use material::Material;
 pub use sample::{

@@ -5,13 +5,13 @@ use super::choice::reflect_probability;
 use super::diffuse::mixed::{diffuse_chosen, diffuse_direction, with_diffuse};
 use super::facet::facet;
 use super::fresnel::fresnel;
-use super::interaction::Interaction;
+use super::interaction::{Interaction, carried_mean};
 use super::normals::normals_sample;
 use super::reflection::{reflect_about, reflection_half_vector, reflection_lobe};
 use super::sample::{
     BsdfRandom, BsdfSample, BsdfValue, LOBE_DIFFUSE, LOBE_REFLECTION, sample_or_none,
 };
-use crate::reference::math::{Real, Vec3, dot3, mean3};
+use crate::reference::math::{Real, Vec3, dot3};
 use crate::settings::Settings;
 
 /// What a sample of a rough surface draws first.
@@ -46,7 +46,7 @@ pub fn rough_reflects<F: Real>(
     draw: RoughDraw<F>,
     random: BsdfRandom<F>,
 ) -> bool {
-    let f_mean = mean3(fresnel(at, draw.c));
+    let f_mean = carried_mean(at, fresnel(at, draw.c));
     random.reflect < reflect_probability(settings, at, draw.c, f_mean)
 }
 

@@ -2,6 +2,7 @@
 //! Twin of `shaders/path/vertex.glsl`.
 
 use super::medium::term_attenuation;
+use super::throughput::channel_shares;
 use super::valid::seen_normal;
 use crate::prepared::{NONE, ShapeKind};
 use crate::reference::bsdf::{Interaction, interaction};
@@ -30,13 +31,14 @@ pub struct Vertex<F> {
     pub kind: ShapeKind,
 }
 
-/// The vertex where `ray` has hit, `distance` away from the path's last vertex.
+/// The vertex where `ray` has hit, `distance` away from the path's last vertex, with this `throughput`.
 pub fn path_vertex<F: Real>(
     world: &World<F>,
     settings: &Settings,
     ray: Ray<F>,
     hit: Hit<F>,
     distance: F,
+    throughput: Vec3<F>,
 ) -> Vertex<F> {
     let surface = world.hit_surface(ray, hit);
     let wo = -ray.d;
@@ -64,7 +66,10 @@ pub fn path_vertex<F: Real>(
         facing,
         outside,
         frame,
-        interaction: interaction(material, outside, to_local(frame, wo), attenuation),
+        interaction: Interaction {
+            carried: channel_shares(throughput),
+            ..interaction(material, outside, to_local(frame, wo), attenuation)
+        },
         shape: hit.shape,
         prim: hit.prim,
         material: shape.material,

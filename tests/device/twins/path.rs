@@ -7,7 +7,7 @@ use vkpt::reference::integrator::path::signature::{decide, is_light, path_signat
 use vkpt::reference::math::normalize3;
 use vkpt::reference::path::medium::{beer, beer3};
 use vkpt::reference::path::roulette::roulette_survival;
-use vkpt::reference::path::throughput::underflows;
+use vkpt::reference::path::throughput::{channel_shares, underflows};
 use vkpt::reference::path::valid::{leaving_direction, seen_normal};
 use vkpt::settings::{Connect, Roulette};
 
@@ -204,9 +204,11 @@ fn survival((roulette, file): (Roulette, &'static str)) -> Twin {
 fn underflow() -> Twin {
     let row = |t: [f32; 3], w: [f32; 3]| [t, w].concat().into_iter().fold(Row::new(), Row::f);
     Twin::new("underflows", "path/throughput")
-        .glsl("vec3 t = in_vec3(); out_b(underflows(t, in_vec3()));")
+        .also(&["channel_shares"])
+        .glsl("vec3 t = in_vec3(); out_vec3(channel_shares(t)); out_b(underflows(t, in_vec3()));")
         .rust(|i, o| {
             let t = i.vec3();
+            o.vec3(channel_shares(t));
             o.b(underflows(t, i.vec3()));
         })
         .edges([

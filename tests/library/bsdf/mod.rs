@@ -5,6 +5,7 @@
 
 mod albedo;
 mod chain;
+mod coloured;
 mod densities;
 mod extremes;
 mod golden;

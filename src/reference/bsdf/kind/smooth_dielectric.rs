@@ -5,7 +5,7 @@ use crate::reference::bsdf::diffuse::mixed::{
     diffuse_chosen, diffuse_direction, facet_probability, with_diffuse,
 };
 use crate::reference::bsdf::fresnel::fresnel;
-use crate::reference::bsdf::interaction::Interaction;
+use crate::reference::bsdf::interaction::{Interaction, carried_mean};
 use crate::reference::bsdf::refraction::refract_about_normal;
 use crate::reference::bsdf::sample::{
     BsdfRandom, BsdfSample, BsdfValue, LOBE_DELTA, LOBE_DIFFUSE, LOBE_REFLECTION,
@@ -13,7 +13,7 @@ use crate::reference::bsdf::sample::{
 };
 use crate::reference::bsdf::scaling::transmission_scale;
 use crate::reference::bsdf::snell::reflected_share;
-use crate::reference::math::{Real, Vec3, mean3, vec3};
+use crate::reference::math::{Real, Vec3, vec3};
 use crate::settings::Settings;
 
 /// The delta lobes: the micro-normal is N', F reflects, (1 − F) is refracted, × eta² for radiance, × A(t).
@@ -26,7 +26,7 @@ pub fn smooth_dielectric_delta<F: Real>(
     let c = at.wo.z;
     let f = fresnel(at, c);
     let p_m = facet_probability(settings, at);
-    let p_r = reflect_probability(settings, at, c, mean3(f));
+    let p_r = reflect_probability(settings, at, c, carried_mean(at, f));
     let scale = transmission_scale(settings, at.eta);
     if random.reflect < p_r {
         let value = BsdfValue {

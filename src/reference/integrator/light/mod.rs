@@ -70,7 +70,7 @@ pub fn trace_light<F: Real>(
     while alive {
         let (hit, distance) = extend_ray(world, settings, &mut path, &mut counts.rays);
         let Some(hit) = hit else { break };
-        let v = path_vertex(world, settings, path.ray, hit, distance);
+        let v = path_vertex(world, settings, path.ray, hit, distance, path.throughput);
         let black = world.materials[v.material as usize].kind == MaterialKind::Black;
         // A path sets out with some light: what has none has lost it to absorption.
         let absorbed = is_black(path.throughput);

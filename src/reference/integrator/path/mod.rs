@@ -66,7 +66,14 @@ pub fn trace_path<F: Real>(
             recorder.escape(&s);
             break;
         };
-        let v = path_vertex(world, settings, s.path.ray, hit, distance);
+        let v = path_vertex(
+            world,
+            settings,
+            s.path.ray,
+            hit,
+            distance,
+            s.path.throughput,
+        );
         recorder.hit(&s, &v);
         s.radiance +=
             s.path.throughput * emission_seen(world, settings, &s.path, &v, origin, distance);

@@ -7,7 +7,7 @@ use vkpt::reference::bsdf::fresnel::{exact, schlick};
 use vkpt::reference::bsdf::normals::{normals_pdf, normals_sample};
 use vkpt::reference::bsdf::sample::BsdfValue;
 use vkpt::reference::bsdf::snell::{reflected_share, snell_radicand, total_reflection};
-use vkpt::reference::bsdf::transmission_scale;
+use vkpt::reference::bsdf::{Interaction, carried_mean, transmission_scale};
 use vkpt::settings::Settings;
 
 use super::inputs::{OUT_VALUE, out_value, put, surface, take, uniform, uniform2};
@@ -41,10 +41,12 @@ fn surface_and_cosine(r: &mut Rng) -> Row {
 
 fn interaction() -> Twin {
     twin("interaction", "bsdf/interaction", &Settings::default())
+        .also(&["carried_mean"])
         .glsl(
             "Interaction at = in_interaction();
             out_f(at.eta); out_f(at.one_minus_eta2); out_f(at.d);
-            out_vec3(at.wo); out_vec3(at.attenuation); out_vec3(at.material.f0);",
+            out_vec3(at.wo); out_vec3(at.attenuation); out_vec3(at.material.f0);
+            out_vec3(at.carried); at.carried = in_vec3(); out_f(carried_mean(at, in_vec3()));",
         )
         .rust(|i, o| {
             let at = take(i);
@@ -54,10 +56,14 @@ fn interaction() -> Twin {
             o.vec3(at.wo);
             o.vec3(at.attenuation);
             o.vec3(at.material.f0);
+            o.vec3(at.carried);
+            let carried = i.vec3();
+            o.f(carried_mean(&Interaction { carried, ..at }, i.vec3()));
         })
         .seeded(100, |r| {
             let (outside, at) = surface(r, true);
-            put(Row::new(), outside, &at)
+            let row = put(Row::new(), outside, &at).vec3(r.vec3(0.0, 1.5));
+            row.vec3(r.vec3(0.0, 1.0))
         })
 }
 

@@ -3,8 +3,8 @@
 use vkpt::reference::bsdf::choice::reflect_probability;
 use vkpt::reference::bsdf::fresnel::fresnel;
 use vkpt::reference::bsdf::normals::normals_sample;
-use vkpt::reference::bsdf::{Interaction, bsdf_sample};
-use vkpt::reference::math::{dot3, mean3};
+use vkpt::reference::bsdf::{Interaction, bsdf_sample, carried_mean};
+use vkpt::reference::math::dot3;
 use vkpt::settings::{LobeChoice, Normals, Settings};
 
 use super::random::random;
@@ -33,7 +33,7 @@ pub fn usual() -> Settings {
 /// times the probability that it is drawn.
 pub fn split(settings: &Settings, at: &Interaction<f64>, u: [f64; 2]) -> [f64; 2] {
     let c = dot3(at.wo, normals_sample(settings, at, u));
-    let reflect = reflect_probability(settings, at, c, mean3(fresnel(at, c)));
+    let reflect = reflect_probability(settings, at, c, carried_mean(at, fresnel(at, c)));
     let sample = |u_reflect| bsdf_sample(settings, at, random(0.5, u_reflect, u, [0.5; 2]));
     // below R, whatever it is, and above
     let (near, far) = (sample(0.0), sample(1.0 - f64::EPSILON));

@@ -1,12 +1,12 @@
 //! Moments of the mean over RGB of a sample's weight, by quadrature over what it is drawn from.
 
-use vkpt::reference::bsdf::Interaction;
 use vkpt::reference::bsdf::choice::reflect_probability;
 use vkpt::reference::bsdf::fresnel::fresnel;
 use vkpt::reference::bsdf::kind::rough_dielectric::rough_dielectric_at;
 use vkpt::reference::bsdf::normals::visible::{ggx, visible_pdf, visible_sample};
 use vkpt::reference::bsdf::reflection::reflect_about;
 use vkpt::reference::bsdf::refraction::refract_about;
+use vkpt::reference::bsdf::{Interaction, carried_mean};
 use vkpt::reference::math::{Vec3, dot3, mean3};
 use vkpt::settings::Settings;
 
@@ -47,7 +47,7 @@ pub struct Way {
 /// or the direction is on the wrong side.
 pub fn ways(settings: &Settings, at: &Interaction<f64>, drawn: Drawn) -> [Way; 2] {
     let c = dot3(at.wo, drawn.m);
-    let p = reflect_probability(settings, at, c, mean3(fresnel(at, c)));
+    let p = reflect_probability(settings, at, c, carried_mean(at, fresnel(at, c)));
     let way = |probability: f64, wi: Vec3<f64>, right: bool| {
         let value = rough_dielectric_at(settings, at, wi, drawn.m);
         // the value's density is that of the renderer's own normals
