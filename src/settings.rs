@@ -75,6 +75,13 @@ pub enum Connect {
     Bsdf,
 }
 
+/// How the light that a vertex is connected to is picked: by its power, or by what it brings to the vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Lights {
+    Contribution,
+    Power,
+}
+
 /// Which paths find the light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Integrator {
@@ -115,6 +122,7 @@ pub struct Estimator {
     pub normals: Normals,
     pub roulette: Roulette,
     pub connect: Connect,
+    pub lights: Lights,
     pub sampler: Sampler,
 }
 
@@ -141,6 +149,7 @@ impl Default for Settings {
                 normals: Normals::Visible,
                 roulette: Roulette::Throughput,
                 connect: Connect::Mis,
+                lights: Lights::Contribution,
                 sampler: Sampler::Sobol,
             },
         }
@@ -156,6 +165,7 @@ impl Settings {
         s.estimator.lobe = LobeChoice::Norms;
         s.estimator.normals = Normals::Distribution;
         s.estimator.roulette = Roulette::Constant(0.8);
+        s.estimator.lights = Lights::Power;
         s.estimator.sampler = Sampler::Random;
         s
     }

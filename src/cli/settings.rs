@@ -2,8 +2,8 @@
 
 use super::values::{self, Preset, choice};
 use crate::settings::{
-    Absorption, Connect, DistributionRule, Fresnel, Integrator, LobeChoice, Normals, Roulette,
-    Sampler, Settings,
+    Absorption, Connect, DistributionRule, Fresnel, Integrator, Lights, LobeChoice, Normals,
+    Roulette, Sampler, Settings,
 };
 
 const MODEL: &str = "Model (what the picture converges to)";
@@ -73,6 +73,12 @@ pub struct SettingArguments {
     #[arg(value_parser = choice::<Connect>(), hide_possible_values = true)]
     pub connect: Option<Connect>,
 
+    /// How the light that a connection leads to is picked: by what it brings to the vertex, or by its
+    /// power: contribution or power [default: contribution]
+    #[arg(long, value_name = "RULE", help_heading = ESTIMATOR)]
+    #[arg(value_parser = choice::<Lights>(), hide_possible_values = true)]
+    pub lights: Option<Lights>,
+
     /// Numbers that the samples of a pixel draw: independent ones, or scrambled Sobol points, spread
     /// evenly: random or sobol [default: sobol]
     #[arg(long, value_name = "KIND", help_heading = ESTIMATOR)]
@@ -116,6 +122,7 @@ impl SettingArguments {
         replace(&mut estimator.normals, self.normals);
         replace(&mut estimator.roulette, self.roulette);
         replace(&mut estimator.connect, self.connect);
+        replace(&mut estimator.lights, self.lights);
         replace(&mut estimator.sampler, self.sampler);
         settings
     }

@@ -68,6 +68,8 @@ fn scene(p: &Prepared) -> u64 {
         size_of_val(&p.materials[..]),
         size_of_val(&p.lights[..]),
         size_of_val(&p.light_cdf[..]),
+        size_of_val(&p.light_tree.nodes[..]),
+        size_of_val(&p.light_tree.trails[..]),
         size_of_val(&p.triangle_cdf[..]),
     ];
     arrays.iter().sum::<usize>() as u64

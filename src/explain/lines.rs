@@ -14,8 +14,10 @@ pub fn lines(prepared: &Prepared, member: Member) -> Vec<usize> {
     let mut lines = match member {
         Member::Shape(kind) | Member::InBvh(kind) => shapes(&|s| s.kind == kind),
         Member::Light(kind) => lights(prepared, |l| l.kind == kind),
-        Member::ManyLights if prepared.lights.len() > 1 => lights(prepared, |_| true),
-        Member::ManyLights => Vec::new(),
+        Member::LightPick(pick) if pick.picks_among(prepared.lights.len()) => {
+            lights(prepared, |_| true)
+        }
+        Member::LightPick(_) => Vec::new(),
         Member::ShadingNormals => shapes(&|s| has_normals(prepared, s)),
         Member::Covered(kind) => covered(prepared, kind),
         _ => materials(prepared, member).map(|m| m.line).collect(),

@@ -4,7 +4,7 @@ use super::Subject;
 use super::lines::{lines, materials};
 use super::reasons::reason;
 use super::setting::by;
-use crate::features::{Member, words};
+use crate::features::{LightPick, Member, words};
 use crate::prepared::{LightKind, Material, NONE};
 use crate::report::explanation::Part;
 use crate::report::names::Named;
@@ -19,7 +19,7 @@ pub fn part(subject: &Subject, member: Member) -> Part {
         (true, true) => "--kernel full".to_owned(),
         (false, _) => reason(subject, member),
     };
-    let (group, name) = name(subject, member);
+    let (group, name) = name(member);
     let first = found.first().copied().unwrap_or(0);
     let default_material = first == 0 && !found.is_empty();
     Part {
@@ -35,7 +35,7 @@ pub fn part(subject: &Subject, member: Member) -> Part {
     }
 }
 
-fn name(subject: &Subject, member: Member) -> (&'static str, String) {
+fn name(member: Member) -> (&'static str, String) {
     match member {
         Member::Shape(kind) => ("shape", kind.description().name.to_owned()),
         Member::InBvh(kind) => ("search", kind.description().name.to_owned()),
@@ -44,10 +44,14 @@ fn name(subject: &Subject, member: Member) -> (&'static str, String) {
         Member::Distribution(distribution) => ("distribution", distribution.name().to_owned()),
         Member::Fresnel(form) => ("fresnel", form.name().to_owned()),
         Member::Light(kind) => ("light", words(&kind)),
-        Member::ManyLights => match subject.job.prepared.lights.len() {
-            n if n > 1 => ("light choice", format!("among {n}")),
-            _ => ("light choice", "among many".to_owned()),
-        },
+        Member::LightPick(pick) => {
+            let among = match pick {
+                LightPick::Power => "by power",
+                LightPick::Every => "among few",
+                LightPick::Tree => "among many",
+            };
+            ("light choice", among.to_owned())
+        }
         Member::Absorption(rule) => ("absorption", rule.name().to_owned()),
         Member::ShadingNormals => ("normals", "of meshes".to_owned()),
         Member::Covered(kind) => ("covered", kind.description().name.to_owned()),
@@ -61,7 +65,12 @@ fn remark(subject: &Subject, member: Member) -> String {
         (Member::Distribution(distribution), Some(m)) => chosen(subject, m, distribution),
         (Member::Fresnel(form), Some(m)) => form_of(subject, m, form),
         (Member::Light(kind), _) if kind != LightKind::Background => light(subject, kind),
-        (Member::ManyLights, _) => "chosen for each connection, by power".to_owned(),
+        (Member::LightPick(pick), _) => format!(
+            "{} lights: {}",
+            subject.job.prepared.lights.len(),
+            how(pick)
+        )
+        .to_owned(),
         (Member::Absorption(_), Some(m)) => absorbing(subject, m),
         (Member::Covered(_), _) => "where faces coincide the first in the file is there".to_owned(),
         _ => String::new(),
@@ -125,4 +134,13 @@ fn light(subject: &Subject, kind: LightKind) -> String {
 fn shortest(x: f64) -> String {
     let text = format!("{x:.6}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// How one of several lights is picked for a connection.
+fn how(pick: LightPick) -> &'static str {
+    match pick {
+        LightPick::Power => "by power, wherever the vertex is",
+        LightPick::Every => "each has a candidate, one is kept by what it brings",
+        LightPick::Tree => "down a tree, by power, distance and angles",
+    }
 }

@@ -56,7 +56,7 @@ pub fn explain(subject: &Subject, this: &Spirv, full: Compiled) -> Explanation {
 
 /// All that a kernel of these settings may hold: what the scene decides, then what flags do.
 pub fn parts(subject: &Subject) -> Vec<Part> {
-    let all = Member::all(subject.job.settings.model.absorption);
+    let all = Member::all(&subject.job.settings);
     let (shapes, others): (Vec<Member>, Vec<Member>) = all
         .into_iter()
         .filter(|m| !matches!(m, Member::InBvh(_)))

@@ -1,7 +1,7 @@
 //! Why a scene does not need what is left out.
 
 use super::Subject;
-use crate::features::Member;
+use crate::features::{LightPick, Member};
 use crate::prepared::{LightKind, MaterialKind, ShapeKind};
 use crate::settings::{Distribution, DistributionRule, Fresnel};
 
@@ -16,9 +16,12 @@ pub fn reason(subject: &Subject, member: Member) -> String {
         Member::DiffuseBeside => "no surface has Kd beside Ks or Kt",
         Member::Distribution(which) => distribution(subject, which),
         Member::Fresnel(form) => fresnel(subject, form),
-        Member::ManyLights => match subject.job.prepared.lights.len() {
-            0 => "there is no light",
-            _ => "one light needs no choice",
+        Member::LightPick(pick) => match (subject.job.prepared.lights.len(), pick) {
+            (0, _) => "there is no light",
+            (1, _) => "one light needs no choice",
+            (_, LightPick::Power) => "lights are picked by what they bring",
+            (_, LightPick::Every) => "too many lights to look at each",
+            (_, LightPick::Tree) => "few lights need no tree",
         },
         Member::Absorption(_) => "no surface lets through a part of the light: Kt is 0 or 1",
         Member::ShadingNormals => match subject.plan.features.shapes.contains(&ShapeKind::Mesh) {

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::Features;
+use super::{Features, LightPick};
 use crate::prepared::{LightKind, MaterialKind, ShapeKind};
-use crate::settings::{Absorption, Distribution, Fresnel};
+use crate::settings::{Absorption, Distribution, Fresnel, Settings};
 
 /// One part of a kernel that some scenes need and others do not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -17,7 +17,7 @@ pub enum Member {
     Distribution(Distribution),
     Fresnel(Fresnel),
     Light(LightKind),
-    ManyLights,
+    LightPick(LightPick),
     Absorption(Absorption),
     ShadingNormals,
     /// Faces of this kind of shape may be covered by others.
@@ -25,12 +25,11 @@ pub enum Member {
 }
 
 impl Member {
-    /// Every member there is, where the model has this rule of absorption.
-    pub fn all(absorption: Absorption) -> BTreeSet<Self> {
+    /// Every member there is, under these settings.
+    pub fn all(settings: &Settings) -> BTreeSet<Self> {
         let mut all = BTreeSet::from([
             Self::DiffuseBeside,
-            Self::ManyLights,
-            Self::Absorption(absorption),
+            Self::Absorption(settings.model.absorption),
             Self::ShadingNormals,
         ]);
         all.extend(ShapeKind::EVERY.map(Self::Shape));
@@ -40,6 +39,12 @@ impl Member {
         all.extend(Distribution::EVERY.map(Self::Distribution));
         all.extend(Fresnel::EVERY.map(Self::Fresnel));
         all.extend(LightKind::EVERY.map(Self::Light));
+        all.extend(
+            LightPick::all(settings)
+                .iter()
+                .copied()
+                .map(Self::LightPick),
+        );
         all
     }
 }
@@ -49,7 +54,6 @@ impl Features {
     pub fn members(&self) -> BTreeSet<Member> {
         let flags = [
             (self.diffuse_beside, Member::DiffuseBeside),
-            (self.many_lights, Member::ManyLights),
             (self.shading_normals, Member::ShadingNormals),
         ];
         let mut all: BTreeSet<Member> = flags.iter().filter(|f| f.0).map(|f| f.1).collect();
@@ -60,6 +64,7 @@ impl Features {
         all.extend(self.distributions.iter().copied().map(Member::Distribution));
         all.extend(self.fresnel.iter().copied().map(Member::Fresnel));
         all.extend(self.lights.iter().copied().map(Member::Light));
+        all.extend(self.picks.iter().copied().map(Member::LightPick));
         all.extend(self.absorption.map(Member::Absorption));
         all
     }
@@ -68,7 +73,6 @@ impl Features {
     #[must_use]
     pub fn with(&self, member: Member) -> Self {
         let mut features = self.clone();
-        features.many_lights |= needs_choice(self, member);
         features.shapes.extend(shape_needed(member));
         features.put(member, true);
         features
@@ -98,7 +102,7 @@ impl Features {
             Member::Fresnel(form) => put(&mut self.fresnel, form, there),
             Member::Light(kind) => put(&mut self.lights, kind, there),
             Member::DiffuseBeside => self.diffuse_beside = there,
-            Member::ManyLights => self.many_lights = there,
+            Member::LightPick(pick) => put(&mut self.picks, pick, there),
             Member::Absorption(rule) => self.absorption = there.then_some(rule),
             Member::ShadingNormals => self.shading_normals = there,
             Member::Covered(kind) => put(&mut self.covered, kind, there),
@@ -122,9 +126,4 @@ fn shape_needed(member: Member) -> Option<ShapeKind> {
         Member::ShadingNormals => Some(ShapeKind::Mesh),
         _ => None,
     }
-}
-
-/// Among no lights the table chooses: it gives each the probability 0.
-fn needs_choice(features: &Features, member: Member) -> bool {
-    matches!(member, Member::Light(_)) && features.lights.is_empty()
 }

@@ -12,10 +12,11 @@ use std::collections::BTreeSet;
 use glam::DVec3;
 
 use crate::film::Aov;
+use crate::layout::constants::lights::FEW_LIGHTS;
 use crate::prepared::{LightKind, Material, MaterialKind, Prepared, Shape, ShapeKind};
 use crate::settings::{
-    Absorption, Connect, Distribution, Fresnel, Integrator, LobeChoice, Normals, Roulette, Sampler,
-    Settings,
+    Absorption, Connect, Distribution, Estimator, Fresnel, Integrator, Lights, LobeChoice, Normals,
+    Roulette, Sampler, Settings,
 };
 pub use member::Member;
 pub use names::words;
@@ -26,6 +27,47 @@ pub enum RouletteKind {
     Throughput,
     Constant,
     Off,
+}
+
+/// How one of several lights is picked; of one light there is no choice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum LightPick {
+    /// By its power, for light paths and where the settings say so.
+    Power,
+    /// Each of a few is a candidate at every vertex.
+    Every,
+    /// In the tree of many.
+    Tree,
+}
+
+impl LightPick {
+    /// Those that some number of lights needs under these settings.
+    pub fn all(settings: &Settings) -> &'static [Self] {
+        let Estimator {
+            integrator, lights, ..
+        } = settings.estimator;
+        match (integrator, lights) {
+            (Integrator::Light, _) | (_, Lights::Power) => &[Self::Power],
+            (Integrator::Path, Lights::Contribution) => &[Self::Every, Self::Tree],
+        }
+    }
+
+    /// Whether so many lights are picked from in this way, where the settings have it.
+    pub fn picks_among(self, lights: usize) -> bool {
+        let few = lights <= FEW_LIGHTS as usize;
+        lights > 1
+            && match self {
+                Self::Power => true,
+                Self::Every => few,
+                Self::Tree => !few,
+            }
+    }
+
+    /// That of so many lights.
+    fn of(lights: usize, settings: &Settings) -> Option<Self> {
+        let mut all = Self::all(settings).iter().copied();
+        all.find(|pick| pick.picks_among(lights))
+    }
 }
 
 /// The parts of the renderer that one scene with its settings needs.
@@ -43,8 +85,8 @@ pub struct Features {
     /// Of materials that reflect specularly.
     pub fresnel: BTreeSet<Fresnel>,
     pub lights: BTreeSet<LightKind>,
-    /// More than one light to choose from.
-    pub many_lights: bool,
+    /// How one of several lights is picked.
+    pub picks: BTreeSet<LightPick>,
     pub integrator: Integrator,
     pub normals: Normals,
     pub lobe: LobeChoice,
@@ -91,7 +133,9 @@ impl Features {
                 .map(|m| m.fresnel)
                 .collect(),
             lights: prepared.lights.iter().map(|l| l.kind).collect(),
-            many_lights: prepared.lights.len() > 1,
+            picks: LightPick::of(prepared.lights.len(), settings)
+                .into_iter()
+                .collect(),
             absorption: used
                 .iter()
                 .any(|m| Prepared::is_transmissive(m) && m.sigma != DVec3::ZERO)
@@ -105,7 +149,7 @@ impl Features {
     /// What any scene could need. Settings of model and estimator stay those chosen, and so does what is made beside
     /// the picture: they are alternatives, where a kernel holds one or the other.
     pub fn full(settings: &Settings, aovs: &[Aov]) -> Self {
-        Member::all(settings.model.absorption)
+        Member::all(settings)
             .into_iter()
             .fold(Self::bare(settings, aovs), |features, member| {
                 features.with(member)
@@ -123,7 +167,7 @@ impl Features {
             distributions: BTreeSet::new(),
             fresnel: BTreeSet::new(),
             lights: BTreeSet::new(),
-            many_lights: false,
+            picks: BTreeSet::new(),
             integrator: estimator.integrator,
             normals: estimator.normals,
             lobe: estimator.lobe,

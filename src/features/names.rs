@@ -17,6 +17,7 @@ impl Features {
             set("distributions", list(&self.distributions)),
             set("fresnel", list(&self.fresnel)),
             set("lights", list(&self.lights)),
+            set("light picked by", list(&self.picks)),
             set("integrator", words(&self.integrator)),
             set("normals", words(&self.normals)),
             set("lobe", words(&self.lobe)),
@@ -29,7 +30,6 @@ impl Features {
         }
         let optional = [
             (self.diffuse_beside, "diffuse beside specular"),
-            (self.many_lights, "choice of a light"),
             (self.shading_normals, "shading normals"),
             (self.radiance_scaling, "radiance scaling"),
             (self.max_depth, "longest path"),

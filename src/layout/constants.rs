@@ -129,6 +129,12 @@ constants! {
         DARK: f64 = 5.421010862427522e-20;
     }
 
+    /// How a vertex picks the light that it is connected to.
+    mod lights {
+        /// Up to so many each is a candidate at every vertex; more are searched in a tree.
+        FEW_LIGHTS: u32 = 16;
+    }
+
     /// What an entry of `--trace` is about.
     mod record {
         RECORD_VERTEX: u32 = 1;

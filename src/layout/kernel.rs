@@ -68,6 +68,9 @@ crate::gpu_struct! {
         /// The same: the chain of its connections.
         connected: uint,
         pad0: uint,
+        /// What the slot `pick` asks of the path's last vertex; 0 where it asks nothing.
+        pick_normal: vec3,
+        pad1: uint,
     }
 
     /// A pixel's sum of samples, Σ = sum + comp, and what was counted on the way.

@@ -7,6 +7,7 @@
 pub mod cdf;
 mod coincide;
 mod eye;
+mod light_tree;
 mod lights;
 pub mod material;
 mod medium;
@@ -24,9 +25,11 @@ pub use crate::shape::{
     Bounds, Coincidence, Coincidences, Cuboid, Cylinder, LightKind, Primitives, ShapeKind, Space,
     Sphere, Triangle,
 };
+pub use light_tree::LightTree;
 pub use prepare::{PrepareError, prepare};
 pub use record::camera::Camera;
 pub use record::light::Light;
+pub use record::light_node::LightNode;
 pub use record::material::{Material, MaterialKind, OPAQUE_SIGMA};
 pub use record::shape::Shape;
 
@@ -34,6 +37,7 @@ pub use record::shape::Shape;
 pub mod device {
     pub use super::record::camera::device::Camera;
     pub use super::record::light::device::Light;
+    pub use super::record::light_node::device::LightNode;
     pub use super::record::material::device::Material;
     pub use super::record::shape::device::Shape;
     pub use crate::shape::device::{Coincidence, Cuboid, Cylinder, Sphere};
@@ -52,6 +56,8 @@ pub struct Prepared {
     /// Choice of a light: light i is chosen where `light_cdf[i]` ≤ u24 < `light_cdf[i + 1]`, u24 an
     /// integer below 2²⁴. So its probability, (`light_cdf[i + 1]` − `light_cdf[i]`)·2⁻²⁴, is exact in f32.
     pub light_cdf: Vec<u32>,
+    /// Choice of a light by what it brings.
+    pub light_tree: LightTree,
     /// Of each light, the material whose inside it stands in, or [`NONE`]: of its middle, where it crosses a surface.
     pub light_media: Vec<u32>,
     /// Choice of a triangle within each mesh light, in the same form; see [`Light::cdf`].

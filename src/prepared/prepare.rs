@@ -3,6 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use super::cdf::CdfError;
+use super::light_tree::LightTree;
 use super::lights::Lights;
 use super::placed::Placed;
 use super::{
@@ -77,6 +78,7 @@ pub fn prepare(
             None => NONE,
         })
         .collect();
+    let light_tree = LightTree::new(&placed, &lights.lights);
     let mut shapes = placed.shapes;
     for (i, light) in lights.lights.iter().enumerate() {
         if light.shape != NONE {
@@ -91,6 +93,7 @@ pub fn prepare(
         materials,
         lights: lights.lights,
         light_cdf: lights.light_cdf,
+        light_tree,
         light_media,
         triangle_cdf: lights.triangle_cdf,
         background: scene.background,

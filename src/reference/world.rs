@@ -4,6 +4,7 @@ use super::accel::Accel;
 use super::bsdf::Material;
 use super::camera::Camera;
 use super::light::emission::Emission;
+use super::light::tree::LightNode;
 use super::light::{LightSample, cdf_choice, cdf_probability};
 use super::math::{Real, Vec3};
 pub use super::primitives::Light;
@@ -26,6 +27,9 @@ pub struct World<F> {
     /// Of each light, the material whose inside it stands in, or `NONE`.
     pub light_media: Vec<u32>,
     light_cdf: Vec<u32>,
+    /// The tree of lights, and the ways to them.
+    pub light_nodes: Vec<LightNode<F>>,
+    pub light_trails: Vec<u32>,
     triangle_cdf: Vec<u32>,
     /// Over all primitives, where a loop over them would be slower.
     accel: Option<Accel<F>>,
@@ -40,6 +44,7 @@ impl<F: Real> World<F> {
     pub fn new(prepared: &Prepared) -> Self {
         let primitives = Primitives::new(&prepared.primitives);
         let (materials, lights) = (prepared.materials.iter(), prepared.lights.iter());
+        let nodes = prepared.light_tree.nodes.iter();
         Self {
             width: prepared.camera.width,
             camera: Camera::rounded(&prepared.camera, F::new),
@@ -50,6 +55,8 @@ impl<F: Real> World<F> {
             lights: lights.map(|l| Light::rounded(l, F::new)).collect(),
             light_media: prepared.light_media.clone(),
             light_cdf: prepared.light_cdf.clone(),
+            light_nodes: nodes.map(|n| LightNode::rounded(n, F::new)).collect(),
+            light_trails: prepared.light_tree.trails.clone(),
             triangle_cdf: prepared.triangle_cdf.clone(),
             accel: (primitives.len() > LINEAR_PRIMITIVES).then(|| Accel::build(&primitives)),
             primitives,

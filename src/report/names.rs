@@ -2,7 +2,7 @@
 
 use crate::film::Aov;
 use crate::settings::{
-    Absorption, Connect, Distribution, Fresnel, Integrator, LobeChoice, Normals, Sampler,
+    Absorption, Connect, Distribution, Fresnel, Integrator, Lights, LobeChoice, Normals, Sampler,
 };
 
 /// A choice among few, each with a name.
@@ -61,6 +61,11 @@ impl Named for Connect {
     ];
 }
 
+impl Named for Lights {
+    const ALL: &'static [(Self, &'static str)] =
+        &[(Self::Contribution, "contribution"), (Self::Power, "power")];
+}
+
 impl Named for Sampler {
     const ALL: &'static [(Self, &'static str)] =
         &[(Self::Random, "random"), (Self::Sobol, "sobol")];
@@ -99,6 +104,7 @@ mod tests {
         distinct(&[Normals::Visible, Normals::Distribution]);
         distinct(&[Aov::Stderr]);
         distinct(&[Connect::Mis, Connect::Light, Connect::Bsdf]);
+        distinct(&[Lights::Contribution, Lights::Power]);
         distinct(&[Sampler::Random, Sampler::Sobol]);
         distinct(&[Integrator::Path, Integrator::Light]);
     }

@@ -23,6 +23,7 @@ pub struct SettingsRecord {
     pub normals: &'static str,
     pub roulette: String,
     pub connect: &'static str,
+    pub lights: &'static str,
     pub sampler: &'static str,
 }
 
@@ -48,6 +49,7 @@ impl From<&Settings> for SettingsRecord {
                 Roulette::Off => "off".to_owned(),
             },
             connect: estimator.connect.name(),
+            lights: estimator.lights.name(),
             sampler: estimator.sampler.name(),
         }
     }
@@ -69,6 +71,7 @@ impl fmt::Display for SettingsRecord {
             normals,
             roulette,
             connect,
+            lights,
             sampler,
             ..
         } = self;
@@ -83,7 +86,7 @@ impl fmt::Display for SettingsRecord {
         }
         write!(
             f,
-            "lobe={lobe} normals={normals} roulette={roulette} connect={connect} sampler={sampler}"
+            "lobe={lobe} normals={normals} roulette={roulette} connect={connect} lights={lights} sampler={sampler}"
         )
     }
 }

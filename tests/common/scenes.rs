@@ -73,6 +73,59 @@ brdf 0 0 0 0 0 0 1 .5 .7 .9 1
 box -.5 -1.2 .01 .8 .6 .7
 ";
 
+/// Nineteen lights, too many to look at each: balls, boxes, cylinders, one inside a glass ball, and the background.
+pub const MANY: &str = "screen 32 24
+camera 0 -6 2.5 .35 x 70
+background .02 .03 .04
+brdf .6 .55 .5 0 0 0 1
+box -5 -5 -.1 10 10 .1
+box -5 4 0 10 .2 4
+distribution ggx
+fresnel exact
+brdf .1 .1 .1 .5 .45 .4 .1
+box -3.6 .4 0 1 1 1.2
+brdf 0 0 0 .04 .04 .04 .15 .9 .95 .9 1.5
+sphere 0 .2 .71 .7
+brdf 0 0 0 .04 .04 .04 0 .9 .9 .95 1.4
+box 1.4 -.6 .01 .9 .9 1.1
+light 23 18 22
+sphere 0 0.2 0.7 .08
+light 16 22 4
+box -3.8 0.6 3.2 .1 .2 .05
+light 15 2 7
+cylinder -0.2 -0.6 2.0 .1 .1 .2 .04
+light 6 20 5
+sphere -1.8 3.1 2.7 0.1
+light 7 7 24
+box -3.0 -2.0 3.0 .1 .2 .05
+light 14 17 7
+cylinder 3.0 -0.4 3.3 .1 .1 .2 .04
+light 22 9 10
+sphere 3.5 1.9 3.3 0.05
+light 15 2 17
+box -2.8 -1.6 1.2 .1 .2 .05
+light 13 9 13
+cylinder -1.3 -0.3 2.8 .1 .1 .2 .04
+light 3 18 21
+sphere 1.6 -1.7 3.3 0.03
+light 2 3 6
+box 2.3 0.1 2.1 .1 .2 .05
+light 22 23 10
+cylinder 3.6 -0.9 2.6 .1 .1 .2 .04
+light 4 18 20
+sphere -1.2 0.9 2.7 0.13
+light 9 15 22
+box -3.7 3.3 0.6 .1 .2 .05
+light 9 9 6
+cylinder -1.3 3.2 2.0 .1 .1 .2 .04
+light 24 6 3
+sphere -3.4 -1.2 2.4 0.15
+light 15 20 12
+box 0.3 0.3 1.0 .1 .2 .05
+light 3 13 20
+cylinder -0.6 -1.7 3.1 .1 .1 .2 .04
+";
+
 /// Faces that coincide: a lamp flush with the ceiling, glass that stands on the floor and touches other glass, a ball and a
 /// cylinder whose lines stand there twice.
 pub const FLUSH: &str = "screen 32 24

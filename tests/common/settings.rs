@@ -1,8 +1,8 @@
 //! Settings that depart from the default in one word each.
 
 use vkpt::settings::{
-    Absorption, Connect, Distribution, DistributionRule, Estimator, Fresnel, LobeChoice, Model,
-    Normals, Roulette, Sampler, Settings,
+    Absorption, Connect, Distribution, DistributionRule, Estimator, Fresnel, Lights, LobeChoice,
+    Model, Normals, Roulette, Sampler, Settings,
 };
 
 /// Each estimator setting alone, and all that the hand-out has, with the default model.
@@ -25,6 +25,7 @@ pub fn estimators() -> Vec<(&'static str, Settings)> {
         ("roulette off", with(|e| e.roulette = Roulette::Off)),
         ("connect light", with(|e| e.connect = Connect::Light)),
         ("connect bsdf", with(|e| e.connect = Connect::Bsdf)),
+        ("lights power", with(|e| e.lights = Lights::Power)),
         ("sampler random", with(|e| e.sampler = Sampler::Random)),
         (
             "the hand-out's",

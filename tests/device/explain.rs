@@ -86,7 +86,7 @@ fn every_member_has_the_lines_that_brought_it_in() {
         ("fresnel", "exact", &[9]),
         ("light", "box", &[5]),
         ("light", "background", &[3]),
-        ("light choice", "among 2", &[3, 5]),
+        ("light choice", "among few", &[3, 5]),
         ("absorption", "segment", &[9]),
     ];
     check(SMOOTH, &smooth);

@@ -11,7 +11,7 @@ use vkpt::settings::{Integrator, Sampler, Settings};
 
 use crate::common;
 use crate::common::render::{job, on_device, outcome, pixel_means, prepared};
-use crate::common::scenes::{FLUSH, SMOOTH, TABLE, WIDE};
+use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE};
 use crate::common::stats::p_of_difference;
 use crate::same_bits::{crops_are_pieces, limits_leave_no_trace, same};
 
@@ -54,6 +54,7 @@ fn a_cpu_device_equals_the_reference_bit_for_bit() {
         ("smooth", SMOOTH),
         ("wide", WIDE),
         ("flush", FLUSH),
+        ("many", MANY),
         ("meshes", &meshes),
     ] {
         for (scaling, sampler) in [(true, Sampler::Sobol), (false, Sampler::Random)] {

@@ -11,7 +11,7 @@ use vkpt::settings::Settings;
 use crate::common::render::{
     difference, job, on_device, on_device_within, outcome, prepared, prepared_file,
 };
-use crate::common::scenes::{FLUSH, SMOOTH, TABLE, WIDE, flush_meshes, scene_files};
+use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE, flush_meshes, scene_files};
 use crate::common::settings::{estimators, models};
 use crate::common::{self, cpu_driver};
 
@@ -180,6 +180,8 @@ fn the_device_equals_the_reference_with_each_setting() {
     for (name, settings) in all.into_iter().chain(estimators()).chain(models()) {
         let scene = prepared(WIDE, &settings);
         device_equals_reference(&job(&scene, settings, 8, 1), name);
+        let scene = prepared(MANY, &settings);
+        device_equals_reference(&job(&scene, settings, 4, 1), name);
     }
     let (square, cube) = (common::meshes::square(), common::meshes::cube());
     let meshes = flush_meshes(square.path(), cube.path());

@@ -192,7 +192,7 @@ fn an_error_ends_with_the_picture_of_the_samples_done() {
     let scene = prepared(SMOOTH, &Settings::default());
     let endless = job(&scene, independent(), 1 << 31, 1);
     let mut reached = Vec::new();
-    for target in [0.3, 0.03] {
+    for target in [3e-3, 3e-4] {
         let job = Job {
             until: until(None, Some(target)),
             ..endless

@@ -15,18 +15,19 @@ use vkpt::render::Target;
 use vkpt::settings::Settings;
 
 use crate::common::render::{job, outcome, pixel_means, prepared};
-use crate::common::scenes::{FLUSH, SMOOTH, TABLE, WIDE};
+use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE};
 use crate::common::settings::estimators;
 use crate::common::stats::{p_of_difference, sidak};
 
 const ALPHA: f64 = 1e-3;
 /// Blocks of 8 × 8 pixels in 32 × 24, and the whole picture.
 pub const MEANS: usize = 4 * 3 + 1;
-const SCENES: [(&str, &str); 4] = [
+const SCENES: [(&str, &str); 5] = [
     ("table", TABLE),
     ("smooth", SMOOTH),
     ("wide", WIDE),
     ("flush", FLUSH),
+    ("many", MANY),
 ];
 
 /// How much is rendered of each picture.

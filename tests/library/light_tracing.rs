@@ -22,7 +22,7 @@ const SCENES: usize = 4;
 fn lamps(cube: &Path) -> String {
     format!(
         "screen 32 24
-camera 0 -6 2.5 .35 x 70
+camera 0 -6 3.4 .3 x 62
 light 9 8 6
 box -.2 -.2 .6 .4 .4 .4
 light 3 4 5

@@ -102,7 +102,7 @@ fn json_holds_every_field_by_name() {
         "settings": {
             "fresnel": "scene", "distribution": "scene", "absorption": "segment", "radiance_scaling": true,
             "max_depth": null, "integrator": "path", "lobe": "fresnel", "normals": "visible", "roulette": "throughput",
-            "connect": "mis", "sampler": "sobol",
+            "connect": "mis", "lights": "contribution", "sampler": "sobol",
         },
         "device": "llvmpipe",
         "driver": "Mesa 22.3.6",
@@ -255,7 +255,7 @@ fn settings_are_told_in_the_words_of_their_flags() {
     assert_eq!(
         words(&Settings::handout()),
         "fresnel=scene distribution=scene absorption=term radiance-scaling=off max-depth=none \
-         lobe=norms normals=distribution roulette=0.8 connect=mis sampler=random"
+         lobe=norms normals=distribution roulette=0.8 connect=mis lights=power sampler=random"
     );
     let mut settings = Settings::default();
     settings.model.fresnel = Some(Fresnel::Exact);
@@ -267,7 +267,7 @@ fn settings_are_told_in_the_words_of_their_flags() {
     assert_eq!(
         words(&settings),
         "fresnel=exact distribution=ggx absorption=segment radiance-scaling=on max-depth=3 \
-         lobe=fresnel normals=visible roulette=off connect=light sampler=random"
+         lobe=fresnel normals=visible roulette=off connect=light lights=contribution sampler=random"
     );
 }
 

@@ -1,5 +1,5 @@
 // A vertex of the path: what it emits, its connection to a light, and where the path goes on.
-// uses: constants/lobe, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, sampler/dimensions, sampler/unit_float, <sampler>, <background>, <emission>, <direct>, <depth>, <record>
+// uses: constants/lobe, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, sampler/dimensions, sampler/unit_float, <sampler>, <background>, <emission>, <direct>, <pick>, <depth>, <record>
 
 void end_path(inout PathState s, inout Subpath path) {
     path.alive = 0u;
@@ -8,6 +8,7 @@ void end_path(inout PathState s, inout Subpath path) {
 
 // Goes on to the next direction; ends the path where there is none.
 void go_on(inout PathState s, inout Subpath path, Vertex v, inout FilmPixel pixel, uint pixel_index) {
+    s.pick_normal = pick_normal(v);
     Extension e = extend(path, v, pixel_index, job.sample_begin + s.index - 1u);
     pixel.underflows += e.underflow ? 1u : 0u;
     // A broken throughput breaks the sample, which the film then drops and counts.
@@ -23,13 +24,13 @@ void shade(inout PathState s, inout Subpath path, inout ShadowRay shadow, Traced
            uint pixel_index) {
     shadow.pending = 0u;
     if (traced.hit.shape == NONE) {
-        s.radiance += path.throughput * background_seen(path);
+        s.radiance += path.throughput * background_seen(path, s.pick_normal, traced.origin);
         record_escape(s, path);
         end_path(s, path);
     } else {
         Vertex v = path_vertex(traced.ray, traced.hit, traced.distance, path.throughput);
         record_hit(s, path, v);
-        s.radiance += path.throughput * emission_seen(path, v, traced.origin, traced.distance);
+        s.radiance += path.throughput * emission_seen(path, s.pick_normal, v, traced.origin, traced.distance);
         // A path sets out with some light: what has none has lost it to absorption.
         bool absorbed = is_black(path.throughput);
         pixel.underflows += absorbed ? 1u : 0u;

@@ -2,7 +2,7 @@
 
 use super::integrator::Own;
 use super::{Parameters, Recording, SPLATS};
-use crate::features::Features;
+use crate::features::{Features, LightPick};
 use crate::layout::{self, BufferUse, GpuStruct, constants};
 use crate::prepared::device;
 use crate::settings::{Integrator, Roulette};
@@ -144,6 +144,9 @@ fn structs(features: &Features) -> String {
     }
     if !features.lights.is_empty() {
         text += &device::Light::glsl();
+    }
+    if features.picks.contains(&LightPick::Tree) {
+        text += &device::LightNode::glsl();
     }
     text
 }

@@ -8,7 +8,7 @@ mod integrator;
 use std::collections::BTreeSet;
 
 use super::{Composed, Composer, KernelError, OwnFile, Slot};
-use crate::features::{Features, RouletteKind};
+use crate::features::{Features, LightPick, RouletteKind};
 use crate::prepared::{LightKind, ShapeKind};
 use crate::settings::{Absorption, Connect, Integrator, LobeChoice, Normals, Sampler, Settings};
 pub use declare::{Binding, Element, declare_binding};
@@ -184,10 +184,16 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
         ),
         (
             "direct",
-            if connects {
-                "integrator/path/direct/sample"
-            } else {
-                "integrator/path/direct/none"
+            match connects {
+                true => "integrator/path/direct/sample",
+                false => "integrator/path/direct/none",
+            },
+        ),
+        (
+            "pick",
+            match connects {
+                true => picked(features),
+                false => "integrator/path/pick/none",
             },
         ),
         (
@@ -213,7 +219,7 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
         ),
         (
             "light_choice",
-            match features.many_lights {
+            match features.picks.contains(&LightPick::Power) {
                 true => "light/choice/many",
                 false => "light/choice/one",
             },
@@ -262,6 +268,17 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
             },
         ),
     ]
+}
+
+/// How a vertex picks the light that it is connected to.
+fn picked(features: &Features) -> &'static str {
+    let has = |pick| features.picks.contains(&pick);
+    match (has(LightPick::Every), has(LightPick::Tree)) {
+        (false, false) => "integrator/path/pick/power",
+        (true, false) => "integrator/path/pick/few",
+        (false, true) => "integrator/path/pick/many",
+        (true, true) => "integrator/path/pick/any",
+    }
 }
 
 /// Whether a shape is among the lights.

@@ -2,5 +2,6 @@
 
 pub mod camera;
 pub mod light;
+pub mod light_node;
 pub mod material;
 pub mod shape;

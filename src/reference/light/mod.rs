@@ -13,6 +13,7 @@ pub mod emission;
 pub mod mesh;
 pub mod sample;
 pub mod sphere;
+pub mod tree;
 
 pub use background::{background_light_pdf, background_light_sample};
 pub use r#box::{box_light_pdf, box_light_sample};

@@ -1,6 +1,8 @@
 //! What a kernel may look for though the scene does not have it: data that takes part in no path. A kernel that holds
 //! what the scene needs and no more gets the scene's own data.
 
+use bytemuck::Zeroable;
+
 use crate::features::Features;
 use crate::flat;
 use crate::prepared::{Coincidences, Light, LightKind, NONE, Prepared, Shape, device};
@@ -24,6 +26,22 @@ pub fn light_cdf(prepared: &Prepared, features: &Features) -> Vec<u32> {
         cdf.extend(cdf.last().copied());
     }
     cdf
+}
+
+/// The tree of lights: a leaf where there is none. The light that is not there has no place in it.
+pub fn light_tree(prepared: &Prepared, features: &Features) -> (Vec<device::LightNode>, Vec<u32>) {
+    let mut nodes = flat::records(&prepared.light_tree.nodes);
+    if nodes.is_empty() {
+        nodes.push(device::LightNode {
+            leaf: 1,
+            ..Zeroable::zeroed()
+        });
+    }
+    let mut trails = prepared.light_tree.trails.clone();
+    if looks_for_more(prepared, features) {
+        trails.push(0);
+    }
+    (nodes, trails)
 }
 
 /// The medium that each stands in.

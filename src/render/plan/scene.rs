@@ -8,7 +8,7 @@ use bytemuck::NoUninit;
 use super::PlanLimits;
 use super::absent;
 use super::array::{ArrayPlan, SceneArray};
-use crate::features::Features;
+use crate::features::{Features, LightPick};
 use crate::flat::bvh::Bvh;
 use crate::flat::{self, bvh};
 use crate::kernel::scene::{Binding, Element, Parameters, Recording};
@@ -139,9 +139,16 @@ impl<'a> Arrays<'a> {
         if !features.lights.is_empty() {
             self.records("lights", absent::lights(prepared, features));
         }
-        if features.many_lights {
+        if features.picks.contains(&LightPick::Power) {
             let cdf = absent::light_cdf(prepared, features);
             self.words("light_cdf", Element::Uint, cdf.len(), move || cdf.clone());
+        }
+        if features.picks.contains(&LightPick::Tree) {
+            let (nodes, trails) = absent::light_tree(prepared, features);
+            self.records("light_nodes", nodes);
+            self.words("light_trails", Element::Uint, trails.len(), move || {
+                trails.clone()
+            });
         }
         if features.integrator == Integrator::Light && !features.lights.is_empty() {
             let media = absent::light_media(prepared, features);

@@ -32,6 +32,7 @@ impl Builder {
             lights: Vec::new(),
             light_media: Vec::new(),
             light_cdf: Vec::new(),
+            light_tree: Default::default(),
             triangle_cdf: Vec::new(),
             background: DVec3::ZERO,
             background_line: 0,

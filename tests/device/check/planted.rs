@@ -38,7 +38,7 @@ fn a_wrong_reflectance_fails_the_closed_form() {
 /// The root of a negative number in the connection to lights: counted, on whatever device.
 #[test]
 fn a_nan_is_counted() {
-    let name = "integrator/path/direct/sample";
+    let name = "integrator/path/pick/candidate";
     let honest = file(name).expect("a shader");
     let text = honest.replace("(weight / p)", "sqrt(-1.0 - weight)");
     assert_ne!(text, honest);

@@ -16,7 +16,7 @@ use crate::common::settings::{estimators, models};
 fn the_full_kernel_holds_what_any_scene_needs() {
     let settings = Settings::default();
     let full = Features::full(&settings, &[]);
-    assert_eq!(full.members(), Member::all(settings.model.absorption));
+    assert_eq!(full.members(), Member::all(&settings));
     assert_eq!(full.in_bvh, full.shapes);
     let files = scene_files().into_iter();
     let files = files.map(|path| prepared_file(&path, &settings, None));
@@ -60,12 +60,6 @@ fn what_a_member_cannot_do_without_comes_and_goes_with_it() {
     ] {
         assert!(solids.with(member).members().contains(&mesh), "{member:?}");
     }
-    let dark = full
-        .lights
-        .iter()
-        .fold(full.clone(), |f, &kind| f.without(Member::Light(kind)));
-    let dark = dark.without(Member::ManyLights);
-    assert!(dark.with(Member::Light(LightKind::Background)).many_lights);
 }
 
 /// Members, settings and AOVs: whatever makes another kernel has another name.

@@ -5,7 +5,7 @@ use vkpt::settings::Settings;
 
 use crate::common::meshes::{cube, ply, square};
 use crate::common::render::prepared;
-use crate::common::scenes::{FLUSH, SMOOTH, TABLE, WIDE, flush_meshes};
+use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE, flush_meshes};
 
 /// Clear glass, smooth and rough, under a background that is the only light.
 pub const CLEAR: &str = "screen 32 24
@@ -67,6 +67,7 @@ pub fn small_scenes(settings: &Settings) -> Vec<(&'static str, Prepared)> {
         ("table", TABLE.to_owned()),
         ("wide", WIDE.to_owned()),
         ("flush", FLUSH.to_owned()),
+        ("many", MANY.to_owned()),
         ("flush meshes", flush_meshes(square.path(), cube.path())),
         ("flat mesh", meshes(&of(&cube), &of(&cube))),
         ("smooth mesh", meshes(&of(&cube), &of(&pyramid))),

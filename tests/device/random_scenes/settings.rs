@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use proptest::sample::select;
 use vkpt::settings::{
-    Absorption, Connect, Distribution, DistributionRule, Estimator, Fresnel, Integrator,
+    Absorption, Connect, Distribution, DistributionRule, Estimator, Fresnel, Integrator, Lights,
     LobeChoice, Model, Normals, Roulette, Sampler, Settings,
 };
 
@@ -42,16 +42,20 @@ fn estimator() -> impl Strategy<Value = Estimator> {
             1 => Just(Roulette::Off),
         ],
         select(vec![Connect::Mis, Connect::Light, Connect::Bsdf]),
+        select(vec![Lights::Contribution, Lights::Power]),
         select(vec![Sampler::Sobol, Sampler::Random]),
     )
-        .prop_map(|(lobe, normals, roulette, connect, sampler)| Estimator {
-            integrator: Integrator::Path,
-            lobe,
-            normals,
-            roulette,
-            connect,
-            sampler,
-        })
+        .prop_map(
+            |(lobe, normals, roulette, connect, lights, sampler)| Estimator {
+                integrator: Integrator::Path,
+                lobe,
+                normals,
+                roulette,
+                connect,
+                lights,
+                sampler,
+            },
+        )
 }
 
 /// Any settings; the defaults not rarely.

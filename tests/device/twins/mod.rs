@@ -8,6 +8,7 @@ mod elementary;
 mod emission;
 mod film;
 mod light;
+mod light_tree;
 mod math;
 mod path;
 mod platform;
@@ -96,6 +97,14 @@ const EXCUSED: &[(&str, &str)] = &[
     ),
     ("integrator/path/direct/", READS_THE_SCENE),
     ("integrator/path/emission/", READS_THE_SCENE),
+    ("integrator/path/pick/candidate", READS_THE_SCENE),
+    ("integrator/path/pick/any", READS_THE_SCENE),
+    ("integrator/path/pick/every", READS_THE_SCENE),
+    ("integrator/path/pick/few", READS_THE_SCENE),
+    ("integrator/path/pick/many", READS_THE_SCENE),
+    ("integrator/path/pick/none", "constants"),
+    ("integrator/path/pick/power", READS_THE_SCENE),
+    ("integrator/path/pick/tree", READS_THE_SCENE),
     ("integrator/light/", READS_THE_SCENE),
     ("light/emission/point", "a constant"),
     ("path/blocks/", "a sum, and none"),
@@ -136,6 +145,7 @@ fn all() -> Vec<Twin> {
         emission::twins(),
         film::twins(),
         light::twins(),
+        light_tree::twins(),
         math::twins(),
         path::twins(),
         sampler::twins(),
@@ -204,6 +214,7 @@ fn every_function_that_naga_lists_is_accounted_for() {
             common::scenes::SMOOTH,
             common::scenes::WIDE,
             common::scenes::FLUSH,
+            common::scenes::MANY,
         ] {
             let scene = common::render::prepared(text, &settings);
             let job = common::render::job(&scene, settings, 1, 1);

@@ -4,6 +4,7 @@
 //!
 //! Fixed seeds; each family of tests has the level α = 1e-3, shared out after Šidák.
 
+mod light_tree;
 mod lights;
 mod pixel;
 mod roulette;

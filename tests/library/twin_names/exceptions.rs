@@ -39,6 +39,7 @@ pub const KERNEL_ONLY: &[(&str, &str)] = &[
         "a mesh's part of one long table; cdf_choice and cdf_probability, given a slice",
     ),
     ("leads_through", "wi.z < 0"),
+    ("no_candidate", "None"),
     ("crossing_scale", "an `if` in extend"),
     ("medium_after", "an `if` in spawn_ray"),
     (
@@ -121,6 +122,10 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
     (
         "light/choice",
         "light_choice, light_pmf, triangle_choice and triangle_pmf, each over its part of a buffer",
+    ),
+    (
+        "how",
+        "which of the files of the slot <pick> the kernel holds",
     ),
     (
         "integrator/path/direct",

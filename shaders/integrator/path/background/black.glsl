@@ -1,5 +1,5 @@
 // Nothing shines from outside.
 
-vec3 background_seen(Subpath path) {
+vec3 background_seen(Subpath path, vec3 n, vec3 origin) {
     return vec3(0.0);
 }

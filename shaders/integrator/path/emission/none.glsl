@@ -1,5 +1,5 @@
 // No shape of this scene shines.
 
-vec3 emission_seen(Subpath path, Vertex v, vec3 origin, float distance) {
+vec3 emission_seen(Subpath path, vec3 n, Vertex v, vec3 origin, float distance) {
     return vec3(0.0);
 }

@@ -4,7 +4,7 @@
 void record_hit(inout PathState s, Subpath path, Vertex v) {
 }
 
-void record_light(inout PathState s, Subpath path, uint light) {
+void record_light(inout PathState s, vec3 contribution, uint light) {
 }
 
 void record_vertex(inout PathState s, Subpath path, Vertex v, uint lobe) {

@@ -7,8 +7,8 @@ void record_hit(inout PathState s, Subpath path, Vertex v) {
     s.recorded = decide(s.recorded, is_light(path.throughput), DECISION_SHAPE, v.shape);
 }
 
-void record_light(inout PathState s, Subpath path, uint light) {
-    s.connected = decide(s.connected, is_light(path.throughput), DECISION_LIGHT, light);
+void record_light(inout PathState s, vec3 contribution, uint light) {
+    s.connected = decide(s.connected, is_light(contribution), DECISION_LIGHT, light);
 }
 
 void record_vertex(inout PathState s, Subpath path, Vertex v, uint lobe) {

@@ -1,17 +1,15 @@
 //! Explicit connection of a vertex to a point on a light; twin of `shaders/integrator/path/direct/`.
 
 use super::PathState;
-use super::connect::connection_weight;
+use super::pick::pick;
 use super::record::Recorder;
-use crate::reference::bsdf::bsdf_eval;
 use crate::reference::math::Real;
-use crate::reference::math::finite::{is_black, is_finite};
-use crate::reference::math::frame::to_local;
+use crate::reference::math::finite::is_black;
 use crate::reference::path::SampleId;
 use crate::reference::path::spawn::spawn_ray;
 use crate::reference::path::trace::{ShadowRay, shadow_ray};
-use crate::reference::path::vertex::{Vertex, same_sides};
-use crate::reference::sampler::{light_block, unit_float};
+use crate::reference::path::vertex::Vertex;
+use crate::reference::sampler::light_block;
 use crate::reference::shape::{FAR, Ray, Target};
 use crate::reference::world::World;
 use crate::settings::{Connect, Settings};
@@ -47,34 +45,23 @@ fn shadow_to_light<F: Real>(
     recorder: &mut impl Recorder<F>,
 ) -> Option<ShadowRay<F>> {
     let u = id.words(settings, light_block(s.path.bounce));
-    let light = world.light_choice(u[0] >> 8);
-    recorder.light(s, light);
-    let l = world.light_sample(light, v.p, u[1] >> 8, [unit_float(u[2]), unit_float(u[3])]);
-    let p = world.light_pmf(light) * l.pdf;
-    let wi = to_local(v.frame, l.wi);
-    // A broken density breaks the contribution, which the film then drops and counts.
-    let sampled = (p > F::zero() || !is_finite(p))
-        && !world.is_covered_at(world.lights[light].shape, l.prim, v.p + l.wi * l.distance);
-    if !(sampled && same_sides(v, l.wi, wi)) {
-        return None;
-    }
-    let f = bsdf_eval(settings, &v.interaction, wi);
-    let weight = connection_weight(settings.estimator.connect, p, f.pdf);
-    let contribution = s.path.throughput * f.value * world.lights[light].radiance * (weight / p);
-    let ray = spawn_ray(v, l.wi, wi.z < F::zero(), s.path.ray.medium);
-    (!is_black(contribution)).then(|| ShadowRay {
+    let picked = pick(world, settings, &s.path, v, u);
+    let c = picked.filter(|c| !is_black(c.contribution))?;
+    recorder.light(s, c.light as u32, c.contribution);
+    let ray = spawn_ray(v, c.point.wi, c.through, s.path.ray.medium);
+    Some(ShadowRay {
         ray: Ray {
-            t_max: if l.distance < F::zero() {
+            t_max: if c.point.distance < F::zero() {
                 F::new(FAR)
             } else {
-                l.distance
+                c.point.distance
             },
             ..ray
         },
         target: Target {
-            shape: world.lights[light].shape,
-            prim: l.prim,
+            shape: world.lights[c.light].shape,
+            prim: c.point.prim,
         },
-        contribution,
+        contribution: c.contribution,
     })
 }

@@ -5,6 +5,7 @@
 
 pub mod connect;
 pub mod direct;
+pub mod pick;
 pub mod record;
 pub mod signature;
 
@@ -25,6 +26,7 @@ use crate::reference::shape::Ray;
 use crate::reference::world::World;
 use crate::settings::Settings;
 use connect::hit_weight;
+use pick::{pick_normal, pick_probability};
 use record::Recorder;
 
 /// A sample under way.
@@ -32,6 +34,8 @@ use record::Recorder;
 pub struct PathState<F> {
     pub path: Subpath<F>,
     pub radiance: Vec3<F>,
+    /// What [`pick_probability`] asks of the last vertex.
+    pub pick_normal: Vec3<F>,
     /// Rays traced so far.
     pub rays: u64,
     /// Less is left of the throughput than the scalar can hold: the path ends.
@@ -62,7 +66,8 @@ pub fn trace_path<F: Real>(
         let origin = s.path.ray.o;
         let (hit, distance) = extend_ray(world, settings, &mut s.path, &mut s.rays);
         let Some(hit) = hit else {
-            s.radiance += s.path.throughput * background_seen(world, settings, &s.path);
+            s.radiance += s.path.throughput
+                * background_seen(world, settings, &s.path, s.pick_normal, origin);
             recorder.escape(&s);
             break;
         };
@@ -75,8 +80,16 @@ pub fn trace_path<F: Real>(
             s.path.throughput,
         );
         recorder.hit(&s, &v);
-        s.radiance +=
-            s.path.throughput * emission_seen(world, settings, &s.path, &v, origin, distance);
+        s.radiance += s.path.throughput
+            * emission_seen(
+                world,
+                settings,
+                &s.path,
+                s.pick_normal,
+                &v,
+                origin,
+                distance,
+            );
         let black = world.materials[v.material as usize].kind == MaterialKind::Black;
         // A path sets out with some light: what has none has lost it to absorption.
         s.underflow = is_black(s.path.throughput);
@@ -85,7 +98,7 @@ pub fn trace_path<F: Real>(
             break;
         }
         direct::connect(world, settings, &mut s, &v, id, recorder);
-        alive = go_on(settings, &mut s, &v, id, recorder);
+        alive = go_on(world, settings, &mut s, &v, id, recorder);
     }
     PathResult {
         radiance: s.radiance,
@@ -97,12 +110,14 @@ pub fn trace_path<F: Real>(
 
 /// Goes on to the next direction; false where the path ends.
 fn go_on<F: Real>(
+    world: &World<F>,
     settings: &Settings,
     s: &mut PathState<F>,
     v: &Vertex<F>,
     id: SampleId,
     recorder: &mut impl Recorder<F>,
 ) -> bool {
+    s.pick_normal = pick_normal(world, settings, v);
     let e = extend(settings, Origin::Eye, &mut s.path, v, id);
     s.underflow = e.underflow;
     // A broken throughput breaks the sample, which the film then drops and counts.
@@ -135,17 +150,19 @@ fn begin_path<F: Real>(world: &World<F>, settings: &Settings, id: SampleId) -> P
             bounce: 0,
         },
         radiance: Vec3::zero(),
+        pick_normal: Vec3::zero(),
         rays: 0,
         underflow: false,
     }
 }
 
-/// Weighted radiance of an emitter that the path has hit; the density runs from the last real vertex,
-/// `origin`, `distance` away.
+/// Weighted radiance of an emitter that the path has hit; the density runs from the last real vertex, `origin`, of
+/// [`pick_normal`] `n`, `distance` away.
 fn emission_seen<F: Real>(
     world: &World<F>,
     settings: &Settings,
     path: &Subpath<F>,
+    n: Vec3<F>,
     v: &Vertex<F>,
     origin: Vec3<F>,
     distance: F,
@@ -154,8 +171,8 @@ fn emission_seen<F: Real>(
         None => Vec3::zero(),
         Some(light) => {
             let cosine = dot3(path.ray.d, v.ng).abs();
-            let q =
-                world.light_pmf(light) * world.light_pdf(light, origin, v.prim, cosine, distance);
+            let expected = pick_probability(world, settings, light, origin, n);
+            let q = expected * world.light_pdf(light, origin, v.prim, cosine, distance);
             let connect = settings.estimator.connect;
             world.lights[light].radiance * hit_weight(connect, path.delta, path.pdf, q)
         }
@@ -163,11 +180,18 @@ fn emission_seen<F: Real>(
 }
 
 /// Weighted radiance of everything outside.
-fn background_seen<F: Real>(world: &World<F>, settings: &Settings, path: &Subpath<F>) -> Vec3<F> {
+fn background_seen<F: Real>(
+    world: &World<F>,
+    settings: &Settings,
+    path: &Subpath<F>,
+    n: Vec3<F>,
+    origin: Vec3<F>,
+) -> Vec3<F> {
     match world.background_light {
         None => Vec3::zero(),
         Some(light) => {
-            let q = world.light_pmf(light) * background_light_pdf();
+            let expected = pick_probability(world, settings, light, origin, n);
+            let q = expected * background_light_pdf();
             let connect = settings.estimator.connect;
             world.lights[light].radiance * hit_weight(connect, path.delta, path.pdf, q)
         }

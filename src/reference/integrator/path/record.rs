@@ -9,8 +9,8 @@ use crate::reference::path::vertex::Vertex;
 pub trait Recorder<F: Real> {
     /// The path has come to the vertex `v`, which is not shaded yet.
     fn hit(&mut self, _s: &PathState<F>, _v: &Vertex<F>) {}
-    /// The light that this vertex was to be connected to, whether or not a connection came of it.
-    fn light(&mut self, _s: &PathState<F>, _light: usize) {}
+    /// The light that this vertex was to be connected to, and what that brings if nothing stands in the way.
+    fn light(&mut self, _s: &PathState<F>, _light: u32, _contribution: Vec3<F>) {}
     /// The state after the vertex `v` was shaded and the next direction drawn from `lobe`.
     fn vertex(&mut self, s: &PathState<F>, v: &Vertex<F>, lobe: u32);
     /// A connection and the light that arrived over it, which is not yet in the radiance; the vertex that it belongs to

@@ -61,12 +61,12 @@ impl<F: Real> Recorder<F> for Signature {
         );
     }
 
-    fn light(&mut self, s: &PathState<F>, light: usize) {
+    fn light(&mut self, _: &PathState<F>, light: u32, contribution: Vec3<F>) {
         self.connections = decide(
             self.connections,
-            is_light(s.path.throughput),
+            is_light(contribution),
             DECISION_LIGHT,
-            light as u32,
+            light,
         );
     }
 

@@ -1,0 +1,10 @@
+// No light is picked: there is none, or paths find it themselves. Fills the slot <pick>.
+// uses: path/vertex
+
+vec3 pick_normal(Vertex v) {
+    return vec3(0.0);
+}
+
+float pick_probability(uint light, vec3 p, vec3 n) {
+    return 0.0;
+}

@@ -1,0 +1,58 @@
+//! A connection of a vertex to a point of one light, before anyone has looked for what stands between; twin of
+//! `shaders/integrator/path/pick/candidate.glsl`.
+
+use crate::reference::bsdf::bsdf_eval;
+use crate::reference::integrator::path::connect::connection_weight;
+use crate::reference::light::LightSample;
+use crate::reference::math::finite::is_finite;
+use crate::reference::math::frame::to_local;
+use crate::reference::math::{Real, Vec3};
+use crate::reference::path::Subpath;
+use crate::reference::path::vertex::{Vertex, same_sides};
+use crate::reference::world::World;
+use crate::settings::Settings;
+
+/// A point of a light, and what it brings.
+#[derive(Clone, Copy, Debug)]
+pub struct Candidate<F> {
+    pub light: usize,
+    /// wi, distance and face of the point.
+    pub point: LightSample<F>,
+    /// Leads through the surface.
+    pub through: bool,
+    /// What arrives if nothing stands in the way; black where the point cannot be seen or shines on what scatters nothing.
+    pub contribution: Vec3<F>,
+}
+
+/// The point of `light` that `u24` and `u` draw. `expected`: how many points of this light are drawn on average, as
+/// [`pick_probability`](super::pick_probability) says.
+#[allow(clippy::too_many_arguments)]
+pub fn candidate<F: Real>(
+    world: &World<F>,
+    settings: &Settings,
+    path: &Subpath<F>,
+    v: &Vertex<F>,
+    light: usize,
+    expected: F,
+    u24: u32,
+    u: [F; 2],
+) -> Candidate<F> {
+    let l = world.light_sample(light, v.p, u24, u);
+    let p = expected * l.pdf;
+    let wi = to_local(v.frame, l.wi);
+    let mut c = Candidate {
+        light,
+        point: l,
+        through: wi.z < F::zero(),
+        contribution: Vec3::zero(),
+    };
+    // A broken density breaks the contribution, which the film then drops and counts.
+    let sampled = (p > F::zero() || !is_finite(p))
+        && !world.is_covered_at(world.lights[light].shape, l.prim, v.p + l.wi * l.distance);
+    if sampled && same_sides(v, l.wi, wi) {
+        let f = bsdf_eval(settings, &v.interaction, wi);
+        let weight = connection_weight(settings.estimator.connect, p, f.pdf);
+        c.contribution = path.throughput * f.value * world.lights[light].radiance * (weight / p);
+    }
+    c
+}

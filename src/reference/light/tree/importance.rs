@@ -1,0 +1,57 @@
+//! What the lights of a node can bring to a point; twin of `shaders/light/tree/importance.glsl`.
+
+use super::LightNode;
+use crate::reference::math::{Real, Vec3, dot3, max2};
+
+/// cos(max(0, a − b)) of two angles of [0, π], each given by cosine and sine.
+pub fn cos_beyond<F: Real>(cos_a: F, sin_a: F, cos_b: F, sin_b: F) -> F {
+    if cos_a > cos_b {
+        F::one()
+    } else {
+        cos_a * cos_b + sin_a * sin_b
+    }
+}
+
+/// sin(max(0, a − b))
+pub fn sin_beyond<F: Real>(cos_a: F, sin_a: F, cos_b: F, sin_b: F) -> F {
+    if cos_a > cos_b {
+        F::zero()
+    } else {
+        sin_a * cos_b - cos_a * sin_b
+    }
+}
+
+/// Of an angle of [0, π].
+pub fn sine_of<F: Real>(cosine: F) -> F {
+    max2(F::one() - cosine * cosine, F::zero()).sqrt()
+}
+
+/// power cos θ' cos θ_i'/d²: the most that lights of that power within the ball and the cone of normals bring to `p`
+/// (Conty Estevez & Kulla, Importance Sampling of Many Lights with Adaptive Tree Splitting, HPG 2018, section 5.1; pbrt 4,
+/// section 12.6.3).
+///
+/// θ_b is the angle under which the ball is seen, θ' = max(0, θ − θ_o − θ_b) for θ, the angle between the axis and the
+/// direction to p, and θ_i' = max(0, θ_i − θ_b), the angle to `n`. Emitters shine on both sides, so cos θ counts without
+/// its sign. From inside the ball no angle says anything. n = 0: the point is lit from both sides. `power` is
+/// not power itself but that over 4π, of the whole scene's.
+pub fn node_importance<F: Real>(node: &LightNode<F>, p: Vec3<F>, n: Vec3<F>) -> F {
+    let (zero, one) = (F::zero(), F::one());
+    let to = node.centre - p;
+    let r2 = node.radius * node.radius;
+    let d2 = dot3(to, to);
+    if d2 <= r2 {
+        return node.power / max2(d2, r2);
+    }
+    let w = to * (one / d2.sqrt());
+    let sin_b = (r2 / d2).sqrt();
+    let cos_b = (one - sin_b * sin_b).sqrt();
+    let cos_w = dot3(node.axis, w).abs();
+    let cos_x = cos_beyond(cos_w, sine_of(cos_w), node.cos_o, node.sin_o);
+    let sin_x = sin_beyond(cos_w, sine_of(cos_w), node.cos_o, node.sin_o);
+    let emitted = cos_beyond(cos_x, sin_x, cos_b, sin_b);
+    let cos_i = dot3(n, w);
+    let received = max2(cos_beyond(cos_i, sine_of(cos_i), cos_b, sin_b), zero);
+    let one_sided = dot3(n, n) > zero;
+    let cosines = emitted * if one_sided { received } else { one };
+    node.power / max2(d2, r2) * cosines
+}
