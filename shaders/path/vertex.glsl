@@ -26,10 +26,10 @@ Vertex path_vertex(Ray ray, Hit hit, float distance, vec3 throughput) {
     v.ng = surface.ng;
     v.outside = dot3(wo, surface.ng) >= 0.0;
     v.facing = v.outside ? surface.ng : -surface.ng;
-    // The geometric normal decides the side; the shading normal makes only the frame (model.md, "Conventions").
     v.shape = hit.shape;
     v.prim = hit.prim;
     v.material = shapes[v.shape].material;
+    // The geometric normal decides the side; the shading normal makes only the frame (model.md, "Conventions").
     vec3 ns = dot3(surface.ns, v.facing) < 0.0 ? -surface.ns : surface.ns;
     v.frame = frame_about(seen_normal(ns, v.facing, wo, materials[v.material].kind));
     v.interaction = interaction(materials[v.material], v.outside, to_local(v.frame, wo),

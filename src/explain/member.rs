@@ -69,8 +69,7 @@ fn remark(subject: &Subject, member: Member) -> String {
             "{} lights: {}",
             subject.job.prepared.lights.len(),
             how(pick)
-        )
-        .to_owned(),
+        ),
         (Member::Absorption(_), Some(m)) => absorbing(subject, m),
         (Member::Covered(_), _) => "where faces coincide the first in the file is there".to_owned(),
         _ => String::new(),
