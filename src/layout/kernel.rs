@@ -59,18 +59,17 @@ crate::gpu_struct! {
         shadow: ShadowRay,
         /// Of the sample under way, W·sr⁻¹·m⁻².
         radiance: vec3,
-        /// Samples begun.
-        index: uint,
         /// 1: the sample is complete but for its pending connection.
         ended: uint,
+        /// What the slot `pick` asks of the path's last vertex; 0 where it asks nothing.
+        pick_normal: vec3,
         /// What the slot `record` keeps: events written down so far, or the chain of the path's vertices.
         recorded: uint,
         /// The same: the chain of its connections.
         connected: uint,
         pad0: uint,
-        /// What the slot `pick` asks of the path's last vertex; 0 where it asks nothing.
-        pick_normal: vec3,
         pad1: uint,
+        pad2: uint,
     }
 
     /// A pixel's sum of samples, Σ = sum + comp, and what was counted on the way.

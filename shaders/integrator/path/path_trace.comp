@@ -12,8 +12,9 @@
 // uses: constants/workgroup, math/steps, film/film_pixel, <moments>, integrator/path/begin, path/trace, integrator/path/shade, <record>
 layout(local_size_x = WORKGROUP) in;
 
-bool unfinished(PathState s, Subpath path) {
-    return path.alive != 0u || s.ended != 0u || s.index < job.sample_end;
+// Of a pixel that has `samples` complete ones.
+bool unfinished(PathState s, Subpath path, uint samples) {
+    return path.alive != 0u || s.ended != 0u || samples < job.sample_end;
 }
 
 void trace_pixel(uint lane) {
@@ -23,11 +24,11 @@ void trace_pixel(uint lane) {
     Subpath path = s.path;
     ShadowRay shadow = s.shadow;
     FilmPixel pixel = film[lane];
-    while (unfinished(s, path) && loop_steps < job.budget) {
+    while (unfinished(s, path, pixel.samples) && loop_steps < job.budget) {
         loop_steps += 1u;
-        if (path.alive == 0u && s.index < job.sample_end) {
-            path = begin_path(column, row, job.sample_begin + s.index);
-            s.index += 1u;
+        uint begun = pixel.samples + s.ended;
+        if (path.alive == 0u && begun < job.sample_end) {
+            path = begin_path(column, row, job.sample_begin + begun);
         }
         Traced traced = trace_rays(path, shadow);
         pixel.rays += traced.rays;
@@ -43,11 +44,11 @@ void trace_pixel(uint lane) {
             s.ended = 0u;
         }
         if (path.alive != 0u) {
-            shade(s, path, shadow, traced, pixel, row * camera.width + column);
+            shade(s, path, shadow, traced, pixel, row * camera.width + column, job.sample_begin + pixel.samples);
         }
     }
     // A driver that ends loops by itself (Mesa 22) leaves their end conditions unmet: the picture would be wrong.
-    if (loop_failed || (unfinished(s, path) && loop_steps < job.budget)) {
+    if (loop_failed || (unfinished(s, path, pixel.samples) && loop_steps < job.budget)) {
         pixel.loops += 1u;
     }
     s.path = path;

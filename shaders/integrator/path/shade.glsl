@@ -7,9 +7,10 @@ void end_path(inout PathState s, inout Subpath path) {
 }
 
 // Goes on to the next direction; ends the path where there is none.
-void go_on(inout PathState s, inout Subpath path, Vertex v, inout FilmPixel pixel, uint pixel_index) {
+void go_on(inout PathState s, inout Subpath path, Vertex v, inout FilmPixel pixel, uint pixel_index,
+           uint sample_index) {
     s.pick_normal = pick_normal(v);
-    Extension e = extend(path, v, pixel_index, job.sample_begin + s.index - 1u);
+    Extension e = extend(path, v, pixel_index, sample_index);
     pixel.underflows += e.underflow ? 1u : 0u;
     // A broken throughput breaks the sample, which the film then drops and counts.
     s.radiance += e.broken ? path.throughput : vec3(0.0);
@@ -21,7 +22,7 @@ void go_on(inout PathState s, inout Subpath path, Vertex v, inout FilmPixel pixe
 }
 
 void shade(inout PathState s, inout Subpath path, inout ShadowRay shadow, Traced traced, inout FilmPixel pixel,
-           uint pixel_index) {
+           uint pixel_index, uint sample_index) {
     shadow.pending = 0u;
     if (traced.hit.shape == NONE) {
         s.radiance += path.throughput * background_seen(path, s.pick_normal, traced.origin);
@@ -38,8 +39,8 @@ void shade(inout PathState s, inout Subpath path, inout ShadowRay shadow, Traced
             record_vertex(s, path, v, LOBE_NONE);
             end_path(s, path);
         } else {
-            shadow = connect(s, path, v, pixel_index);
-            go_on(s, path, v, pixel, pixel_index);
+            shadow = connect(s, path, v, pixel_index, sample_index);
+            go_on(s, path, v, pixel, pixel_index, sample_index);
         }
     }
 }

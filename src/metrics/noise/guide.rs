@@ -10,7 +10,6 @@
 //! No guide is right everywhere: near neighbours are fewer and noisier, strict filters prefer the dark ones of skewed
 //! noise. Two others show by how much the choice matters.
 
-use super::interval::Terms;
 use crate::film::Film;
 use crate::metrics::rel_mse::EPSILON;
 
@@ -29,6 +28,9 @@ const REACH: f64 = 3.0;
 
 /// Guides: of neighbours within 4 and within 2 standard deviations; of the eight nearest, as they are.
 const GUIDES: usize = 3;
+
+/// A pixel's term of relMSE by each guide, that of the estimate first.
+pub type PixelTerms = [f64; GUIDES];
 
 type Rgb = [f64; 3];
 
@@ -78,24 +80,16 @@ impl<'a> Guide<'a> {
         }
     }
 
-    /// The sums over one row of pixels.
-    pub fn row(&self, y: usize) -> Terms {
-        let mut terms = Terms::default();
-        for [q, others @ ..] in self.terms(y) {
-            terms.add(q, others);
-        }
-        terms
-    }
-
-    /// Of each pixel of a row, its term of relMSE by each guide, that of the estimate first.
-    pub fn terms(&self, y: usize) -> impl Iterator<Item = [f64; GUIDES]> {
+    /// Of each pixel of a row.
+    pub fn terms(&self, y: usize) -> Vec<PixelTerms> {
         let (values, halves) = (self.mean.row(y), self.half_difference.row(y));
         let pixels = values.iter().zip(halves).zip(self.around(y));
-        pixels.map(|((x, h), around)| {
+        let terms = pixels.map(|((x, h), around)| {
             let (x, h) = (x.map(f64::from), h.map(f64::from));
             let q = |g: Rgb| (0..3).map(|c| h[c] * h[c] * weight(g[c])).sum::<f64>() / 3.0;
             guides(x, h, &around).map(q)
-        })
+        });
+        terms.collect()
     }
 
     /// What the neighbours of a row's pixels are like. All pixels of the row turn to one neighbour after the other.

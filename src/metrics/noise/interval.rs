@@ -1,5 +1,6 @@
 //! From what the pixels tell to an estimate and its interval.
 
+use super::guide::PixelTerms;
 use super::{Culprits, RelMse};
 
 /// Of a normal distribution, 95 % lie within so many standard deviations of the mean.
@@ -21,15 +22,15 @@ pub struct Terms {
 }
 
 impl Terms {
-    /// Adds a pixel.
-    pub fn add(&mut self, q: f64, others: [f64; 2]) {
-        let pixel = Self {
+    /// The sums over some pixels, in their order.
+    pub fn of(pixels: &[PixelTerms]) -> Self {
+        let of = |&[q, ref others @ ..]: &PixelTerms| Self {
             pixels: 1.0,
             sum: q,
             squares: q * q,
-            others,
+            others: *others,
         };
-        *self = self.plus(pixel);
+        pixels.iter().map(of).fold(Self::default(), Self::plus)
     }
 
     pub fn plus(self, other: Self) -> Self {

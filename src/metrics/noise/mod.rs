@@ -15,12 +15,15 @@
 mod guide;
 mod interval;
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 use rayon::prelude::*;
 
 use super::MetricsError;
 use super::pair::{check, same_size};
 use crate::film::Film;
-use guide::Guide;
+use guide::{Guide, PixelTerms};
 use interval::Terms;
 
 /// An estimate of relMSE as [`Errors`](super::Errors) defines it.
@@ -53,28 +56,30 @@ pub fn rel_mse(mean: &Film, half_difference: &Film) -> Result<RelMse, MetricsErr
     let guide = Guide::new(mean, half_difference);
     // Row by row, and the rows added in their order: the same sum on any number of threads.
     let rows = (0..mean.height as usize).into_par_iter();
-    let terms: Vec<Terms> = rows.map(|y| guide.row(y)).collect();
-    let all = terms.into_iter().fold(Terms::default(), Terms::plus);
-    Ok(all.rel_mse(|| culprits(&guide, mean, all.sum)))
+    let rows: Vec<Vec<PixelTerms>> = rows.map(|y| guide.terms(y)).collect();
+    let terms = rows.iter().map(|row| Terms::of(row));
+    let all = terms.fold(Terms::default(), Terms::plus);
+    Ok(all.rel_mse(|| culprits(&rows, all.sum)))
 }
 
 /// The pixels that make an error, of which `sum` is the sum over all pixels; of equals the first, row by row.
-fn culprits(guide: &Guide, film: &Film, sum: f64) -> Culprits {
-    let rows = (0..film.height).into_par_iter();
-    let row = |y: u32| {
-        (0..)
-            .zip(guide.terms(y as usize))
-            .map(move |(x, [q, ..])| (q, [x, y]))
-    };
-    let mut pixels: Vec<(f64, [u32; 2])> = rows.flat_map_iter(row).collect();
-    pixels.par_sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut made = 0.0;
-    let makes_half = |(q, _): &(f64, _)| {
-        made += q;
-        made >= 0.5 * sum
-    };
-    Culprits {
-        worst: pixels[0].1,
-        half: 1 + pixels.iter().position(makes_half).unwrap_or(0),
+fn culprits(rows: &[Vec<PixelTerms>], sum: f64) -> Culprits {
+    let pixels = (0..).zip(rows).flat_map(|(y, row)| {
+        // Bits of numbers ≥ 0 are in their order.
+        let of = move |(x, q): (u32, &PixelTerms)| (q[0].to_bits(), Reverse([y, x]));
+        (0..).zip(row).map(of)
+    });
+    // Few make half of it: a heap finds those without sorting the rest.
+    let mut largest: BinaryHeap<_> = pixels.collect();
+    let worst = largest
+        .peek()
+        .map_or([0; 2], |&(_, Reverse([y, x]))| [x, y]);
+    let (mut made, mut half) = (0.0, 0);
+    while made < 0.5 * sum
+        && let Some((q, _)) = largest.pop()
+    {
+        made += f64::from_bits(q);
+        half += 1;
     }
+    Culprits { half, worst }
 }

@@ -8,6 +8,7 @@ pub mod real;
 mod ulps;
 pub mod vec;
 
+pub use elementary::ErfcGauss;
 pub use frame::Frame;
 pub use products::difference_of_products;
 pub use real::Real;

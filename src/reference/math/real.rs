@@ -8,7 +8,7 @@ use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use statrs::function::erf;
 
-use super::elementary;
+use super::elementary::{self, ErfcGauss};
 
 /// A floating-point scalar with the operations that the kernels use and no others.
 ///
@@ -67,6 +67,8 @@ pub trait Real:
     fn log1p(x: Self) -> Self;
     /// 1 − erf x, accurate where erf x is near 1.
     fn erfc(x: Self) -> Self;
+    /// 1 − erf x and e^(−x²).
+    fn erfc_gauss(x: Self) -> ErfcGauss<Self>;
     /// The x with erfc x = z; ∞ at 0, −∞ at 2, NaN outside and at −0.
     fn erfc_inverse(z: Self) -> Self;
 
@@ -133,6 +135,9 @@ impl Real for f32 {
     fn erfc(x: Self) -> Self {
         elementary::erfc(x)
     }
+    fn erfc_gauss(x: Self) -> ErfcGauss<Self> {
+        elementary::erfc_gauss(x)
+    }
     fn erfc_inverse(z: Self) -> Self {
         elementary::erfc_inverse(z)
     }
@@ -160,6 +165,12 @@ impl Real for f64 {
     }
     fn erfc(x: Self) -> Self {
         libm::erfc(x)
+    }
+    fn erfc_gauss(x: Self) -> ErfcGauss<Self> {
+        ErfcGauss {
+            erfc: libm::erfc(x),
+            gauss: f64::exp(-x * x),
+        }
     }
     fn erfc_inverse(z: Self) -> Self {
         if z.is_sign_negative() || z > 2.0 {

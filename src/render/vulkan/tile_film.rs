@@ -80,15 +80,8 @@ impl DeviceFilm {
         [&self.paths, &self.film].into_iter().chain(&self.moments)
     }
 
-    /// Takes up a tile of which no path is under way: its threads need to know only how many samples they have
-    /// begun.
+    /// Takes up a tile. No path is under way, of it or of the one before: all its threads need is the film.
     pub fn upload(&self, from: &TileFilm) -> Result<(), RenderError> {
-        let fresh = |p: &FilmPixel| PathState {
-            index: p.samples,
-            ..PathState::default()
-        };
-        let paths: Vec<PathState> = from.pixels.iter().map(fresh).collect();
-        self.paths.write(bytemuck::cast_slice(&paths))?;
         self.film.write(bytemuck::cast_slice(&from.pixels))?;
         if let Some(moments) = &self.moments {
             moments.write(bytemuck::cast_slice(&from.moments))?;

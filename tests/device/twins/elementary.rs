@@ -1,8 +1,8 @@
 //! Twins of `shaders/math/elementary/`.
 
 use vkpt::reference::math::elementary::{
-    erfc, erfc_inverse, erfc_inverse_far, erfc_inverse_near, exp, exp_minus_square, exp_reduce,
-    expm1, log1p, pow2, quadrant, rotate_by_quadrant, scale_by_pow2, sincos_2pi,
+    erfc, erfc_gauss, erfc_inverse, erfc_inverse_far, erfc_inverse_near, exp, exp_minus_square,
+    exp_reduce, expm1, log1p, pow2, quadrant, rotate_by_quadrant, scale_by_pow2, sincos_2pi,
 };
 use vkpt::reference::math::vec3;
 
@@ -128,6 +128,15 @@ fn error_functions() -> Vec<Twin> {
     vec![
         unary("erfc", erfc_file, erfc)
             .edges([-0.5, 0.5, 9.19, 10.06, 11.0].map(|x| Row::from([x]))),
+        Twin::new("erfc_gauss", erfc_file)
+            .glsl("ErfcGauss g = erfc_gauss(in_f()); out_f(g.erfc); out_f(g.gauss);")
+            .rust(|i, o| {
+                let g = erfc_gauss(i.f());
+                o.f(g.erfc);
+                o.f(g.gauss);
+            })
+            .edges([-0.5, 0.5, 9.19, 10.06, 11.0].map(|x| Row::from([x])))
+            .seeded(5000, |r| Row::new().f(r.range(-11.0, 11.0))),
         ranged("exp_minus_square", erfc_file, exp_minus_square, -11.0, 11.0),
         unary("erfc_inverse", inverse, erfc_inverse)
             .edges([0.5, 1.5, 2.0, 5.421_011e-20].map(|x| Row::from([x])))

@@ -23,6 +23,7 @@ SlopeLaw slope_law(float p, float r, float gamma, float limit) {
 struct SlopeShare {
     // G(t)
     float share;
+    float erfc;
     // e^(-t^2)
     float gauss;
     // q e^(gamma t^2)
@@ -31,10 +32,11 @@ struct SlopeShare {
 
 // G(t).
 SlopeShare slope_share(SlopeLaw law, float t) {
-    float gauss = exp(-(t * t));
-    float grown = exp(law.gamma * (t * t));
+    ErfcGauss g = erfc_gauss(t);
+    // what compilers leave out where gamma is the constant 0
+    float grown = law.gamma == 0.0 ? 1.0 : exp(law.gamma * (t * t));
     return SlopeShare(
-        law.p * erfc(t) + law.r * (gauss * grown), gauss, 1.7724539 * law.r * (1.0 - law.gamma) * grown);
+        law.p * g.erfc + law.r * (g.gauss * grown), g.erfc, g.gauss, 1.7724539 * law.r * (1.0 - law.gamma) * grown);
 }
 
 // A slope near the one with G(t) = u G(-limit); whole is G(-limit).
@@ -45,12 +47,11 @@ SlopeShare slope_share(SlopeLaw law, float t) {
 float slope_start(SlopeLaw law, SlopeShare whole, float u) {
     float s = sqrt(-log1p(u - 1.0));
     float limit = law.limit;
-    float cut = erfc(-limit);
-    float w = 1.7724539 * cut / whole.gauss;
+    float w = 1.7724539 * whole.erfc / whole.gauss;
     float c = w / (1.0 + sqrt(1.0 + limit * w));
     float seen = s - limit / (1.0 + c * s);
     float tilt = 1.7724539 * law.r * (1.0 - law.gamma) / law.p;
-    float x = erfc_inverse(u * cut);
+    float x = erfc_inverse(u * whole.erfc);
     float moved = x + tilt * (0.5 - 0.25 * tilt * x);
     // over the density at -limit
     float dark = law.p - limit * whole.tilt;

@@ -2,8 +2,8 @@
 // (model.md, "Roulette").
 // uses: constants/ray, math/finite, path/vertex, path/spawn, sampler/dimensions, integrator/path/pick/candidate, <sampler>, <pick>, <crossing>, <record>
 
-ShadowRay connect(inout PathState s, Subpath path, Vertex v, uint pixel_index) {
-    uvec4 u = sampler_block(pixel_index, job.sample_begin + s.index - 1u, light_block(path.bounce), camera.seed);
+ShadowRay connect(inout PathState s, Subpath path, Vertex v, uint pixel_index, uint sample_index) {
+    uvec4 u = sampler_block(pixel_index, sample_index, light_block(path.bounce), camera.seed);
     Candidate c = pick(path, v, u);
     record_light(s, c.contribution, c.light);
     ShadowRay shadow;

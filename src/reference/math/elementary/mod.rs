@@ -34,7 +34,7 @@ mod sincos;
 #[cfg(test)]
 mod tests;
 
-pub use erfc::{erfc, exp_minus_square};
+pub use erfc::{ErfcGauss, erfc, erfc_gauss, exp_minus_square};
 pub use erfc_inverse::{erfc_inverse, erfc_inverse_far, erfc_inverse_near};
 pub use exp::{exp, exp_reduce, pow2, scale_by_pow2};
 pub use expm1::expm1;

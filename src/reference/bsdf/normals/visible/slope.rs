@@ -10,7 +10,7 @@
 //! Distribution, 2014); Phong has γ > 0.
 
 use super::incidence::above_zero;
-use crate::reference::math::{Real, max2, min2};
+use crate::reference::math::{ErfcGauss, Real, max2, min2};
 
 const SQRT_PI: f64 = 1.772_453_850_905_516;
 const TWO_OVER_SQRT_PI: f64 = std::f64::consts::FRAC_2_SQRT_PI;
@@ -43,6 +43,7 @@ pub fn slope_law<F: Real>(p: F, r: F, gamma: F, limit: F) -> SlopeLaw<F> {
 pub struct SlopeShare<F> {
     /// G(t)
     pub share: F,
+    pub erfc: F,
     /// e^(−t²)
     pub gauss: F,
     /// q e^(γt²)
@@ -51,10 +52,16 @@ pub struct SlopeShare<F> {
 
 /// G(t).
 pub fn slope_share<F: Real>(law: SlopeLaw<F>, t: F) -> SlopeShare<F> {
-    let gauss = F::exp(-(t * t));
-    let grown = F::exp(law.gamma * (t * t));
+    let ErfcGauss { erfc, gauss } = F::erfc_gauss(t);
+    // what compilers leave out where γ is the constant 0
+    let grown = if law.gamma == F::zero() {
+        F::one()
+    } else {
+        F::exp(law.gamma * (t * t))
+    };
     SlopeShare {
-        share: law.p * F::erfc(t) + law.r * (gauss * grown),
+        share: law.p * erfc + law.r * (gauss * grown),
+        erfc,
         gauss,
         tilt: F::new(SQRT_PI) * law.r * (F::one() - law.gamma) * grown,
     }
@@ -70,12 +77,11 @@ pub fn slope_start<F: Real>(law: SlopeLaw<F>, whole: SlopeShare<F>, u: F) -> F {
     let (one, tenth) = (F::one(), F::new(0.1));
     let s = (-F::log1p(u - one)).sqrt();
     let limit = law.limit;
-    let cut = F::erfc(-limit);
-    let w = F::new(SQRT_PI) * cut / whole.gauss;
+    let w = F::new(SQRT_PI) * whole.erfc / whole.gauss;
     let c = w / (one + (one + limit * w).sqrt());
     let seen = s - limit / (one + c * s);
     let tilt = F::new(SQRT_PI) * law.r * (one - law.gamma) / law.p;
-    let x = F::erfc_inverse(u * cut);
+    let x = F::erfc_inverse(u * whole.erfc);
     let moved = x + tilt * (F::new(0.5) - F::new(0.25) * tilt * x);
     // over the density at −limit
     let dark = law.p - limit * whole.tilt;
