@@ -90,6 +90,8 @@ pub enum Integrator {
     /// Paths from the lights, each vertex joined to the eye: sees neither mirrors nor through smooth glass, nor the
     /// background.
     Light,
+    /// Paths from both ends, joined at every pair of vertices.
+    Bidirectional,
 }
 
 /// Which numbers the samples of a pixel draw.

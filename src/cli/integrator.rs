@@ -5,17 +5,23 @@ use glam::DVec3;
 use super::exit::Failure;
 use crate::prepared::{MaterialKind, Prepared};
 use crate::report::names::Named;
-use crate::settings::{Absorption, Integrator, Settings};
+use crate::settings::{Absorption, Connect, Integrator, Settings};
 
 /// Refuses settings that the integrator has no meaning for.
 pub fn check(settings: &Settings) -> Result<(), Failure> {
-    let light = settings.estimator.integrator == Integrator::Light;
-    if light && settings.model.absorption == Absorption::Term {
-        return Err(Failure::Usage(
-            "--integrator light cannot render --absorption term, which --model handout sets: light that absorption takes at \
-             surfaces alone has no path backwards. Add --absorption segment, or leave --integrator light out"
-                .to_owned(),
-        ));
+    let integrator = settings.estimator.integrator;
+    let name = integrator.name();
+    if integrator != Integrator::Path && settings.model.absorption == Absorption::Term {
+        return Err(Failure::Usage(format!(
+            "--integrator {name} cannot render --absorption term, which --model handout sets: light that absorption takes at \
+             surfaces alone has no path backwards. Add --absorption segment, or leave --integrator {name} out"
+        )));
+    }
+    let weighs = settings.estimator.connect == Connect::Mis;
+    if integrator == Integrator::Bidirectional && !weighs {
+        return Err(Failure::Usage(format!(
+            "--integrator {name} weighs all ways to find light against each other: leave --connect out"
+        )));
     }
     Ok(())
 }

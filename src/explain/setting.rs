@@ -109,7 +109,7 @@ fn estimator(subject: &Subject) -> [Setting; 8] {
             by: connect,
             absent: match settings.integrator {
                 Integrator::Light => FROM_LIGHT,
-                Integrator::Path => "there is no light",
+                Integrator::Path | Integrator::Bidirectional => "there is no light",
             },
         },
         Setting {

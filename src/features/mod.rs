@@ -48,7 +48,7 @@ impl LightPick {
         } = settings.estimator;
         match (integrator, lights) {
             (Integrator::Light, _) | (_, Lights::Power) => &[Self::Power],
-            (Integrator::Path, Lights::Contribution) => &[Self::Every, Self::Tree],
+            (_, Lights::Contribution) => &[Self::Every, Self::Tree],
         }
     }
 

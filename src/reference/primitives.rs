@@ -1,7 +1,8 @@
 //! The primitives of a scene in the scalar, and the dispatch among their kinds that the kernels have generated.
 
 use super::light::emission::{
-    Emission, box_emission, cylinder_emission, mesh_emission, no_emission, sphere_emission,
+    Emission, box_emission, box_emission_pdf, cylinder_emission, cylinder_emission_pdf,
+    mesh_emission, mesh_emission_pdf, no_emission, sphere_emission, sphere_emission_pdf,
 };
 use super::light::{
     LightSample, background_light_pdf, background_light_sample, box_light_pdf, box_light_sample,
@@ -197,6 +198,35 @@ impl<F: Real> Primitives<F> {
                 mesh_emission(&self.triangles, light.first, cdf, u24, u)
             }
             LightKind::Background => no_emission(),
+        }
+    }
+
+    /// Density per area with which [`Self::light_emission`] draws a point of primitive `prim` of `light` that `p` sees along
+    /// `wi`; 0 on the inside of a light, which sends out no paths.
+    pub fn emission_pdf(
+        &self,
+        light: &Light<F>,
+        cdf: &[u32],
+        p: Vec3<F>,
+        prim: u32,
+        wi: Vec3<F>,
+    ) -> F {
+        let first = light.first as usize;
+        match light.kind {
+            LightKind::Sphere => {
+                let s = &self.spheres[first];
+                sphere_emission_pdf(p, s.centre, s.radius)
+            }
+            LightKind::Box => {
+                let b = &self.boxes[first];
+                box_emission_pdf(p, b.lo, b.hi)
+            }
+            LightKind::Cylinder => cylinder_emission_pdf(p, &self.cylinders[first]),
+            LightKind::Mesh => {
+                let cdf = Self::part(cdf, light);
+                mesh_emission_pdf(&self.triangles, light.first, cdf, prim, wi)
+            }
+            LightKind::Background => F::zero(),
         }
     }
 

@@ -112,6 +112,13 @@ impl<F: Real> World<F> {
         self.primitives.light_emission(light, cdf, u24, u)
     }
 
+    /// Density per area with which [`Self::light_emission`] draws a point of primitive `prim` of `light` that `p` sees along
+    /// `wi`; 0 on the inside of a light, which sends out no paths.
+    pub fn emission_pdf(&self, light: usize, p: Vec3<F>, prim: u32, wi: Vec3<F>) -> F {
+        let (light, cdf) = (&self.lights[light], &self.triangle_cdf);
+        self.primitives.emission_pdf(light, cdf, p, prim, wi)
+    }
+
     /// Density with which [`Self::light_sample`] from `p` would have drawn a point of primitive `prim` of `light`,
     /// `distance` away under the cosine |N_L·w|.
     pub fn light_pdf(&self, light: usize, p: Vec3<F>, prim: u32, cosine: F, distance: F) -> F {

@@ -33,7 +33,9 @@ pub fn render<F: Real>(
 ) -> Outcome {
     match job.settings.estimator.integrator {
         Integrator::Path => render_by::<F, Pixels<F>>(job, name, stop, progress),
-        Integrator::Light => render_by::<F, LightFilm<F>>(job, name, stop, progress),
+        Integrator::Light | Integrator::Bidirectional => {
+            render_by::<F, LightFilm<F>>(job, name, stop, progress)
+        }
     }
 }
 
@@ -41,7 +43,9 @@ pub fn render<F: Real>(
 pub fn replicates<'a, F: Real>(job: &'a Job<'a>, seeds: &[u32]) -> Box<dyn Growing + 'a> {
     match job.settings.estimator.integrator {
         Integrator::Path => Box::new(Replicates::<F, Pixels<F>>::new(job, seeds)),
-        Integrator::Light => Box::new(Replicates::<F, LightFilm<F>>::new(job, seeds)),
+        Integrator::Light | Integrator::Bidirectional => {
+            Box::new(Replicates::<F, LightFilm<F>>::new(job, seeds))
+        }
     }
 }
 

@@ -226,6 +226,8 @@ pub enum RenderError {
          Try another driver, or --device cpu-f32"
     )]
     Loops(u64),
+    #[error("--integrator bidirectional has no kernel: add --device cpu-f32")]
+    NoKernel,
 }
 
 impl RenderError {

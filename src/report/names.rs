@@ -50,7 +50,11 @@ impl Named for Normals {
 }
 
 impl Named for Integrator {
-    const ALL: &'static [(Self, &'static str)] = &[(Self::Path, "path"), (Self::Light, "light")];
+    const ALL: &'static [(Self, &'static str)] = &[
+        (Self::Path, "path"),
+        (Self::Light, "light"),
+        (Self::Bidirectional, "bidirectional"),
+    ];
 }
 
 impl Named for Connect {
@@ -106,6 +110,10 @@ mod tests {
         distinct(&[Connect::Mis, Connect::Light, Connect::Bsdf]);
         distinct(&[Lights::Contribution, Lights::Power]);
         distinct(&[Sampler::Random, Sampler::Sobol]);
-        distinct(&[Integrator::Path, Integrator::Light]);
+        distinct(&[
+            Integrator::Path,
+            Integrator::Light,
+            Integrator::Bidirectional,
+        ]);
     }
 }

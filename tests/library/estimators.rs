@@ -65,7 +65,8 @@ pub fn means(
     means
 }
 
-fn block_means(pixels: &[f64]) -> Vec<f64> {
+/// The mean of each block of 8 × 8 pixels, and of the whole.
+pub fn block_means(pixels: &[f64]) -> Vec<f64> {
     let mut sums = [0.0; MEANS];
     for (i, x) in pixels.iter().enumerate() {
         let (column, row) = (i % 32, i / 32);

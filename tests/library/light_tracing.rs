@@ -19,7 +19,7 @@ const ALPHA: f64 = 1e-3;
 const SCENES: usize = 4;
 
 /// A box of light within rough glass that absorbs, seen from outside, and a mesh of light in a corner.
-fn lamps(cube: &Path) -> String {
+pub fn lamps(cube: &Path) -> String {
     format!(
         "screen 32 24
 camera 0 -6 3.4 .3 x 62
@@ -39,7 +39,7 @@ sphere 0 0 .8 .7
 
 /// Eye and floor stand in a block of rough glass that absorbs, which a ball of light shines into. Little enough of what the
 /// eye sees is rare: where a few paths in a thousand bring most of the light, Student's t is no test.
-const INSIDE: &str = "screen 32 24
+pub const INSIDE: &str = "screen 32 24
 camera 0 0 0 .5 x 20
 light 9 8 6
 sphere .5 .5 4 .9

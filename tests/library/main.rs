@@ -6,6 +6,7 @@ mod bodies;
 mod common;
 
 mod architecture;
+mod bidirectional;
 mod bsdf;
 mod caustic;
 mod citations;

@@ -27,7 +27,7 @@ pub struct Own {
 impl Own {
     pub fn of(features: &Features, recording: Recording) -> Self {
         match features.integrator {
-            Integrator::Path => Self {
+            Integrator::Path | Integrator::Bidirectional => Self {
                 root: "integrator/path/path_trace.comp",
                 state: path_state(features, recording),
                 slice: (Slice::NAME, Slice::glsl()),

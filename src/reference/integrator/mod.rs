@@ -3,5 +3,6 @@
 //! What a path is, and how it travels, stands in [`path`](super::path); an integrator decides where paths begin, what
 //! they are connected to, and which pixels they bring light to.
 
+pub mod bidirectional;
 pub mod light;
 pub mod path;

@@ -51,16 +51,26 @@ pub struct ShadowRay<F> {
 pub fn shadow_ray<F: Real>(
     world: &World<F>,
     settings: &Settings,
-    mut c: ShadowRay<F>,
+    c: ShadowRay<F>,
     rays: &mut u64,
 ) -> Option<Vec3<F>> {
+    shadow_ray_into(world, settings, c, rays).map(|(light, _)| light)
+}
+
+/// The same, and the medium that the connection ends in.
+pub fn shadow_ray_into<F: Real>(
+    world: &World<F>,
+    settings: &Settings,
+    mut c: ShadowRay<F>,
+    rays: &mut u64,
+) -> Option<(Vec3<F>, u32)> {
     let absorption = settings.model.absorption;
     loop {
         let hit = world.nearest(c.ray, c.target);
         *rays += 1;
         let transmittance = stretch_transmittance(world, absorption, c.ray.medium, hit.t);
         if hit.shape == NONE {
-            return Some(c.contribution * transmittance);
+            return Some((c.contribution * transmittance, c.ray.medium));
         }
         if !is_null_interface(world, hit) {
             return None;

@@ -5,7 +5,7 @@ use super::medium::term_attenuation;
 use super::throughput::channel_shares;
 use super::valid::seen_normal;
 use crate::prepared::{NONE, ShapeKind};
-use crate::reference::bsdf::{Interaction, interaction};
+use crate::reference::bsdf::{Interaction, bsdf_eval, interaction};
 use crate::reference::math::frame::{Frame, frame_about, to_local};
 use crate::reference::math::{Real, Vec3, dot3};
 use crate::reference::shape::{Hit, Ray, triangle_self_distance};
@@ -18,6 +18,8 @@ pub struct Vertex<F> {
     pub p: Vec3<F>,
     /// Outward geometric normal.
     pub ng: Vec3<F>,
+    /// Shading normal on the side of `ng`, as the surface has it.
+    pub ns: Vec3<F>,
     /// Geometric normal on wo's side.
     pub facing: Vec3<F>,
     /// Whether wo is outside the shape.
@@ -63,6 +65,7 @@ pub fn path_vertex<F: Real>(
     Vertex {
         p: surface.p,
         ng: surface.ng,
+        ns: surface.ns,
         facing,
         outside,
         frame,
@@ -74,6 +77,28 @@ pub fn path_vertex<F: Real>(
         prim: hit.prim,
         material: shape.material,
         kind: shape.kind,
+    }
+}
+
+/// Density per solid angle with which a path that comes from `wi` and has lost nothing of its colour would leave `v` towards
+/// `wo`; both are of unit length and lead away from it.
+pub fn reverse_pdf<F: Real>(settings: &Settings, v: &Vertex<F>, wi: Vec3<F>, wo: Vec3<F>) -> F {
+    let outside = dot3(wi, v.ng) >= F::zero();
+    let facing = if outside { v.ng } else { -v.ng };
+    let ns = if dot3(v.ns, facing) < F::zero() {
+        -v.ns
+    } else {
+        v.ns
+    };
+    let material = v.interaction.material;
+    let frame = frame_about(seen_normal(ns, facing, wi, material.kind));
+    let at = interaction(material, outside, to_local(frame, wi), Vec3::one());
+    let back = to_local(frame, wo);
+    let leaves = (dot3(wo, facing) > F::zero()) == (back.z > F::zero());
+    if leaves {
+        bsdf_eval(settings, &at, back).pdf
+    } else {
+        F::zero()
     }
 }
 

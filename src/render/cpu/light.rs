@@ -1,15 +1,18 @@
-//! Light tracing by the reference: the light paths of a row of pixels at a time, their splats added in order.
+//! Paths from lights by the reference, alone or with paths from the eye: those of a row of pixels at a time, their splats added
+//! in order.
 
 use std::ops::Range;
 
 use rayon::prelude::*;
 
 use super::Render;
+use crate::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
 use crate::reference::integrator::light::{LightCounts, Splat, trace_light};
 use crate::reference::math::Real;
 use crate::reference::path::SampleId;
 use crate::reference::world::World;
 use crate::render::{Job, LightFilm};
+use crate::settings::Integrator;
 
 impl<F: Real> Render<F> for LightFilm<F> {
     fn new(job: &Job) -> Self {
@@ -17,7 +20,14 @@ impl<F: Real> Render<F> for LightFilm<F> {
     }
 
     fn advance(&mut self, job: &Job, world: &World<F>, samples: Range<u32>) {
-        let settings = job.settings.adjoint();
+        let (settings, adjoint) = (job.settings, job.settings.adjoint());
+        let transport = Transport {
+            world,
+            settings: &settings,
+            adjoint: &adjoint,
+            ways: Ways::All,
+        };
+        let both = settings.estimator.integrator == Integrator::Bidirectional;
         let window = self.window();
         let row = |row: u32, sample: u32| {
             let mut splats: Vec<Splat<F>> = Vec::new();
@@ -31,7 +41,10 @@ impl<F: Real> Render<F> for LightFilm<F> {
                     seed: job.seed,
                 };
                 let mut take = |splat| splats.push(splat);
-                counts.push(trace_light(world, &settings, window, id, &mut take));
+                counts.push(match both {
+                    true => trace_bidirectional(transport, window, id, &mut take),
+                    false => trace_light(world, &adjoint, window, id, &mut take),
+                });
             }
             (splats, counts)
         };

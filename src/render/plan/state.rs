@@ -44,7 +44,9 @@ impl StatePlan {
     /// Room for tiles of `threads` threads.
     pub fn new(features: &Features, threads: u32, recording: Recording) -> Self {
         match features.integrator {
-            Integrator::Path => Self::Path(PathPlan::new(features, threads, recording)),
+            Integrator::Path | Integrator::Bidirectional => {
+                Self::Path(PathPlan::new(features, threads, recording))
+            }
             Integrator::Light => Self::Light(LightPlan::new(threads)),
         }
     }
@@ -122,6 +124,8 @@ fn storage<T: GpuStruct>(name: &'static str, count: usize) -> ArrayPlan {
 pub fn thread_tiles(job: &Job, most: u32) -> Vec<Tile> {
     match job.settings.estimator.integrator {
         Integrator::Path => tiles(job.area(), most.max(1)),
-        Integrator::Light => tiles(job.whole(), most.clamp(1, LIGHT_PATHS)),
+        Integrator::Light | Integrator::Bidirectional => {
+            tiles(job.whole(), most.clamp(1, LIGHT_PATHS))
+        }
     }
 }

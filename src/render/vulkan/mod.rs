@@ -38,6 +38,7 @@ pub fn render(
     match job.settings.estimator.integrator {
         Integrator::Path => render_by::<PathRun>(job, device, limits, stop, progress),
         Integrator::Light => render_by::<LightRun>(job, device, limits, stop, progress),
+        Integrator::Bidirectional => Err(RenderError::NoKernel),
     }
 }
 
@@ -51,6 +52,7 @@ pub fn replicates<'a>(
     Ok(match job.settings.estimator.integrator {
         Integrator::Path => Box::new(Replicates::<PathRun, _>::new(job, device, limits, seeds)?),
         Integrator::Light => Box::new(Replicates::<LightRun, _>::new(job, device, limits, seeds)?),
+        Integrator::Bidirectional => return Err(RenderError::NoKernel),
     })
 }
 

@@ -111,6 +111,8 @@ pub const ARGUMENTS: &[(&str, &str)] = &[
     ("triangle_surface", "the kernel looks the triangle up"),
 ];
 
+const BIDIRECTIONAL: &str = "a density that bidirectional paths alone ask for";
+
 /// Free functions of the reference without a twin, by name or by the start of their file.
 pub const REFERENCE_ONLY: &[(&str, &str)] = &[
     ("accel/", "each renderer has a hierarchy of its own"),
@@ -127,6 +129,16 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
         "how",
         "which of the files of the slot <pick> the kernel holds",
     ),
+    (
+        "integrator/bidirectional/",
+        "rendered by the reference alone",
+    ),
+    ("reverse_pdf", BIDIRECTIONAL),
+    ("is_outside", BIDIRECTIONAL),
+    ("box_emission_pdf", BIDIRECTIONAL),
+    ("cylinder_emission_pdf", BIDIRECTIONAL),
+    ("mesh_emission_pdf", BIDIRECTIONAL),
+    ("sphere_emission_pdf", BIDIRECTIONAL),
     (
         "integrator/path/direct",
         "the first half of connect, which the kernel has in one piece",

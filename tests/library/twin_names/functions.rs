@@ -28,12 +28,13 @@ impl fmt::Display for Function {
 }
 
 /// Types of arguments that stand for what a kernel has in its slots, buffers and push constants, or that record.
-const GIVEN_TO_RUST: [&str; 14] = [
+const GIVEN_TO_RUST: [&str; 15] = [
     "&Settings",
     "&World<F>",
     "&Primitives<F>",
     "&impl Cover<F>",
     "&mut impl Recorder<F>",
+    "&impl Weigh<F>",
     "SampleId",
     "Origin",
     "Window",

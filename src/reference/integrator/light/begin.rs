@@ -20,6 +20,9 @@ pub struct LightStart<F> {
     pub point: Emission<F>,
     /// L/(P p_A): radiance over the density of the point among those of all lights.
     pub radiance: Vec3<F>,
+    /// P p_A, that density.
+    pub pdf: F,
+    pub light: usize,
     pub shape: u32,
     pub medium: u32,
 }
@@ -41,6 +44,8 @@ pub fn light_start<F: Real>(
     emits.then(|| LightStart {
         point,
         radiance: world.lights[light].radiance / p,
+        pdf: p,
+        light,
         shape,
         medium: world.light_media[light],
     })

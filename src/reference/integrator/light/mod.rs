@@ -58,7 +58,7 @@ pub fn trace_light<F: Real>(
     let mut path = begin_light_path(world, settings, &start, id);
     let power = start.radiance * F::new(std::f64::consts::PI);
     let mut arrive = |splat: Option<SplatRay<F>>, counts: &mut LightCounts| {
-        let Some(SplatRay { shadow, pixel }) = splat else {
+        let Some(SplatRay { shadow, pixel, .. }) = splat else {
             return;
         };
         if let Some(value) = shadow_ray(world, settings, shadow, &mut counts.rays) {

@@ -21,6 +21,8 @@ use crate::settings::Settings;
 #[derive(Clone, Copy, Debug)]
 pub struct SplatRay<F> {
     pub shadow: ShadowRay<F>,
+    /// As in [`EyeSample`].
+    pub importance: F,
     /// row · width + column of the full picture.
     pub pixel: u32,
 }
@@ -59,6 +61,7 @@ pub fn splat_ray<F: Real>(
             target: Target::none(),
             contribution,
         },
+        importance: eye.importance,
         pixel: eye.row * world.width + eye.column,
     })
 }

@@ -1,5 +1,7 @@
 //! Weights of light that is found in two ways; twin of `shaders/integrator/path/connect/`.
 
+use super::pick::candidate::Weigh;
+use crate::reference::light::LightSample;
 use crate::reference::math::Real;
 use crate::settings::Connect;
 
@@ -17,6 +19,12 @@ pub fn connection_weight<F: Real>(connect: Connect, light_pdf: F, bsdf_pdf: F) -
         Connect::Mis => power_heuristic(light_pdf, bsdf_pdf),
         Connect::Light => F::one(),
         Connect::Bsdf => F::zero(),
+    }
+}
+
+impl<F: Real> Weigh<F> for Connect {
+    fn weight(&self, _: usize, _: &LightSample<F>, p: F, bsdf_pdf: F) -> F {
+        connection_weight(*self, p, bsdf_pdf)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Explicit connection of a vertex to a point on a light; twin of `shaders/integrator/path/direct/`.
 
 use super::PathState;
+use super::pick::candidate::Weigh;
 use super::pick::pick;
 use super::record::Recorder;
 use crate::reference::math::Real;
@@ -26,7 +27,8 @@ pub fn connect<F: Real>(
     if world.lights.is_empty() || settings.estimator.connect == Connect::Bsdf {
         return;
     }
-    let Some(c) = shadow_to_light(world, settings, s, v, id, recorder) else {
+    let weigh = &settings.estimator.connect;
+    let Some(c) = shadow_to_light(world, settings, s, v, id, weigh, recorder) else {
         return;
     };
     let arrived = shadow_ray(world, settings, c, &mut s.rays);
@@ -36,16 +38,18 @@ pub fn connect<F: Real>(
     }
 }
 
-fn shadow_to_light<F: Real>(
+/// The connection to a light that the sampler's numbers pick, before anyone has looked for what stands between.
+pub fn shadow_to_light<F: Real>(
     world: &World<F>,
     settings: &Settings,
     s: &PathState<F>,
     v: &Vertex<F>,
     id: SampleId,
+    weigh: &impl Weigh<F>,
     recorder: &mut impl Recorder<F>,
 ) -> Option<ShadowRay<F>> {
     let u = id.words(settings, light_block(s.path.bounce));
-    let picked = pick(world, settings, &s.path, v, u);
+    let picked = pick(world, settings, &s.path, v, u, weigh);
     let c = picked.filter(|c| !is_black(c.contribution))?;
     recorder.light(s, c.light as u32, c.contribution);
     let ray = spawn_ray(v, c.point.wi, c.through, s.path.ray.medium);

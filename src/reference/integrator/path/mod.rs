@@ -128,7 +128,8 @@ fn go_on<F: Real>(
     e.alive
 }
 
-fn begin_path<F: Real>(world: &World<F>, settings: &Settings, id: SampleId) -> PathState<F> {
+/// The camera ray through a point of the pixel.
+pub fn begin_path<F: Real>(world: &World<F>, settings: &Settings, id: SampleId) -> PathState<F> {
     let u = id.words(settings, camera_block());
     let d = camera_direction(
         &world.camera,

@@ -1,6 +1,7 @@
 //! Points of axis-aligned boxes; twin of `shaders/light/emission/box.glsl`.
 
 use super::Emission;
+use crate::reference::light::r#box::{face_areas, is_outside};
 use crate::reference::light::sample::{area_density, choice_below};
 use crate::reference::math::{Real, Vec3, vec3};
 
@@ -34,5 +35,16 @@ pub fn box_emission<F: Real>(lo: Vec3<F>, hi: Vec3<F>, u24: u32, u: [F; 2]) -> E
         n: vec3(pick(x, out, zero), pick(y, out, zero), pick(z, out, zero)),
         area_pdf: area_density(lower + lower),
         prim: 2 * axis + u32::from(upper),
+    }
+}
+
+/// Density per area of `box_emission` at a point that `p` sees; 0 from inside, where no light path goes.
+pub fn box_emission_pdf<F: Real>(p: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>) -> F {
+    let area = face_areas(hi - lo);
+    let lower = area.x + area.y + area.z;
+    if is_outside(p, lo, hi) {
+        area_density(lower + lower)
+    } else {
+        F::zero()
     }
 }

@@ -1,9 +1,10 @@
 //! Points of capped cylinders; twin of `shaders/light/emission/cylinder.glsl`.
 
 use super::Emission;
+use crate::reference::light::cylinder::cylinder_area;
 use crate::reference::light::sample::{area_density, choice_below};
-use crate::reference::math::frame::to_world;
-use crate::reference::math::{Real, vec3};
+use crate::reference::math::frame::{to_local, to_world};
+use crate::reference::math::{Real, Vec3, vec3};
 use crate::reference::shape::{
     CYLINDER_BASE, CYLINDER_SIDE, CYLINDER_TOP, Cylinder, cylinder_frame,
 };
@@ -43,5 +44,17 @@ pub fn cylinder_emission<F: Real>(cylinder: &Cylinder<F>, u24: u32, u: [F; 2]) -
         n: to_world(frame, n),
         area_pdf: area_density(total),
         prim: part,
+    }
+}
+
+/// Density per area of `cylinder_emission` at a point that `p` sees; 0 from inside, where no light path goes.
+pub fn cylinder_emission_pdf<F: Real>(p: Vec3<F>, cylinder: &Cylinder<F>) -> F {
+    let side = F::new(std::f64::consts::TAU) * cylinder.radius * cylinder.height;
+    let cap = F::new(std::f64::consts::PI) * cylinder.radius * cylinder.radius;
+    let pl = to_local(cylinder_frame(cylinder), p - cylinder.base);
+    if cylinder_area(pl, cylinder.radius, cylinder.height).inside {
+        F::zero()
+    } else {
+        area_density(side + cap + cap)
     }
 }

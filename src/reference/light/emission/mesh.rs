@@ -3,7 +3,7 @@
 use super::Emission;
 use crate::reference::light::choice::{cdf_choice, cdf_probability};
 use crate::reference::light::sample::area_density;
-use crate::reference::math::Real;
+use crate::reference::math::{Real, Vec3, dot3};
 use crate::reference::shape::Triangle;
 use crate::reference::shape::triangle::area::{triangle_area, triangle_sample};
 
@@ -24,5 +24,23 @@ pub fn mesh_emission<F: Real>(
         n: surface.ng,
         area_pdf: cdf_probability::<F>(cdf, i) * area_density(surface.area),
         prim: first + i,
+    }
+}
+
+/// Density per area of `mesh_emission` at a point of triangle `prim` that is seen along `wi`; 0 on the back, where no light path
+/// goes.
+pub fn mesh_emission_pdf<F: Real>(
+    triangles: &[Triangle<F>],
+    first: u32,
+    cdf: &[u32],
+    prim: u32,
+    wi: Vec3<F>,
+) -> F {
+    let [v0, v1, v2] = triangles[prim as usize].v;
+    let surface = triangle_area(v0, v1, v2);
+    if dot3(wi, surface.ng) < F::zero() {
+        cdf_probability::<F>(cdf, prim - first) * area_density(surface.area)
+    } else {
+        F::zero()
     }
 }

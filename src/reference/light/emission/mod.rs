@@ -5,10 +5,10 @@ pub mod cylinder;
 pub mod mesh;
 pub mod sphere;
 
-pub use r#box::box_emission;
-pub use cylinder::cylinder_emission;
-pub use mesh::mesh_emission;
-pub use sphere::sphere_emission;
+pub use r#box::{box_emission, box_emission_pdf};
+pub use cylinder::{cylinder_emission, cylinder_emission_pdf};
+pub use mesh::{mesh_emission, mesh_emission_pdf};
+pub use sphere::{sphere_emission, sphere_emission_pdf};
 
 use crate::prepared::NONE;
 use crate::reference::math::{Real, Vec3, vec3};

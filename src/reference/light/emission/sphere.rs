@@ -2,7 +2,7 @@
 
 use super::Emission;
 use crate::reference::light::sample::{area_density, unit_sphere};
-use crate::reference::math::{Real, Vec3};
+use crate::reference::math::{Real, Vec3, length3};
 
 /// Uniform over the sphere, p_A = 1/(4π r²).
 pub fn sphere_emission<F: Real>(centre: Vec3<F>, radius: F, u: [F; 2]) -> Emission<F> {
@@ -12,5 +12,14 @@ pub fn sphere_emission<F: Real>(centre: Vec3<F>, radius: F, u: [F; 2]) -> Emissi
         n,
         area_pdf: area_density(F::new(12.566370614359172) * (radius * radius)),
         prim: 0,
+    }
+}
+
+/// Density per area of `sphere_emission` at a point that `p` sees; 0 from inside, where no light path goes.
+pub fn sphere_emission_pdf<F: Real>(p: Vec3<F>, centre: Vec3<F>, radius: F) -> F {
+    if length3(centre - p) > radius {
+        area_density(F::new(12.566370614359172) * (radius * radius))
+    } else {
+        F::zero()
     }
 }

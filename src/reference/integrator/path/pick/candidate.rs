@@ -2,7 +2,6 @@
 //! `shaders/integrator/path/pick/candidate.glsl`.
 
 use crate::reference::bsdf::bsdf_eval;
-use crate::reference::integrator::path::connect::connection_weight;
 use crate::reference::light::LightSample;
 use crate::reference::math::finite::is_finite;
 use crate::reference::math::frame::to_local;
@@ -11,6 +10,12 @@ use crate::reference::path::Subpath;
 use crate::reference::path::vertex::{Vertex, same_sides};
 use crate::reference::world::World;
 use crate::settings::Settings;
+
+/// The weight of light that a vertex is connected to; kernels' slot `<connect>`.
+pub trait Weigh<F> {
+    /// Of the point `l` of a light, drawn with density `p` per solid angle, where the BSDF has the density `bsdf_pdf`.
+    fn weight(&self, light: usize, l: &LightSample<F>, p: F, bsdf_pdf: F) -> F;
+}
 
 /// A point of a light, and what it brings.
 #[derive(Clone, Copy, Debug)]
@@ -36,6 +41,7 @@ pub fn candidate<F: Real>(
     expected: F,
     u24: u32,
     u: [F; 2],
+    weigh: &impl Weigh<F>,
 ) -> Candidate<F> {
     let l = world.light_sample(light, v.p, u24, u);
     let p = expected * l.pdf;
@@ -51,7 +57,7 @@ pub fn candidate<F: Real>(
         && !world.is_covered_at(world.lights[light].shape, l.prim, v.p + l.wi * l.distance);
     if sampled && same_sides(v, l.wi, wi) {
         let f = bsdf_eval(settings, &v.interaction, wi);
-        let weight = connection_weight(settings.estimator.connect, p, f.pdf);
+        let weight = weigh.weight(light, &l, p, f.pdf);
         c.contribution = path.throughput * f.value * world.lights[light].radiance * (weight / p);
     }
     c

@@ -1,6 +1,6 @@
 //! A light picked among few by what it brings; twin of `shaders/integrator/path/pick/every.glsl`.
 
-use super::candidate::{Candidate, candidate};
+use super::candidate::{Candidate, Weigh, candidate};
 use crate::reference::math::finite::is_finite;
 use crate::reference::math::{Real, mean3};
 use crate::reference::path::Subpath;
@@ -19,6 +19,7 @@ pub fn pick_every<F: Real>(
     path: &Subpath<F>,
     v: &Vertex<F>,
     u: [u32; 4],
+    weigh: &impl Weigh<F>,
 ) -> Option<Candidate<F>> {
     let (zero, one) = (F::zero(), F::one());
     let mut kept = None;
@@ -36,6 +37,7 @@ pub fn pick_every<F: Real>(
             one,
             turned(u[1]) >> 8,
             point,
+            weigh,
         );
         let w = mean3(c.contribution);
         total += w;

@@ -12,7 +12,7 @@ use crate::reference::path::vertex::Vertex;
 use crate::reference::sampler::unit_float;
 use crate::reference::world::World;
 use crate::settings::{Lights, Settings};
-use candidate::{Candidate, candidate};
+use candidate::{Candidate, Weigh, candidate};
 use every::pick_every;
 use tree::{lit_side, pick_in_tree};
 
@@ -38,6 +38,7 @@ pub fn pick<F: Real>(
     path: &Subpath<F>,
     v: &Vertex<F>,
     u: [u32; 4],
+    weigh: &impl Weigh<F>,
 ) -> Option<Candidate<F>> {
     match how(world, settings) {
         Pick::Power => {
@@ -53,10 +54,11 @@ pub fn pick<F: Real>(
                 pmf,
                 u[1] >> 8,
                 point,
+                weigh,
             ))
         }
-        Pick::Every => pick_every(world, settings, path, v, u),
-        Pick::Tree => pick_in_tree(world, settings, path, v, u),
+        Pick::Every => pick_every(world, settings, path, v, u, weigh),
+        Pick::Tree => pick_in_tree(world, settings, path, v, u, weigh),
     }
 }
 

@@ -1,6 +1,6 @@
 //! A light picked among many by what the tree expects of it; twin of `shaders/integrator/path/pick/tree.glsl`.
 
-use super::candidate::{Candidate, candidate};
+use super::candidate::{Candidate, Weigh, candidate};
 use crate::prepared::MaterialKind;
 use crate::reference::light::tree::{all_tickets, tree_choice};
 use crate::reference::math::{Real, Vec3};
@@ -26,6 +26,7 @@ pub fn pick_in_tree<F: Real>(
     path: &Subpath<F>,
     v: &Vertex<F>,
     u: [u32; 4],
+    weigh: &impl Weigh<F>,
 ) -> Option<Candidate<F>> {
     let choice = tree_choice(&world.light_nodes, v.p, lit_side(v), all_tickets(u));
     let point = [unit_float(u[2]), unit_float(u[3])];
@@ -40,6 +41,7 @@ pub fn pick_in_tree<F: Real>(
             choice.pmf,
             u[1] >> 8,
             point,
+            weigh,
         )
     })
 }

@@ -1,0 +1,74 @@
+//! Bidirectional path tracing: a path from the eye and one from a light, joined at every pair of vertices, and each way to
+//! find a path weighed against all others.
+//!
+//! Sample i of a pixel is an eye path and, with random numbers of its own, a light path; what the light path brings to the eye
+//! are splats on any pixel. Veach, Robust Monte Carlo Methods for Light Transport Simulation, 1997, chapter 10.
+
+pub mod eye_path;
+pub mod join;
+pub mod light_path;
+pub mod partial;
+
+use super::light::splat::Window;
+use super::light::{LightCounts, Splat};
+use crate::reference::math::Real;
+use crate::reference::path::SampleId;
+use crate::reference::world::World;
+use crate::settings::Settings;
+use eye_path::eye_path;
+use light_path::light_path;
+
+/// Which ways to find a path count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ways {
+    /// All, by their weights.
+    All,
+    /// By `light` vertices of the light path, its point of a light among them, and `eye` vertices of the eye path, the eye among
+    /// them; with the weight 1.
+    Only { light: u32, eye: u32 },
+}
+
+impl Ways {
+    /// The weight of a way of so many vertices, `weight` where all count.
+    pub fn weight<F: Real>(self, light: u32, eye: u32, weight: F) -> F {
+        match self {
+            Self::All => weight,
+            _ if self == (Self::Only { light, eye }) => F::one(),
+            Self::Only { .. } => F::zero(),
+        }
+    }
+}
+
+/// What both paths of a sample are told.
+#[derive(Clone, Copy)]
+pub struct Transport<'a, F> {
+    pub world: &'a World<F>,
+    /// Of paths from the eye.
+    pub settings: &'a Settings,
+    /// Of the adjoint, [`Settings::adjoint`].
+    pub adjoint: &'a Settings,
+    pub ways: Ways,
+}
+
+/// Follows both paths of a pixel and sample index to their ends, and hands to `take` the splats of the light path in the order
+/// of its vertices, then what the eye path has brought to its own pixel; of both what lies within `window`.
+pub fn trace_bidirectional<F: Real>(
+    transport: Transport<F>,
+    window: Window,
+    id: SampleId,
+    take: &mut impl FnMut(Splat<F>),
+) -> LightCounts {
+    let mut counts = LightCounts::default();
+    let light = light_path(transport, window, id, &mut counts, take);
+    let (x, y) = (
+        id.column.wrapping_sub(window.x),
+        id.row.wrapping_sub(window.y),
+    );
+    if x < window.width && y < window.height {
+        take(Splat {
+            value: eye_path(transport, &light, id, &mut counts),
+            pixel: id.pixel,
+        });
+    }
+    counts
+}

@@ -1,0 +1,203 @@
+//! Bidirectional pictures have the mean of path tracing's, all ways together and each alone, by the reference in f32.
+//!
+//! Block means of pictures by several seeds are compared by Welch's t-test, as `light_tracing` has it: Šidák over all blocks,
+//! scenes and settings at α = 1e-3; fixed seeds.
+
+use vkpt::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
+use vkpt::reference::integrator::light::splat::Window;
+use vkpt::reference::path::SampleId;
+use vkpt::reference::world::World;
+use vkpt::settings::{Integrator, Lights, Roulette, Sampler, Settings};
+
+use crate::common::meshes::cube;
+use crate::common::render::prepared;
+use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE};
+use crate::common::stats::{p_of_difference, sidak};
+use crate::estimators::{Effort, MEANS, block_means, means};
+use crate::light_tracing::{INSIDE, lamps};
+
+const ALPHA: f64 = 1e-3;
+
+fn both(mut settings: Settings) -> Settings {
+    settings.estimator.integrator = Integrator::Bidirectional;
+    settings
+}
+
+/// The least p-value over the blocks of two sets of pictures.
+fn least_p(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
+    let p = a.iter().zip(b).map(|(a, b)| p_of_difference(a, b));
+    p.fold(1.0, f64::min)
+}
+
+/// The defaults, and what bears on both kinds of paths in one word each.
+fn variants() -> Vec<(&'static str, Settings)> {
+    let with = |change: fn(&mut Settings)| {
+        let mut s = Settings::default();
+        change(&mut s);
+        s
+    };
+    vec![
+        ("default", Settings::default()),
+        (
+            "no radiance scaling",
+            with(|s| s.model.radiance_scaling = false),
+        ),
+        ("max-depth 3", with(|s| s.model.max_depth = Some(3))),
+        (
+            "roulette 0.8",
+            with(|s| s.estimator.roulette = Roulette::Constant(0.8)),
+        ),
+        (
+            "random numbers, lights by power",
+            with(|s| {
+                s.estimator.sampler = Sampler::Random;
+                s.estimator.lights = Lights::Power;
+            }),
+        ),
+    ]
+}
+
+fn agree(effort: Effort) {
+    let cube = cube();
+    let scenes = [
+        ("table", TABLE.to_owned()),
+        ("smooth", SMOOTH.to_owned()),
+        ("wide", WIDE.to_owned()),
+        ("flush", FLUSH.to_owned()),
+        ("many", MANY.to_owned()),
+        ("lamps", lamps(cube.path())),
+        ("inside", INSIDE.to_owned()),
+    ];
+    let level = sidak(ALPHA, scenes.len() * variants().len() * MEANS);
+    let mut least = 1.0;
+    for (s, (scene, text)) in scenes.iter().enumerate() {
+        for (k, (name, settings)) in variants().into_iter().enumerate() {
+            let seed = (1000 * (20 * s + 2 * k)) as u32;
+            let scene_for = prepared(text, &settings);
+            let paths = means(&scene_for, settings, effort, seed);
+            let found = means(&scene_for, both(settings), effort, seed + 1000);
+            let p = least_p(&paths, &found);
+            assert!(p > level, "{scene}, {name}: p = {p:e}");
+            least = f64::min(least, p);
+        }
+    }
+    println!("least p-value {least:.1e}, level {level:.1e}");
+}
+
+#[test]
+fn all_ways_together_have_the_mean_of_path_tracing() {
+    agree(Effort { seeds: 16, spp: 24 });
+}
+
+#[test]
+#[ignore = "minutes"]
+fn all_ways_together_have_the_mean_of_path_tracing_to_a_thousandth() {
+    agree(Effort {
+        seeds: 48,
+        spp: 1024,
+    });
+}
+
+/// Block means of pictures by some ways, seed by seed; `adjoint` is what light paths scatter by.
+fn by_ways(
+    text: &str,
+    settings: &Settings,
+    adjoint: &Settings,
+    ways: Ways,
+    effort: Effort,
+) -> Vec<Vec<f64>> {
+    let prepared = prepared(text, settings);
+    let world = World::<f32>::new(&prepared);
+    let transport = Transport {
+        world: &world,
+        settings,
+        adjoint,
+        ways,
+    };
+    let (width, height) = (prepared.camera.width, prepared.camera.height);
+    let window = Window {
+        x: 0,
+        y: 0,
+        width,
+        height,
+    };
+    let mut all = vec![Vec::new(); MEANS];
+    for seed in 5000..5000 + effort.seeds {
+        let mut pixels = vec![0.0; (width * height) as usize];
+        for k in 0..width * height * effort.spp {
+            let pixel = k % (width * height);
+            let id = SampleId {
+                column: pixel % width,
+                row: pixel / width,
+                pixel,
+                sample: k / (width * height),
+                seed,
+            };
+            trace_bidirectional(transport, window, id, &mut |splat| {
+                let v = splat.value;
+                let sum = f64::from(v.x) + f64::from(v.y) + f64::from(v.z);
+                pixels[splat.pixel as usize] += sum / 3.0 / f64::from(effort.spp);
+            });
+        }
+        for (all, mean) in all.iter_mut().zip(block_means(&pixels)) {
+            all.push(mean);
+        }
+    }
+    all
+}
+
+/// What path tracing finds with exactly `depth` scatterings: two pictures by the same seeds, one less the other.
+fn of_depth(text: &str, depth: u32, effort: Effort) -> Vec<Vec<f64>> {
+    let up_to = |n: u32| {
+        let mut settings = Settings::default();
+        settings.model.max_depth = Some(n);
+        means(&prepared(text, &settings), settings, effort, 9000)
+    };
+    let (with, without) = (up_to(depth), up_to(depth - 1));
+    let blocks = with.iter().zip(&without);
+    blocks
+        .map(|(a, b)| a.iter().zip(b).map(|(a, b)| a - b).collect())
+        .collect()
+}
+
+/// Paths of two and of three scatterings by every number of light vertices, without weights, where each can find all of them:
+/// all surfaces are rough, and the light shines from its outside alone.
+#[test]
+fn each_way_alone_has_the_mean_of_path_tracing() {
+    let cube = cube();
+    let effort = Effort {
+        seeds: 16,
+        spp: 192,
+    };
+    let level = sidak(ALPHA, 2 * (4 + 5) * MEANS);
+    for (name, text) in [("inside", INSIDE.to_owned()), ("lamps", lamps(cube.path()))] {
+        for depth in [2, 3] {
+            let right = of_depth(&text, depth, effort);
+            for light in 0..=depth + 1 {
+                let ways = Ways::Only {
+                    light,
+                    eye: depth + 2 - light,
+                };
+                let mut settings = Settings::default();
+                settings.model.max_depth = Some(depth);
+                let found = by_ways(&text, &settings, &settings.adjoint(), ways, effort);
+                let p = least_p(&right, &found);
+                println!("{name}, {ways:?}: p = {p:.1e}");
+                assert!(p > level, "{name}, {ways:?}: p = {p:e}");
+            }
+        }
+    }
+}
+
+/// Refraction on light paths by the rule of eye paths: n² more or less than there is.
+#[test]
+fn eta_squared_on_the_wrong_side_is_noticed() {
+    let effort = Effort { seeds: 16, spp: 64 };
+    let level = sidak(ALPHA, MEANS);
+    let settings = Settings::default();
+    let right = by_ways(INSIDE, &settings, &settings.adjoint(), Ways::All, effort);
+    let wrong = by_ways(INSIDE, &settings, &settings, Ways::All, effort);
+    let p = least_p(&right, &wrong);
+    println!("p = {p:.1e}");
+    assert!(p < level, "p = {p:e}");
+}
