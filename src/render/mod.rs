@@ -226,7 +226,9 @@ pub enum RenderError {
          Try another driver, or --device cpu-f32"
     )]
     Loops(u64),
-    #[error("--integrator bidirectional has no kernel: add --device cpu-f32")]
+    #[error(
+        "--integrator bidirectional runs on the CPU alone so far: add --device cpu-f32 or cpu-f64"
+    )]
     NoKernel,
 }
 

@@ -1,9 +1,10 @@
-//! The largest sample, as the film has it, against all samples traced one by one: of path and light tracing, in a crop, with
-//! any tiles and dispatches.
+//! The largest sample, as the film has it, against all samples traced one by one: of every integrator, in a crop, with any
+//! tiles and dispatches.
 
 use vkpt::prepared::Prepared;
+use vkpt::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
 use vkpt::reference::integrator::light::splat::Window;
-use vkpt::reference::integrator::light::trace_light;
+use vkpt::reference::integrator::light::{Splat, trace_light};
 use vkpt::reference::integrator::path::record::Silent;
 use vkpt::reference::integrator::path::trace_path;
 use vkpt::reference::path::SampleId;
@@ -55,7 +56,7 @@ fn samples(scene: &Prepared, settings: &Settings) -> Vec<Largest> {
                     radiance[id.pixel as usize] = path.radiance.f64().to_array();
                 }
             }
-            Integrator::Light => {
+            Integrator::Light | Integrator::Bidirectional => {
                 let window = Window {
                     x: 0,
                     y: 0,
@@ -63,12 +64,25 @@ fn samples(scene: &Prepared, settings: &Settings) -> Vec<Largest> {
                     height: SIZE[1],
                 };
                 let adjoint = settings.adjoint();
+                let transport = Transport {
+                    world: &world,
+                    settings,
+                    adjoint: &adjoint,
+                    ways: Ways::All,
+                };
+                let mut take = |splat: Splat<f32>| {
+                    let sum = &mut radiance[splat.pixel as usize];
+                    let value = splat.value.f64().to_array();
+                    *sum = [0, 1, 2].map(|c| sum[c] + value[c]);
+                };
                 for pixel in pixels([0, 0, SIZE[0], SIZE[1]]) {
-                    trace_light(&world, &adjoint, window, id(pixel, sample), &mut |splat| {
-                        let sum = &mut radiance[splat.pixel as usize];
-                        let value = splat.value.f64().to_array();
-                        *sum = [0, 1, 2].map(|c| sum[c] + value[c]);
-                    });
+                    let id = id(pixel, sample);
+                    match settings.estimator.integrator {
+                        Integrator::Bidirectional => {
+                            trace_bidirectional(transport, window, id, &mut take)
+                        }
+                        _ => trace_light(&world, &adjoint, window, id, &mut take),
+                    };
                 }
             }
         }
@@ -108,7 +122,11 @@ fn agree(found: Option<Largest>, expected: Option<Largest>) -> bool {
 #[test]
 fn it_is_the_largest_of_all_samples() {
     for text in [TABLE, SMOOTH, WIDE] {
-        for integrator in [Integrator::Path, Integrator::Light] {
+        for integrator in [
+            Integrator::Path,
+            Integrator::Light,
+            Integrator::Bidirectional,
+        ] {
             let settings = by(integrator);
             let scene = prepared(text, &settings);
             let job = Job {

@@ -17,6 +17,7 @@ use crate::features::Features;
 use crate::flat::bvh::Cost;
 use crate::kernel::scene::Recording;
 use crate::kernel::{self, Composed, KernelError, Spirv};
+use crate::settings::Integrator;
 
 /// A rendering before it begins.
 #[derive(Clone, Debug)]
@@ -49,7 +50,7 @@ impl Plan {
     /// What rendering `job` on a device of these limits would bring to it.
     ///
     /// # Errors
-    /// If the kernel can't be composed, which would be a mistake in this program.
+    /// If the integrator has no kernel; if it can't be composed, which would be a mistake in this program.
     pub fn new(job: &Job, limits: PlanLimits) -> Result<Self, RenderError> {
         let features = job.features();
         let bvh = hierarchy(job.prepared, &features);
@@ -92,6 +93,9 @@ pub fn composed(
     features: &Features,
     recording: Recording,
 ) -> Result<Composed, RenderError> {
+    if features.integrator == Integrator::Bidirectional {
+        return Err(RenderError::NoKernel);
+    }
     kernel::scene::compose(features, &scene.parameters(recording)).map_err(mistake(features))
 }
 

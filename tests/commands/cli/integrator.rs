@@ -36,6 +36,40 @@ fn what_light_paths_cannot_do_is_refused() {
 }
 
 #[test]
+fn what_bidirectional_paths_cannot_do_is_refused() {
+    let rows: [(&[&str], &str); 6] = [
+        (
+            &["scene.scn", "--absorption", "term"],
+            "leave --integrator bidirectional out",
+        ),
+        (&["scene.scn", "--connect", "bsdf"], "leave --connect out"),
+        (
+            &["scene.scn", "--trace", "0,0,0"],
+            "leave --integrator bidirectional out",
+        ),
+        (
+            &["compare", "--paired", "scene.scn"],
+            "leave --integrator bidirectional out",
+        ),
+        (&["explain", "scene.scn"], "add --device cpu-f32"),
+        (
+            &["scene.scn", "--device", "llvmpipe"],
+            "add --device cpu-f32",
+        ),
+    ];
+    for (arguments, said) in rows {
+        let folder = folder(SCENE);
+        let run = run(
+            folder.path(),
+            &[arguments, &["--integrator", "bidirectional"]].concat(),
+        );
+        assert_eq!(run.code, Some(2), "{arguments:?}: {}", run.err);
+        assert!(run.err.contains(said), "{arguments:?}: {}", run.err);
+        assert_eq!(names(folder.path()), ["scene.scn"], "{arguments:?}");
+    }
+}
+
+#[test]
 fn what_light_paths_do_not_see_is_warned_of_once() {
     let lacking = format!("background 1 1 1\n{SCENE}brdf 0 0 0 1 1 1 0\nsphere 3 0 0 1\n");
     for (scene, warnings) in [(SCENE, 0), (&lacking, 1)] {

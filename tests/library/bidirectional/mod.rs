@@ -3,4 +3,5 @@
 mod chain;
 mod emission;
 mod pictures;
+mod stability;
 mod weights;

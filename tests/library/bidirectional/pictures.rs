@@ -23,6 +23,20 @@ fn both(mut settings: Settings) -> Settings {
     settings
 }
 
+/// A sharp lobe beside a diffuse one, α = .002, and a sphere of glass hardly rougher than smooth.
+const SHARP: &str = "screen 32 24
+camera 0 -6 3 .35 x 64
+light 6 5 4
+sphere -1.5 1 3.2 .8
+brdf .5 .5 .4 0 0 0 1
+box -5 -5 -.1 10 10 .1
+distribution ggx
+brdf .2 .1 .1 .5 .6 .6 .002
+box 1 -1 0 1 2 1.5
+brdf 0 0 0 .04 .04 .04 .002 .9 .9 .8 1.5
+sphere -.6 -.8 .6 .6
+";
+
 /// The least p-value over the blocks of two sets of pictures.
 fn least_p(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     let p = a.iter().zip(b).map(|(a, b)| p_of_difference(a, b));
@@ -67,6 +81,7 @@ fn agree(effort: Effort) {
         ("many", MANY.to_owned()),
         ("lamps", lamps(cube.path())),
         ("inside", INSIDE.to_owned()),
+        ("sharp", SHARP.to_owned()),
     ];
     let level = sidak(ALPHA, scenes.len() * variants().len() * MEANS);
     let mut least = 1.0;
