@@ -130,7 +130,7 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
         "which of the files of the slot <pick> the kernel holds",
     ),
     (
-        "integrator/bidirectional/",
+        "integrator/bidirectional",
         "rendered by the reference alone",
     ),
     ("reverse_pdf", BIDIRECTIONAL),
