@@ -3,14 +3,16 @@
 //! Block means of pictures by several seeds are compared by Welch's t-test, as `light_tracing` has it: Šidák over all blocks,
 //! scenes and settings at α = 1e-3; fixed seeds.
 
+use vkpt::film::Film;
 use vkpt::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
 use vkpt::reference::integrator::light::splat::Window;
 use vkpt::reference::path::SampleId;
 use vkpt::reference::world::World;
+use vkpt::render::{Job, Target};
 use vkpt::settings::{Integrator, Lights, Roulette, Sampler, Settings};
 
 use crate::common::meshes::cube;
-use crate::common::render::prepared;
+use crate::common::render::{job, outcome, prepared};
 use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE};
 use crate::common::stats::{p_of_difference, sidak};
 use crate::estimators::{Effort, MEANS, block_means, means};
@@ -102,6 +104,31 @@ fn agree(effort: Effort) {
 #[test]
 fn all_ways_together_have_the_mean_of_path_tracing() {
     agree(Effort { seeds: 16, spp: 24 });
+}
+
+/// Light paths of the whole picture are followed, whatever is rendered of it.
+#[test]
+fn a_crop_has_the_bits_of_the_whole() {
+    let settings = both(Settings::default());
+    for text in [TABLE, SMOOTH, WIDE] {
+        let scene = prepared(text, &settings);
+        let whole = job(&scene, settings, 6, 3);
+        let [left, top, right, bottom] = [5, 3, 22, 20];
+        let crop = Job {
+            crop: Some([left, top, right, bottom]),
+            ..job(&scene, settings, 6, 3)
+        };
+        let film = |job: &Job| outcome(job, &Target::CpuF32).film;
+        let (whole, part) = (film(&whole), film(&crop));
+        let bits =
+            |film: &Film, x: u32, y: u32| film.rgb[(y * film.width + x) as usize].map(f32::to_bits);
+        for y in top..bottom {
+            for x in left..right {
+                let there = bits(&part, x - left, y - top);
+                assert_eq!(there, bits(&whole, x, y), "{x}, {y}");
+            }
+        }
+    }
 }
 
 #[test]
