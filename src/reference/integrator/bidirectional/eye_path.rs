@@ -1,25 +1,23 @@
 //! The path from the eye: lights that it hits, lights and vertices of the light path that it is joined to.
 
-use super::Transport;
 use super::join::{Joint, join};
-use super::light_path::{Reservoir, left_partial};
-use super::partial::{Junction, Partial, arrive, from_eye, hit_weight, light_weight};
+use super::partial::{Partial, arrive, from_eye, hit_weight};
+use super::reservoir::Reservoir;
+use super::to_light::{emission_density, join_light};
+use super::{Transport, left_partial};
 use crate::prepared::MaterialKind;
 use crate::reference::camera::eye_sample;
 use crate::reference::integrator::light::LightCounts;
-use crate::reference::integrator::path::direct::shadow_to_light;
-use crate::reference::integrator::path::pick::candidate::Weigh;
 use crate::reference::integrator::path::pick::{pick_normal, pick_probability};
-use crate::reference::integrator::path::record::Silent;
 use crate::reference::integrator::path::{PathState, begin_path};
-use crate::reference::light::{LightSample, background_light_pdf};
+use crate::reference::light::background_light_pdf;
 use crate::reference::math::finite::is_black;
 use crate::reference::math::{Real, Vec3, dot3};
 use crate::reference::path::blocks::Origin;
 use crate::reference::path::extend::extend;
 use crate::reference::path::roulette::LONG_PATH;
-use crate::reference::path::trace::{extend_ray, shadow_ray};
-use crate::reference::path::vertex::{Vertex, path_vertex, reverse_pdf};
+use crate::reference::path::trace::extend_ray;
+use crate::reference::path::vertex::{Vertex, path_vertex};
 use crate::reference::path::{SampleId, depth_reached};
 
 /// Follows the eye path of a sample to its end; returns what it has brought, W·sr⁻¹·m⁻².
@@ -85,18 +83,6 @@ pub fn eye_path<F: Real>(
     s.radiance
 }
 
-/// Density per area and solid angle of the start of a light path that `p` sees along `wi`, over the cosine there: P p_A/π.
-fn emission_density<F: Real>(
-    t: Transport<F>,
-    light: usize,
-    p: Vec3<F>,
-    prim: u32,
-    wi: Vec3<F>,
-) -> F {
-    let per_area = t.world.emission_pdf(light, p, prim, wi);
-    t.world.light_pmf(light) * per_area * F::new(std::f64::consts::FRAC_1_PI)
-}
-
 /// Weighted radiance of a light that the path has hit.
 fn emission_seen<F: Real>(
     t: Transport<F>,
@@ -134,53 +120,4 @@ fn background_seen<F: Real>(
         hit_weight(partial, expected * background_light_pdf(), F::zero())
     });
     t.world.lights[light].radiance * t.ways.weight(0, s.path.bounce + 2, weight)
-}
-
-/// What weighs a connection of an eye path's vertex to a light.
-struct ToLight<'a, F> {
-    t: Transport<'a, F>,
-    v: &'a Vertex<F>,
-    wo: Vec3<F>,
-    partial: Partial<F>,
-    count: u32,
-}
-
-impl<F: Real> Weigh<F> for ToLight<'_, F> {
-    fn weight(&self, light: usize, l: &LightSample<F>, p: F, bsdf_pdf: F) -> F {
-        let Self { t, v, .. } = *self;
-        let x = Junction {
-            cosine: dot3(l.wi, v.ng).abs(),
-            pdf: bsdf_pdf,
-            reverse_pdf: reverse_pdf(t.settings, v, l.wi, self.wo),
-        };
-        let emission = emission_density(t, light, v.p, l.prim, l.wi);
-        let weight = light_weight(self.partial, x, p, emission);
-        t.ways.weight(1, self.count, weight)
-    }
-}
-
-/// Adds the light of one connection to a light.
-fn join_light<F: Real>(
-    t: Transport<F>,
-    s: &mut PathState<F>,
-    v: &Vertex<F>,
-    wo: Vec3<F>,
-    partial: Partial<F>,
-    id: SampleId,
-) {
-    if t.world.lights.is_empty() {
-        return;
-    }
-    let weigh = ToLight {
-        t,
-        v,
-        wo,
-        partial,
-        count: s.path.bounce + 2,
-    };
-    let shadow = shadow_to_light(t.world, t.settings, s, v, id, &weigh, &mut Silent);
-    let arrived = shadow.and_then(|c| shadow_ray(t.world, t.settings, c, &mut s.rays));
-    if let Some(light) = arrived {
-        s.radiance += light;
-    }
 }

@@ -1,8 +1,8 @@
 //! A vertex of the eye path joined to one of the light path.
 
 use super::Transport;
-use super::light_path::LightVertex;
 use super::partial::{Junction, Partial, vertex_weight};
+use super::reservoir::LightVertex;
 use crate::reference::bsdf::bsdf_eval;
 use crate::reference::math::finite::is_black;
 use crate::reference::math::frame::to_local;

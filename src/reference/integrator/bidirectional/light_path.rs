@@ -1,9 +1,9 @@
 //! The path from a light: its splats, and the vertices that eye paths are joined to.
 
-use super::Transport;
-use super::partial::{Junction, Partial, arrive, from_light, scatter, scatter_delta, splat_weight};
+use super::partial::{Junction, Partial, arrive, from_light, splat_weight};
+use super::reservoir::{LightVertex, Reservoir, has_density};
+use super::{Transport, left_partial};
 use crate::prepared::MaterialKind;
-use crate::reference::bsdf::Material;
 use crate::reference::integrator::light::begin::{LightStart, begin_light_path, light_start};
 use crate::reference::integrator::light::splat::{SplatRay, Window, splat_vertex};
 use crate::reference::integrator::light::{LightCounts, Splat};
@@ -18,72 +18,6 @@ use crate::reference::path::vertex::{Vertex, path_vertex, reverse_pdf};
 use crate::reference::path::{SampleId, Subpath, depth_reached};
 use crate::reference::sampler::{roulette_block, unit_float};
 
-/// Vertices of a light path that are kept: two bring 92 to 97 % of what all would.
-pub const KEPT: usize = 2;
-
-/// A vertex of a light path.
-#[derive(Clone, Copy, Debug)]
-pub struct LightVertex<F> {
-    pub v: Vertex<F>,
-    /// Whence the path came, of unit length.
-    pub wo: Vec3<F>,
-    /// Power that arrives, W; with the factor by which a kept vertex stands for those that were not.
-    pub power: Vec3<F>,
-    /// The medium that the path came through.
-    pub medium: u32,
-    pub partial: Partial<F>,
-    /// Vertices of the path up to this one, the light's own among them.
-    pub count: u32,
-}
-
-/// Vertices that were kept, each with the same probability.
-#[derive(Clone, Debug)]
-pub struct Reservoir<F> {
-    kept: [Option<LightVertex<F>>; KEPT],
-    seen: u32,
-}
-
-impl<F: Real> Reservoir<F> {
-    fn new() -> Self {
-        Self {
-            kept: [None; KEPT],
-            seen: 0,
-        }
-    }
-
-    /// Keeps a vertex with the probability KEPT/seen in place of an older one, by the uniform number `u` (Vitter, Random Sampling
-    /// with a Reservoir, 1985, algorithm R).
-    fn offer(&mut self, vertex: LightVertex<F>, u: F) {
-        let place = if (self.seen as usize) < KEPT {
-            self.seen as usize
-        } else {
-            (u * F::from_u32(self.seen + 1)).to_u32() as usize
-        };
-        if let Some(slot) = self.kept.get_mut(place) {
-            *slot = Some(vertex);
-        }
-        self.seen += 1;
-    }
-
-    /// Those that are there, each with the number of vertices that it stands for.
-    pub fn vertices(&self) -> impl Iterator<Item = (&LightVertex<F>, F)> {
-        let shares = F::from_u32(self.seen.max(KEPT as u32)) / F::from_u32(KEPT as u32);
-        self.kept.iter().flatten().map(move |v| (v, shares))
-    }
-}
-
-/// Whether a material has a lobe with a density, at which paths can be joined.
-pub fn has_density<F: Real>(material: &Material<F>) -> bool {
-    match material.kind {
-        MaterialKind::Black | MaterialKind::NullInterface => false,
-        MaterialKind::Mirror | MaterialKind::SmoothDielectric => !is_black(material.kd),
-        MaterialKind::Diffuse
-        | MaterialKind::Glossy
-        | MaterialKind::RoughDielectric
-        | MaterialKind::WeakDielectric => true,
-    }
-}
-
 /// Follows the light path of a sample to its end.
 pub fn light_path<F: Real>(
     t: Transport<F>,
@@ -92,7 +26,7 @@ pub fn light_path<F: Real>(
     counts: &mut LightCounts,
     take: &mut impl FnMut(Splat<F>),
 ) -> Reservoir<F> {
-    let mut reservoir = Reservoir::new();
+    let mut reservoir = Reservoir::empty();
     let Some(start) = light_start(t.world, t.adjoint, id) else {
         return reservoir;
     };
@@ -178,27 +112,6 @@ fn go_on<F: Real>(
         *partial = Some(left_partial(t, path, &at.v, at.wo, at.partial));
     }
     e.alive
-}
-
-/// What the weights know along the direction that a path has just left `v` in.
-pub fn left_partial<F: Real>(
-    t: Transport<F>,
-    path: &Subpath<F>,
-    v: &Vertex<F>,
-    wo: Vec3<F>,
-    at: Partial<F>,
-) -> Partial<F> {
-    let wi = path.ray.d;
-    let cosine = dot3(wi, v.ng).abs();
-    if path.delta {
-        return scatter_delta(at, cosine);
-    }
-    let to = Junction {
-        cosine,
-        pdf: path.pdf,
-        reverse_pdf: reverse_pdf(t.settings, v, wi, wo),
-    };
-    scatter(at, to)
 }
 
 /// A vertex joined to the eye.

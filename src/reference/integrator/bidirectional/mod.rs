@@ -8,15 +8,19 @@ pub mod eye_path;
 pub mod join;
 pub mod light_path;
 pub mod partial;
+pub mod reservoir;
+pub mod to_light;
 
 use super::light::splat::Window;
 use super::light::{LightCounts, Splat};
-use crate::reference::math::Real;
-use crate::reference::path::SampleId;
+use crate::reference::math::{Real, Vec3, dot3};
+use crate::reference::path::vertex::{Vertex, reverse_pdf};
+use crate::reference::path::{SampleId, Subpath};
 use crate::reference::world::World;
 use crate::settings::Settings;
 use eye_path::eye_path;
 use light_path::light_path;
+use partial::{Junction, Partial, scatter, scatter_delta};
 
 /// Which ways to find a path count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +52,27 @@ pub struct Transport<'a, F> {
     /// Of the adjoint, [`Settings::adjoint`].
     pub adjoint: &'a Settings,
     pub ways: Ways,
+}
+
+/// What the weights know along the direction that a path has just left `v` in.
+pub fn left_partial<F: Real>(
+    t: Transport<F>,
+    path: &Subpath<F>,
+    v: &Vertex<F>,
+    wo: Vec3<F>,
+    at: Partial<F>,
+) -> Partial<F> {
+    let wi = path.ray.d;
+    let cosine = dot3(wi, v.ng).abs();
+    if path.delta {
+        return scatter_delta(at, cosine);
+    }
+    let to = Junction {
+        cosine,
+        pdf: path.pdf,
+        reverse_pdf: reverse_pdf(t.settings, v, wi, wo),
+    };
+    scatter(at, to)
 }
 
 /// Follows both paths of a pixel and sample index to their ends, and hands to `take` the splats of the light path in the order
