@@ -99,7 +99,7 @@ fn rendered(text: &str, settings: Settings, effort: Effort, seed: u32) -> Vec<Ve
 }
 
 /// The least p-value over the blocks of two sets of pictures.
-fn least_p(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
+pub fn least_p(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     let p = a.iter().zip(b).map(|(a, b)| p_of_difference(a, b));
     p.fold(1.0, f64::min)
 }

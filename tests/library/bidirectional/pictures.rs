@@ -5,18 +5,17 @@
 
 use vkpt::film::Film;
 use vkpt::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
-use vkpt::reference::integrator::light::splat::Window;
-use vkpt::reference::path::SampleId;
 use vkpt::reference::world::World;
 use vkpt::render::{Job, Target};
 use vkpt::settings::{Integrator, Lights, Roulette, Sampler, Settings};
 
+use super::{samples, whole};
 use crate::common::meshes::cube;
 use crate::common::render::{job, outcome, prepared};
 use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE};
-use crate::common::stats::{p_of_difference, sidak};
+use crate::common::stats::sidak;
 use crate::estimators::{Effort, MEANS, block_means, means};
-use crate::light_tracing::{INSIDE, lamps};
+use crate::light_tracing::{INSIDE, lamps, least_p};
 
 const ALPHA: f64 = 1e-3;
 
@@ -38,12 +37,6 @@ box 1 -1 0 1 2 1.5
 brdf 0 0 0 .04 .04 .04 .002 .9 .9 .8 1.5
 sphere -.6 -.8 .6 .6
 ";
-
-/// The least p-value over the blocks of two sets of pictures.
-fn least_p(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
-    let p = a.iter().zip(b).map(|(a, b)| p_of_difference(a, b));
-    p.fold(1.0, f64::min)
-}
 
 /// The defaults, and what bears on both kinds of paths in one word each.
 fn variants() -> Vec<(&'static str, Settings)> {
@@ -156,25 +149,11 @@ fn by_ways(
         adjoint,
         ways,
     };
-    let (width, height) = (prepared.camera.width, prepared.camera.height);
-    let window = Window {
-        x: 0,
-        y: 0,
-        width,
-        height,
-    };
+    let window = whole(&prepared);
     let mut all = vec![Vec::new(); MEANS];
     for seed in 5000..5000 + effort.seeds {
-        let mut pixels = vec![0.0; (width * height) as usize];
-        for k in 0..width * height * effort.spp {
-            let pixel = k % (width * height);
-            let id = SampleId {
-                column: pixel % width,
-                row: pixel / width,
-                pixel,
-                sample: k / (width * height),
-                seed,
-            };
+        let mut pixels = vec![0.0; (window.width * window.height) as usize];
+        for id in samples(&prepared, effort.spp, seed) {
             trace_bidirectional(transport, window, id, &mut |splat| {
                 let v = splat.value;
                 let sum = f64::from(v.x) + f64::from(v.y) + f64::from(v.z);

@@ -4,11 +4,10 @@
 //! same path by itself. From a diffuse vertex that is ρ L cos θ Ω/π at most, Ω the solid angle of a ball of light.
 
 use vkpt::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
-use vkpt::reference::integrator::light::splat::Window;
-use vkpt::reference::path::SampleId;
 use vkpt::reference::world::World;
 use vkpt::settings::{Roulette, Settings};
 
+use super::{samples, whole};
 use crate::common::render::prepared;
 
 /// Kd of every surface, and the light's radiance.
@@ -48,23 +47,9 @@ fn largest(text: &str, ways: Ways) -> f64 {
         adjoint: &adjoint,
         ways,
     };
-    let (width, height) = (prepared.camera.width, prepared.camera.height);
-    let window = Window {
-        x: 0,
-        y: 0,
-        width,
-        height,
-    };
+    let window = whole(&prepared);
     let mut most = 0.0;
-    for k in 0..width * height * 400 {
-        let pixel = k % (width * height);
-        let id = SampleId {
-            column: pixel % width,
-            row: pixel / width,
-            pixel,
-            sample: k / (width * height),
-            seed: 3,
-        };
+    for id in samples(&prepared, 400, 3) {
         trace_bidirectional(transport, window, id, &mut |splat| {
             assert!(splat.value.x.is_finite());
             most = f64::max(most, splat.value.x.into());

@@ -6,11 +6,11 @@ use vkpt::reference::integrator::bidirectional::partial::{
     Junction, Partial, arrive, from_eye, from_light, hit_weight, light_weight, scatter,
     scatter_delta, splat_weight, vertex_weight,
 };
-use vkpt::reference::path::SampleId;
 use vkpt::reference::world::World;
 use vkpt::settings::Settings;
 
 use super::chain::{Chain, Node, chain};
+use super::samples;
 use crate::common::meshes::cube;
 use crate::common::render::prepared;
 use crate::common::scenes::{MANY, SMOOTH, TABLE, WIDE};
@@ -147,19 +147,10 @@ fn paths(text: &str, mut f: impl FnMut(&Chain)) -> usize {
     let settings = Settings::default();
     let prepared = prepared(text, &settings);
     let world = World::<f64>::new(&prepared);
-    let (width, height) = (prepared.camera.width, prepared.camera.height);
+    let pixels = prepared.camera.width * prepared.camera.height;
     let mut count = 0;
-    for k in 0..width * height * 64 {
-        let pixel = k % (width * height);
-        let id = SampleId {
-            column: pixel % width,
-            row: pixel / width,
-            pixel,
-            sample: k / (width * height),
-            seed: 5,
-        };
-        if let Some(c) = chain(&world, &settings, id, width * height).filter(|c| c.nodes.len() <= 8)
-        {
+    for id in samples(&prepared, 64, 5) {
+        if let Some(c) = chain(&world, &settings, id, pixels).filter(|c| c.nodes.len() <= 8) {
             count += 1;
             f(&c);
         }
