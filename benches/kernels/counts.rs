@@ -49,7 +49,7 @@ fn counts(device: &Device, path: &Path, kernel: KernelChoice) -> Result<String, 
     let plan = Plan::new(&job, PlanLimits::of(device))?;
     let arrays = plan.scene.iter().copied().chain(plan.state.plans());
     let uses: Vec<_> = arrays.map(|a| a.binding.buffer_use).collect();
-    let pipeline = device.pipeline(&plan.compile()?, &uses, size_of::<Slice>() as u32)?;
+    let pipeline = device.pipeline(&plan.compile()?[0], &uses, size_of::<Slice>() as u32)?;
     let mut told = pipeline.statistics()?;
     // What only tells one kernel from another.
     told.retain(|s| !s.name.to_lowercase().contains("hash"));

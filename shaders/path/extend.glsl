@@ -21,7 +21,7 @@ Extension extend(inout Subpath path, Vertex v, uint pixel_index, uint sample_ind
                                    vec2(unit_float(w.y), unit_float(w.z)));
     BsdfSample b = bsdf_sample(v.interaction, random);
     vec3 wi = leaving_direction(v.frame.n, v.facing, to_world(v.frame, b.wi), b.wi.z, b.lobe);
-    bool found = b.lobe != LOBE_NONE && same_sides(v, wi, b.wi);
+    bool found = b.lobe != LOBE_NONE && same_sides(v.facing, wi, b.wi);
     vec3 weight = corrected(v, wi, b.wi, b.weight);
     bool faint = underflows(path.throughput, weight);
     path.throughput *= weight;

@@ -5,6 +5,8 @@ struct Vertex {
     vec3 p;
     // Outward geometric normal.
     vec3 ng;
+    // Shading normal on the side of ng, as the surface has it.
+    vec3 ns;
     // Geometric normal on wo's side.
     vec3 facing;
     // Whether wo is outside the shape.
@@ -17,28 +19,42 @@ struct Vertex {
     uint material;
 };
 
+// A surface of normals ng and ns, seen along wo, which leads away from it.
+struct Seen {
+    bool outside;
+    vec3 facing;
+    Frame frame;
+    Interaction interaction;
+};
+
+Seen seen_from(Material material, vec3 ng, vec3 ns, vec3 wo) {
+    Seen seen;
+    seen.outside = dot3(wo, ng) >= 0.0;
+    seen.facing = seen.outside ? ng : -ng;
+    // The geometric normal decides the side; the shading normal makes only the frame (model.md, "Conventions").
+    vec3 shading = dot3(ns, seen.facing) < 0.0 ? -ns : ns;
+    seen.frame = frame_about(seen_normal(shading, seen.facing, wo, material.kind));
+    seen.interaction = interaction(material, seen.outside, to_local(seen.frame, wo), vec3(1.0));
+    return seen;
+}
+
+// The point `surface` of a shape, seen along wo.
+Vertex vertex_at(Surface surface, uint shape, uint prim, vec3 wo) {
+    uint material = shapes[shape].material;
+    Seen seen = seen_from(materials[material], surface.ng, surface.ns, wo);
+    return Vertex(surface.p, surface.ng, surface.ns, seen.facing, seen.outside, seen.frame, seen.interaction, shape, prim,
+                  material);
+}
+
 // The vertex where `ray` has hit, `distance` away from the path's last vertex, with this `throughput`.
 Vertex path_vertex(Ray ray, Hit hit, float distance, vec3 throughput) {
-    Surface surface = hit_surface(ray, hit);
-    vec3 wo = -ray.d;
-    Vertex v;
-    v.p = surface.p;
-    v.ng = surface.ng;
-    v.outside = dot3(wo, surface.ng) >= 0.0;
-    v.facing = v.outside ? surface.ng : -surface.ng;
-    v.shape = hit.shape;
-    v.prim = hit.prim;
-    v.material = shapes[v.shape].material;
-    // The geometric normal decides the side; the shading normal makes only the frame (model.md, "Conventions").
-    vec3 ns = dot3(surface.ns, v.facing) < 0.0 ? -surface.ns : surface.ns;
-    v.frame = frame_about(seen_normal(ns, v.facing, wo, materials[v.material].kind));
-    v.interaction = interaction(materials[v.material], v.outside, to_local(v.frame, wo),
-                                term_attenuation(v.material, v.outside, distance));
+    Vertex v = vertex_at(hit_surface(ray, hit), hit.shape, hit.prim, -ray.d);
+    v.interaction.attenuation = term_attenuation(v.material, v.outside, distance);
     v.interaction.carried = channel_shares(throughput);
     return v;
 }
 
 // Whether a direction lies on the same side of the geometric and of the shading normal; elsewhere the BSDF is 0.
-bool same_sides(Vertex v, vec3 wi, vec3 wi_local) {
-    return (dot3(wi, v.facing) > 0.0) == (wi_local.z > 0.0);
+bool same_sides(vec3 facing, vec3 wi, vec3 wi_local) {
+    return (dot3(wi, facing) > 0.0) == (wi_local.z > 0.0);
 }

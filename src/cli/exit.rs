@@ -66,7 +66,6 @@ impl Failure {
     fn code(&self) -> u8 {
         match self {
             Self::Render(error) if error.is_no_device() => 4,
-            Self::Render(RenderError::NoKernel) => 2,
             Self::Render(_) | Self::Comparison(_) | Self::Unhealthy(_) => 1,
             Self::Usage(_) => 2,
             Self::Scene(_) | Self::Prepare(_) | Self::Strict(_) | Self::Pictures(_) => 3,

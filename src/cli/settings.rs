@@ -45,8 +45,8 @@ pub struct SettingArguments {
     pub max_depth: Option<u32>,
 
     /// Which paths find the light: those from the eye; those from the lights, each vertex joined to
-    /// the eye, which see neither mirrors nor through smooth glass; or both, joined to each other (on
-    /// the CPU alone: --device cpu-f32): path, light or bidirectional [default: path]
+    /// the eye, which see neither mirrors nor through smooth glass; or both, joined to each other: path,
+    /// light or bidirectional [default: path]
     #[arg(long, value_name = "PATHS", help_heading = ESTIMATOR)]
     #[arg(value_parser = choice::<Integrator>(), hide_possible_values = true)]
     pub integrator: Option<Integrator>,

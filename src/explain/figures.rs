@@ -10,11 +10,11 @@ use crate::report::explanation::{Buffer, Hierarchy, KernelSize, Memory};
 
 pub fn kernel((plan, spirv): Compiled) -> KernelSize {
     KernelSize {
-        files: plan.kernel.files().count(),
-        lines: plan.kernel.text().lines().count(),
-        functions: spirv.functions.len(),
-        spirv_bytes: spirv.bytes().len(),
-        instructions: spirv.instructions().count(),
+        files: plan.kernels.iter().map(|k| k.files().count()).sum(),
+        lines: plan.kernels.iter().map(|k| k.text().lines().count()).sum(),
+        functions: spirv.iter().map(|s| s.functions.len()).sum(),
+        spirv_bytes: spirv.iter().map(|s| s.bytes().len()).sum(),
+        instructions: spirv.iter().map(|s| s.instructions().count()).sum(),
     }
 }
 

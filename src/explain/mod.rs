@@ -8,7 +8,7 @@ mod search;
 mod setting;
 
 use crate::features::Member;
-use crate::kernel::Spirv;
+use crate::kernel::{Composed, Spirv};
 use crate::render::{Job, Plan};
 use crate::report::explanation::{Explanation, Part};
 use crate::settings::Settings;
@@ -35,10 +35,10 @@ pub struct Preset {
 }
 
 /// A kernel and what it was compiled to.
-pub type Compiled<'a> = (&'a Plan, &'a Spirv);
+pub type Compiled<'a> = (&'a Plan, &'a [Spirv]);
 
 /// The whole explanation; `full` is the kernel that holds all there is, planned for the same job.
-pub fn explain(subject: &Subject, this: &Spirv, full: Compiled) -> Explanation {
+pub fn explain(subject: &Subject, this: &[Spirv], full: Compiled) -> Explanation {
     let prepared = subject.job.prepared;
     Explanation {
         scene: subject.scene.to_owned(),
@@ -78,6 +78,7 @@ impl Subject<'_> {
 
     /// Whether a file of `shaders/` is in the kernel.
     fn holds(&self, file: &str) -> bool {
-        self.plan.kernel.files().any(|name| name == file)
+        let mut files = self.plan.kernels.iter().flat_map(Composed::files);
+        files.any(|name| name == file)
     }
 }

@@ -13,7 +13,7 @@ const FROM_LIGHT: &str = "paths begin at the lights";
 struct Setting {
     group: &'static str,
     name: String,
-    /// Its file of `shaders/`.
+    /// Its file of `shaders/`; empty where it is not wanted.
     file: &'static str,
     /// Who brings it in.
     by: String,
@@ -47,7 +47,7 @@ pub fn by(subject: &Subject, flag: &str, value: impl Fn(&SettingsRecord) -> Stri
     }
 }
 
-fn estimator(subject: &Subject) -> [Setting; 8] {
+fn estimator(subject: &Subject) -> [Setting; 9] {
     let settings = &subject.job.settings.estimator;
     let names = SettingsRecord::from(&subject.job.settings);
     let connect = by(subject, "connect", |s| s.connect.to_owned());
@@ -58,14 +58,27 @@ fn estimator(subject: &Subject) -> [Setting; 8] {
             name: "path".to_owned(),
             file: "integrator/path/path_trace.comp",
             by: integrator.clone(),
-            absent: "--integrator light: each vertex of a light path is joined to the eye",
+            absent: match settings.integrator {
+                Integrator::Bidirectional => "paths from both ends find more",
+                _ => "--integrator light: each vertex of a light path is joined to the eye",
+            },
         },
         Setting {
             group: "integrator",
             name: "light".to_owned(),
-            file: "integrator/light/light_trace.comp",
+            file: "integrator/light/shade",
+            by: integrator.clone(),
+            absent: match settings.integrator {
+                Integrator::Bidirectional => "paths from both ends find more",
+                _ => "paths begin at the eye",
+            },
+        },
+        Setting {
+            group: "integrator",
+            name: "bidirectional".to_owned(),
+            file: "integrator/bidirectional/eye_trace.comp",
             by: integrator,
-            absent: "paths begin at the eye",
+            absent: "paths begin at one end alone",
         },
         Setting {
             group: "micronormals",
@@ -90,7 +103,7 @@ fn estimator(subject: &Subject) -> [Setting; 8] {
         Setting {
             group: "light found",
             name: "by connections".to_owned(),
-            file: "integrator/path/direct/sample",
+            file: "integrator/path/direct/shadow",
             by: connect.clone(),
             absent: match (settings.integrator, settings.connect) {
                 (Integrator::Light, _) => FROM_LIGHT,
@@ -100,11 +113,15 @@ fn estimator(subject: &Subject) -> [Setting; 8] {
         },
         Setting {
             group: "light found",
-            name: format!("weights: {}", names.connect),
-            file: match settings.connect {
-                Connect::Mis => "integrator/path/connect/mis",
-                Connect::Light => "integrator/path/connect/light",
-                Connect::Bsdf => "integrator/path/connect/bsdf",
+            name: match settings.integrator {
+                Integrator::Bidirectional => "weights: of all ways".to_owned(),
+                _ => format!("weights: {}", names.connect),
+            },
+            file: match (settings.integrator, settings.connect) {
+                (Integrator::Bidirectional, _) => "integrator/bidirectional/partial",
+                (_, Connect::Mis) => "integrator/path/connect/mis",
+                (_, Connect::Light) => "integrator/path/connect/light",
+                (_, Connect::Bsdf) => "integrator/path/connect/bsdf",
             },
             by: connect,
             absent: match settings.integrator {
@@ -138,12 +155,19 @@ fn estimator(subject: &Subject) -> [Setting; 8] {
 
 fn model(subject: &Subject) -> [Setting; 2] {
     let depth = subject.job.settings.model.max_depth;
+    let scales = subject.job.settings.model.radiance_scaling;
     let scaling = |s: &SettingsRecord| if s.radiance_scaling { "on" } else { "off" }.to_owned();
     [
         Setting {
             group: "scaling",
             name: "radiance, eta²".to_owned(),
-            file: "bsdf/scaling/radiance",
+            file: match (scales, subject.job.settings.estimator.integrator) {
+                (false, _) => "",
+                (true, Integrator::Path) => "bsdf/scaling/radiance",
+                // Light paths carry the adjoint.
+                (true, Integrator::Light) => "bsdf/scaling/flux",
+                (true, Integrator::Bidirectional) => "bsdf/scaling/both",
+            },
             by: by(subject, "radiance-scaling", scaling),
             absent: match (
                 subject.plan.features.transmits(),

@@ -32,7 +32,7 @@ pub enum RouletteKind {
 /// How one of several lights is picked; of one light there is no choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum LightPick {
-    /// By its power, for light paths and where the settings say so.
+    /// By its power: of light paths, and where the settings say so.
     Power,
     /// Each of a few is a candidate at every vertex.
     Every,
@@ -48,7 +48,10 @@ impl LightPick {
         } = settings.estimator;
         match (integrator, lights) {
             (Integrator::Light, _) | (_, Lights::Power) => &[Self::Power],
-            (_, Lights::Contribution) => &[Self::Every, Self::Tree],
+            (Integrator::Path, Lights::Contribution) => &[Self::Every, Self::Tree],
+            (Integrator::Bidirectional, Lights::Contribution) => {
+                &[Self::Power, Self::Every, Self::Tree]
+            }
         }
     }
 
@@ -63,10 +66,10 @@ impl LightPick {
             }
     }
 
-    /// That of so many lights.
-    fn of(lights: usize, settings: &Settings) -> Option<Self> {
-        let mut all = Self::all(settings).iter().copied();
-        all.find(|pick| pick.picks_among(lights))
+    /// Those of so many lights.
+    fn of(lights: usize, settings: &Settings) -> BTreeSet<Self> {
+        let all = Self::all(settings).iter().copied();
+        all.filter(|pick| pick.picks_among(lights)).collect()
     }
 }
 
@@ -133,9 +136,7 @@ impl Features {
                 .map(|m| m.fresnel)
                 .collect(),
             lights: prepared.lights.iter().map(|l| l.kind).collect(),
-            picks: LightPick::of(prepared.lights.len(), settings)
-                .into_iter()
-                .collect(),
+            picks: LightPick::of(prepared.lights.len(), settings),
             absorption: used
                 .iter()
                 .any(|m| Prepared::is_transmissive(m) && m.sigma != DVec3::ZERO)

@@ -135,6 +135,12 @@ constants! {
         FEW_LIGHTS: u32 = 16;
     }
 
+    /// Bidirectional paths.
+    mod bidirectional {
+        /// Vertices of a light path that are kept for eye paths: two bring 92 to 97 % of what all would.
+        KEPT: u32 = 2;
+    }
+
     /// What an entry of `--trace` is about.
     mod record {
         RECORD_VERTEX: u32 = 1;

@@ -21,7 +21,7 @@ crate::gpu_struct! {
         medium: uint,
     }
 
-    /// A connection under way to a point of a light.
+    /// A connection under way.
     pub struct ShadowRay {
         /// Ends at the point.
         ray: Ray,
@@ -29,11 +29,12 @@ crate::gpu_struct! {
         contribution: vec3,
         /// 1: it has still to be traced.
         pending: uint,
-        /// The light's shape, and the face of it that the ray leads to: they do not stop the ray.
+        /// The shape, and the face of it, that the ray leads to: they do not stop the ray.
         target_shape: uint,
         target_prim: uint,
+        /// The medium that a connection of two vertices must arrive in.
+        medium: uint,
         pad0: uint,
-        pad1: uint,
     }
 
     /// What carries over from one vertex of a path to the next, whichever end it began at.
@@ -171,11 +172,80 @@ crate::gpu_struct! {
         /// The pixel, and the sample index, that the pending connection belongs to.
         pixel: uint,
         splat_sample: uint,
+        /// What the weights of bidirectional paths know along the path's ray: √dVCM and √dVC.
+        vcm: float,
+        vc: float,
+        /// Of the light path's first vertex: P p_A/π, the cosine of its ray, its light and the face of that.
+        emission: float,
+        light_cosine: float,
+        light: uint,
+        light_prim: uint,
+    }
+
+    /// A thread of the eye's side of bidirectional path tracing between two bounces: the path, and the connections that its last
+    /// vertex left pending.
+    pub struct EyeState {
+        path: Subpath,
+        to_light: ShadowRay,
+        /// To the kept vertices of the light path.
+        to_first: ShadowRay,
+        to_second: ShadowRay,
+        /// Of the sample under way, W·sr⁻¹·m⁻².
+        radiance: vec3,
+        /// 1: the sample is complete but for its pending connections.
+        ended: uint,
+        /// What the slot `pick` asks of the path's last vertex; 0 where it asks nothing.
+        pick_normal: vec3,
+        /// The sample index after the last complete one.
+        done: uint,
+        /// What the weights know along the path's ray: √dVCM and √dVC.
+        vcm: float,
+        vc: float,
         pad0: uint,
         pad1: uint,
     }
 
-    /// What a thread of light tracing did in one dispatch.
+    /// How many vertices of a light path could have been kept.
+    pub struct Reservoir {
+        seen: uint,
+        pad0: uint,
+        pad1: uint,
+        pad2: uint,
+    }
+
+    /// What the eye path of a sample has brought.
+    pub struct Radiance {
+        /// W·sr⁻¹·m⁻².
+        value: vec3,
+        pad0: uint,
+    }
+
+    /// A vertex of a light path, kept for the eye path of the same sample.
+    pub struct LightVertex {
+        p: vec3,
+        shape: uint,
+        /// Outward geometric normal.
+        ng: vec3,
+        prim: uint,
+        /// Shading normal on its side.
+        ns: vec3,
+        /// The medium that the path came through.
+        medium: uint,
+        /// Whence the path came, of unit length.
+        wo: vec3,
+        /// Vertices of the path up to this one, the light's own among them.
+        count: uint,
+        /// Power that arrives, W.
+        power: vec3,
+        pad0: uint,
+        /// What the weights know: √dVCM and √dVC.
+        vcm: float,
+        vc: float,
+        pad1: uint,
+        pad2: uint,
+    }
+
+    /// What a thread of light tracing, or of the eye's side of bidirectional path tracing, did in one dispatch.
     pub struct LightLane {
         /// Slots filled.
         splats: uint,
@@ -219,11 +289,12 @@ crate::gpu_struct! {
         film_y: uint,
         film_width: uint,
         film_height: uint,
-        /// Each thread is to have begun its light paths below this sample index.
+        /// The sample indices of this pass.
+        sample_begin: uint,
         sample_end: uint,
         /// Loop steps after which a thread hands its path over to the next dispatch.
         budget: uint,
-        pad0: uint,
-        pad1: uint,
+        /// Material that the eye stands in, or NONE.
+        eye_medium: uint,
     }
 }

@@ -226,10 +226,6 @@ pub enum RenderError {
          Try another driver, or --device cpu-f32"
     )]
     Loops(u64),
-    #[error(
-        "--integrator bidirectional runs on the CPU alone so far: add --device cpu-f32 or cpu-f64"
-    )]
-    NoKernel,
 }
 
 impl RenderError {
@@ -279,7 +275,7 @@ pub fn render_on(
     vulkan::render(job, device, limits, stop, progress)
 }
 
-/// The kernel that renders the job on `device`, composed and compiled for its scene and settings.
-pub fn kernel(job: &Job, device: &Device) -> Result<Spirv, RenderError> {
+/// The kernels that render the job on `device`, composed and compiled for its scene and settings.
+pub fn kernels(job: &Job, device: &Device) -> Result<Vec<Spirv>, RenderError> {
     Plan::new(job, PlanLimits::of(device))?.compile()
 }

@@ -14,6 +14,11 @@ impl Tile {
         self.width * self.height
     }
 
+    /// Whether it has a pixel of the full picture.
+    pub fn contains(&self, [column, row]: [u32; 2]) -> bool {
+        column.wrapping_sub(self.x) < self.width && row.wrapping_sub(self.y) < self.height
+    }
+
     /// Column and row of pixel `i`, row by row, in the full picture.
     pub fn pixel(&self, i: u32) -> [u32; 2] {
         [self.x + i % self.width, self.y + i / self.width]

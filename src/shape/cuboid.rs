@@ -35,6 +35,7 @@ pub const DESCRIPTION: Description = Description {
     light_pdf: "box_light_pdf(p, {x}.lo, {x}.hi, distance, cosine)",
     emission_file: "light/emission/box",
     emission: "box_emission({x}.lo, {x}.hi, u24, u)",
+    emission_pdf: "box_emission_pdf(p, {x}.lo, {x}.hi)",
 };
 
 impl Cuboid {

@@ -43,6 +43,7 @@ pub const DESCRIPTION: Description = Description {
     light_pdf: "cylinder_light_pdf(p, {x}, distance, cosine)",
     emission_file: "light/emission/cylinder",
     emission: "cylinder_emission({x}, u24, u)",
+    emission_pdf: "cylinder_emission_pdf(p, {x})",
 };
 
 impl Cylinder {

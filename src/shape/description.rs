@@ -37,6 +37,8 @@ pub struct Description {
     pub emission_file: &'static str,
     /// A point of the light `{x}`, uniform over its area, by `u24` and `u`.
     pub emission: &'static str,
+    /// The density per area with which that draws a point of primitive `prim` that `p` sees along `wi`; 0 on the inside.
+    pub emission_pdf: &'static str,
 }
 
 /// The text with these places filled.

@@ -33,6 +33,7 @@ pub const DESCRIPTION: Description = Description {
     light_pdf: "mesh_light_pdf({light}.first, {light}.cdf, prim, distance, cosine)",
     emission_file: "light/emission/mesh",
     emission: "mesh_emission({light}.first, {light}.count, {light}.cdf, u24, u)",
+    emission_pdf: "mesh_emission_pdf({light}.first, {light}.cdf, prim, wi)",
 };
 
 impl<V> Triangle<V> {

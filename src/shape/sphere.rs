@@ -39,6 +39,7 @@ pub const DESCRIPTION: Description = Description {
     light_pdf: "sphere_light_pdf(p, {x}.centre, {x}.radius, distance, cosine)",
     emission_file: "light/emission/sphere",
     emission: "sphere_emission({x}.centre, {x}.radius, u)",
+    emission_pdf: "sphere_emission_pdf(p, {x}.centre, {x}.radius)",
 };
 
 impl Body for Sphere {

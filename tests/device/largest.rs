@@ -79,10 +79,15 @@ fn samples(scene: &Prepared, settings: &Settings) -> Vec<Largest> {
                     let id = id(pixel, sample);
                     match settings.estimator.integrator {
                         Integrator::Bidirectional => {
-                            trace_bidirectional(transport, window, id, &mut take)
+                            let (seen, _) = trace_bidirectional(transport, window, id, &mut take);
+                            let pixel = id.pixel;
+                            seen.into_iter()
+                                .for_each(|value| take(Splat { value, pixel }));
                         }
-                        _ => trace_light(&world, &adjoint, window, id, &mut take),
-                    };
+                        _ => {
+                            trace_light(&world, &adjoint, window, id, &mut take);
+                        }
+                    }
                 }
             }
         }

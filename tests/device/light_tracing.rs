@@ -1,4 +1,4 @@
-//! Light tracing on a device: the same bits as the reference in f32, whatever tiles, dispatches and crops; and kernels with
+//! Light paths on a device, alone and with eye paths: the same bits as the reference in f32, whatever tiles, dispatches and crops; and kernels with
 //! planted errors, which the comparison with path tracing must notice.
 
 use std::path::Path;
@@ -15,10 +15,18 @@ use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE};
 use crate::common::stats::p_of_difference;
 use crate::same_bits::{crops_are_pieces, limits_leave_no_trace, same};
 
-fn light() -> Settings {
+fn by(integrator: Integrator) -> Settings {
     let mut settings = Settings::default();
-    settings.estimator.integrator = Integrator::Light;
+    settings.estimator.integrator = integrator;
     settings
+}
+
+fn light() -> Settings {
+    by(Integrator::Light)
+}
+
+fn bidirectional() -> Settings {
+    by(Integrator::Bidirectional)
 }
 
 /// A cube whose corners have normals of their own, so that shading and geometric normals part.
@@ -42,8 +50,33 @@ fn meshes(cube: &Path) -> String {
     )
 }
 
+/// The eye and a lamp in a ball of haze, a background, a null interface, a mirror.
+const HAZY: &str = "screen 24 24
+camera 0 -2 1.5 .5 x 80
+background .2 .3 .4
+brdf 0 0 0 .04 .04 .04 .2 .8 .9 .7 1.3
+sphere 0 -1 1.5 2.5
+light 6 5 4
+sphere -.8 -.5 2.2 .2
+brdf 0 0 0 0 0 0 0 .9 .9 .5 1
+box .3 -.6 1 .5 .5 .5
+brdf .1 .1 .1 .8 .8 .8 0
+sphere .6 .2 1.3 .3
+brdf .6 .5 .4 0 0 0 1
+box -5 -5 -1 10 10 .9
+";
+
 #[test]
 fn a_cpu_device_equals_the_reference_bit_for_bit() {
+    same_as_the_reference(light());
+}
+
+#[test]
+fn bidirectional_paths_of_a_cpu_device_equal_the_references_bit_for_bit() {
+    same_as_the_reference(bidirectional());
+}
+
+fn same_as_the_reference(settings: Settings) {
     if common::cpu_driver().is_none() {
         return;
     }
@@ -56,11 +89,13 @@ fn a_cpu_device_equals_the_reference_bit_for_bit() {
         ("flush", FLUSH),
         ("many", MANY),
         ("meshes", &meshes),
+        ("hazy", HAZY),
     ] {
         for (scaling, sampler) in [(true, Sampler::Sobol), (false, Sampler::Random)] {
-            let mut settings = light();
+            let mut settings = settings;
             settings.estimator.sampler = sampler;
             settings.model.radiance_scaling = scaling;
+            settings.model.max_depth = (!scaling).then_some(4);
             let scene = prepared(text, &settings);
             let job = Job {
                 aovs: &[Aov::Stderr],
@@ -80,11 +115,13 @@ fn a_cpu_device_equals_the_reference_bit_for_bit() {
 #[test]
 fn tiles_and_dispatches_leave_no_trace() {
     limits_leave_no_trace(light(), 24);
+    limits_leave_no_trace(bidirectional(), 24);
 }
 
 #[test]
 fn a_crop_is_a_piece_of_the_picture() {
     crops_are_pieces(light());
+    crops_are_pieces(bidirectional());
 }
 
 /// Two lamps that the eye sees, and what they shine on.

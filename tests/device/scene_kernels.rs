@@ -3,10 +3,11 @@
 use std::sync::atomic::AtomicBool;
 
 use vkpt::film::Aov;
+use vkpt::gpu::Device;
 use vkpt::kernel::{KernelError, OwnFile, file};
 use vkpt::prepared::Prepared;
 use vkpt::render::{
-    DispatchLimits, Job, KernelChoice, Plan, PlanLimits, RenderError, kernel, render_on,
+    DispatchLimits, Job, KernelChoice, Plan, PlanLimits, RenderError, kernels, render_on,
 };
 use vkpt::settings::Settings;
 
@@ -33,8 +34,9 @@ fn spirv_val_passes_the_kernel_of_every_scene() {
         return;
     };
     let check_job = |job: &Job| {
-        let kernel = kernel(job, device).expect("a kernel");
-        tool("spirv-val", &["--target-env", "vulkan1.1"], kernel.bytes());
+        for kernel in kernels(job, device).expect("kernels") {
+            tool("spirv-val", &["--target-env", "vulkan1.1"], kernel.bytes());
+        }
     };
     let check = |scene: &Prepared, settings| check_job(&job(scene, settings, 1, 1));
     for path in scene_files() {
@@ -105,6 +107,12 @@ const SPECULAR: [&str; 14] = [
     "beer",
 ];
 
+/// The functions of a path tracer's kernel.
+fn functions_of(job: &Job, device: &Device) -> Vec<String> {
+    let [kernel] = <[_; 1]>::try_from(kernels(job, device).expect("a kernel")).expect("one");
+    kernel.functions
+}
+
 #[test]
 fn the_kernel_of_a_diffuse_scene_holds_nothing_of_microfacets_and_refraction() {
     let Some(device) = common::device() else {
@@ -113,7 +121,7 @@ fn the_kernel_of_a_diffuse_scene_holds_nothing_of_microfacets_and_refraction() {
     let functions = |text| {
         let scene = prepared(text, &Settings::default());
         let job = job(&scene, Settings::default(), 1, 1);
-        kernel(&job, device).expect("a kernel").functions
+        functions_of(&job, device)
     };
     let (diffuse, wide, table) = (functions(DIFFUSE), functions(WIDE), functions(TABLE));
     for part in SPECULAR {
@@ -142,7 +150,7 @@ fn a_kernel_keeps_moments_only_where_standard_errors_are_asked_for_of_independen
             aovs,
             ..job(&scene, settings, 2, 1)
         };
-        let functions = kernel(&job, device).expect("a kernel").functions;
+        let functions = functions_of(&job, device);
         functions.iter().any(|f| f == "film_moments")
     };
     let asked = &[Aov::Stderr];
@@ -159,7 +167,7 @@ fn values_are_not_in_the_text() {
     let text = |scene: &str| {
         let scene = prepared(scene, &settings);
         let plan = Plan::new(&job(&scene, settings, 1, 1), PlanLimits::default());
-        plan.expect("a kernel").kernel.text().to_owned()
+        plan.expect("a kernel").kernels[0].text().to_owned()
     };
     let edited = DIFFUSE
         .replace("6 5 4", "7 2 1")
@@ -183,7 +191,7 @@ fn a_kernel_holds_files_of_ones_own() {
             kernel: KernelChoice::Own(files),
             ..plain
         };
-        Plan::new(&own, PlanLimits::default()).map(|plan| plan.kernel.text().to_owned())
+        Plan::new(&own, PlanLimits::default()).map(|plan| plan.kernels[0].text().to_owned())
     };
     let none = text(&[]).expect("a kernel");
     let own = |name, text| OwnFile { name, text };

@@ -6,7 +6,7 @@
 // them to the film. A thread whose slots are full, or whose budget is spent, goes on in the next dispatch.
 //
 // Twin: src/reference/integrator/light/.
-// uses: constants/workgroup, math/steps, integrator/light/begin, integrator/light/splat, integrator/light/shade, path/trace
+// uses: constants/workgroup, math/steps, path/trace, <light_shade>
 layout(local_size_x = WORKGROUP) in;
 
 bool unfinished(LightState s, Subpath path, ShadowRay shadow) {
@@ -26,11 +26,7 @@ void trace_light(uint thread) {
         loop_steps += 1u;
         // The connection of a path that has ended comes first: the next path begins with one of its own.
         if (path.alive == 0u && shadow.pending == 0u) {
-            LightStart start = light_start(pixel_index, s.index);
-            path = begin_light_path(start, pixel_index, s.index);
-            s.power = start.radiance * 3.141592653589793;
-            s.index += 1u;
-            shadow = splat_light(s, start);
+            begin(s, path, shadow, thread, pixel_index);
         }
         Traced traced = trace_rays(path, shadow);
         lane.rays += traced.rays;
@@ -39,7 +35,7 @@ void trace_light(uint thread) {
             lane.splats += 1u;
         }
         if (path.alive != 0u) {
-            shade(s, path, shadow, traced, lane, pixel_index);
+            shade(s, path, shadow, traced, lane, thread, pixel_index);
         }
     }
     // A driver that ends loops by itself (Mesa 22) leaves their end conditions unmet: the picture would be wrong.

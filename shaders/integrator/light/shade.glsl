@@ -1,7 +1,16 @@
-// A vertex of a light path: its connection to the eye, and where the path goes on.
-// uses: constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, integrator/light/splat, <depth>
+// A light path alone: its connections to the eye, and where it goes on. Fills the slot <light_shade>.
+// uses: constants/material_kind, constants/none, math/finite, path/vertex, path/trace, path/extend, integrator/light/begin, integrator/light/splat, <depth>
 
-void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Traced traced, inout LightLane lane,
+// Begins the next light path, with the light itself as the eye sees it.
+void begin(inout LightState s, inout Subpath path, inout ShadowRay shadow, uint thread, uint pixel_index) {
+    LightStart start = light_start(pixel_index, s.index);
+    path = begin_light_path(start, pixel_index, s.index);
+    s.power = start.radiance * 3.141592653589793;
+    s.index += 1u;
+    leave_pending(s, shadow, splat_light(start));
+}
+
+void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Traced traced, inout LightLane lane, uint thread,
            uint pixel_index) {
     bool alive = false;
     if (traced.hit.shape != NONE) {
@@ -10,13 +19,9 @@ void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Trace
         bool absorbed = is_black(path.throughput);
         lane.underflows += absorbed ? 1u : 0u;
         if (!(materials[v.material].kind == KIND_BLACK || depth_reached(path.bounce) || absorbed)) {
-            shadow = splat_vertex(s, path, v);
+            leave_pending(s, shadow, splat_vertex(s.power, path, v));
             Extension e = extend(path, v, pixel_index, s.index - 1u);
-            lane.underflows += e.underflow ? 1u : 0u;
-            lane.long_paths += e.alive && path.bounce == LONG_PATH ? 1u : 0u;
-            bool nan = e.broken && has_nan(path.throughput);
-            lane.nan += nan ? 1u : 0u;
-            lane.infinite += e.broken && !nan ? 1u : 0u;
+            count_extension(path, e, lane);
             alive = e.alive;
         }
     }

@@ -21,3 +21,20 @@ Emission box_emission(vec3 lo, vec3 hi, uint u24, vec2 u) {
     uint prim = 2u * (x ? 0u : (y ? 1u : 2u)) + (upper ? 1u : 0u);
     return Emission(lo + e * at, n, area_density(lower + lower), prim);
 }
+
+// Whether p is beyond some face.
+bool is_outside(vec3 p, vec3 lo, vec3 hi) {
+    bool x = p.x < lo.x || hi.x < p.x;
+    bool y = p.y < lo.y || hi.y < p.y;
+    bool z = p.z < lo.z || hi.z < p.z;
+    return x || y || z;
+}
+
+// Density per area of box_emission at a point that p sees; 0 from inside, where no light path goes.
+float box_emission_pdf(vec3 p, vec3 lo, vec3 hi) {
+    vec3 e = hi - lo;
+    vec3 area = vec3(e.y * e.z, e.z * e.x, e.x * e.y);
+    float lower = area.x + area.y + area.z;
+    float density = area_density(lower + lower);
+    return is_outside(p, lo, hi) ? density : 0.0;
+}

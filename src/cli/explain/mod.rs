@@ -8,6 +8,7 @@ use super::exit::{Ending, Failure};
 use super::job::Loaded;
 use crate::explain::{Preset, Subject, explain as explanation};
 use crate::gpu::{Device, Selector};
+use crate::kernel::Composed;
 use crate::render::{Job, KernelChoice, Plan, PlanLimits};
 use crate::report::explanation::page;
 pub use arguments::ExplainArguments;
@@ -32,7 +33,7 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
     let plan = Plan::new(&job, limits).map_err(Failure::Render)?;
     let spirv = plan.compile().map_err(Failure::Render)?;
     let text = if arguments.glsl {
-        plan.kernel.by_file()
+        plan.kernels.iter().map(Composed::by_file).collect()
     } else {
         let full = Job {
             kernel: KernelChoice::Full,
@@ -50,13 +51,31 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
         };
         page(&explanation(&subject, &spirv, (&full, &full_spirv)))
     };
-    let spirv = arguments
-        .spirv
-        .as_ref()
-        .map(|to| to.write(|out| out.write_all(spirv.bytes())));
+    let to = arguments.spirv.iter().cycle();
+    let written = to
+        .zip(&spirv)
+        .enumerate()
+        .map(|(i, (to, spirv))| numbered(to, i).write(|out| out.write_all(spirv.bytes())));
+    let written: Vec<_> = written.collect();
     let told = Console::beside(&arguments.spirv).print(&text);
-    all_written(spirv.into_iter().chain([told]))?;
+    all_written(written.into_iter().chain([told]))?;
     Ok(Ending::Complete)
+}
+
+/// Where kernel `i` goes: the first to FILE itself, the next to FILE-2.
+fn numbered(to: &Destination, i: usize) -> Destination {
+    match (to.path(), i) {
+        (None, _) | (_, 0) => to.clone(),
+        (Some(path), i) => {
+            let mut name = path.file_stem().unwrap_or_default().to_owned();
+            name.push(format!("-{}", i + 1));
+            let mut numbered = path.with_file_name(name);
+            if let Some(suffix) = path.extension() {
+                numbered.set_extension(suffix);
+            }
+            Destination::File(numbered)
+        }
+    }
 }
 
 /// Those of the device that is asked for, else of the best there is, else those of most GPUs; and whose they are.

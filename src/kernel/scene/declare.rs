@@ -74,19 +74,19 @@ pub fn declare_binding(binding: &Binding, index: usize) -> String {
     }
 }
 
-pub fn prelude(features: &Features, parameters: &Parameters) -> String {
+pub fn prelude(features: &Features, parameters: &Parameters, own: &Own) -> String {
     let mut text = numbers(parameters);
     text += &structs(features);
     for (i, binding) in parameters.bindings.iter().enumerate() {
         text += &declare_binding(binding, i);
     }
-    let Own { state, slice, .. } = Own::of(features, parameters.recording);
+    let Own { state, slice, .. } = own;
     for (i, array) in state.iter().enumerate() {
         text += &array.glsl;
         text += &state_buffer(array.ty, array.name, parameters.bindings.len() + i);
     }
     let (ty, glsl) = slice;
-    text += &glsl;
+    text += glsl;
     text += &format!("layout(push_constant) uniform SliceBlock {{ {ty} job_uniform; }};\n");
     text + &format!("Camera camera;\n{ty} job;\n")
 }
@@ -114,7 +114,7 @@ fn numbers(parameters: &Parameters) -> String {
         Recording::Events(n) => uint("RECORDS", n),
         Recording::Outcomes(n) => uint("OUTCOMES", n),
     }
-    if parameters.settings.estimator.integrator == Integrator::Light {
+    if parameters.settings.estimator.integrator != Integrator::Path {
         uint("SPLATS", SPLATS);
     }
     if let Some((stack, _)) = parameters.bvh {
@@ -122,6 +122,10 @@ fn numbers(parameters: &Parameters) -> String {
     }
     if let Some((_, reach)) = parameters.bvh {
         text += &format!("const float REACH = {reach:?};\n");
+    }
+    if parameters.settings.estimator.integrator == Integrator::Bidirectional {
+        let scaling = parameters.settings.model.radiance_scaling;
+        text += &format!("const bool RADIANCE_SCALING = {scaling};\n");
     }
     if let Roulette::Constant(p) = parameters.settings.estimator.roulette {
         text += &format!("const float ROULETTE = {:?};\n", p as f32);

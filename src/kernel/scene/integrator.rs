@@ -1,10 +1,10 @@
 //! What is an integrator's own in a kernel: the root file, the arrays that it writes, what a dispatch is told.
 
-use super::Recording;
+use super::{Recording, Side};
 use crate::features::Features;
 use crate::layout::{
-    FilmMoments, FilmPixel, GpuStruct, LightLane, LightSlice, LightState, PathOutcome, PathState,
-    Record, Slice, Splat,
+    EyeState, FilmMoments, FilmPixel, GpuStruct, LightLane, LightSlice, LightState, LightVertex,
+    PathOutcome, PathState, Radiance, Record, Reservoir, Slice, Splat,
 };
 use crate::settings::Integrator;
 
@@ -25,24 +25,61 @@ pub struct Own {
 }
 
 impl Own {
-    pub fn of(features: &Features, recording: Recording) -> Self {
-        match features.integrator {
-            Integrator::Path | Integrator::Bidirectional => Self {
+    pub fn of(features: &Features, recording: Recording, side: Side) -> Self {
+        match (features.integrator, side) {
+            (Integrator::Path, _) => Self {
                 root: "integrator/path/path_trace.comp",
                 state: path_state(features, recording),
                 slice: (Slice::NAME, Slice::glsl()),
             },
-            Integrator::Light => Self {
-                root: "integrator/light/light_trace.comp",
-                state: vec![
-                    array::<LightState>("light_paths"),
-                    array::<LightLane>("lanes"),
-                    array::<Splat>("splats"),
-                ],
+            (Integrator::Light, _) => Self::light(light_state()),
+            (Integrator::Bidirectional, Side::Light) => {
+                let mut state = light_state();
+                state.extend(kept_state());
+                Self::light(state)
+            }
+            (Integrator::Bidirectional, Side::Eye) => Self {
+                root: "integrator/bidirectional/eye_trace.comp",
+                state: eye_state(),
                 slice: (LightSlice::NAME, LightSlice::glsl()),
             },
         }
     }
+
+    fn light(state: Vec<StateArray>) -> Self {
+        Self {
+            root: "integrator/light/light_trace.comp",
+            state,
+            slice: (LightSlice::NAME, LightSlice::glsl()),
+        }
+    }
+}
+
+fn light_state() -> Vec<StateArray> {
+    vec![
+        array::<LightState>("light_paths"),
+        array::<LightLane>("lanes"),
+        array::<Splat>("splats"),
+    ]
+}
+
+/// What light paths leave for eye paths.
+fn kept_state() -> [StateArray; 2] {
+    [
+        array::<LightVertex>("light_vertices"),
+        array::<Reservoir>("reservoirs"),
+    ]
+}
+
+fn eye_state() -> Vec<StateArray> {
+    let [vertices, reservoirs] = kept_state();
+    vec![
+        array::<EyeState>("eye_paths"),
+        array::<LightLane>("lanes"),
+        array::<Radiance>("radiances"),
+        vertices,
+        reservoirs,
+    ]
 }
 
 fn path_state(features: &Features, recording: Recording) -> Vec<StateArray> {

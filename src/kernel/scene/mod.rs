@@ -38,6 +38,24 @@ impl Parameters<'_> {
     }
 }
 
+/// An end that paths begin at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    Eye,
+    Light,
+}
+
+impl Side {
+    /// Those that an integrator follows paths from, a kernel each, in the order of their dispatches.
+    pub fn of(integrator: Integrator) -> &'static [Self] {
+        match integrator {
+            Integrator::Path => &[Self::Eye],
+            Integrator::Light => &[Self::Light],
+            Integrator::Bidirectional => &[Self::Light, Self::Eye],
+        }
+    }
+}
+
 /// What a kernel writes down of its paths beside the film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Recording {
@@ -51,26 +69,31 @@ pub enum Recording {
 /// Slots of a thread for the splats of one dispatch of light tracing.
 pub const SPLATS: u32 = 16;
 
-/// The kernel for a scene of these features: the files it needs, the generated dispatch, nothing else.
+/// The kernels for a scene of these features, one for each of [`Side::of`] the integrator: the files they need, the generated
+/// dispatch, nothing else.
 ///
 /// # Errors
 /// If a file or slot is missing, which would be a mistake in this program; if a file of one's own is not used.
-pub fn compose(features: &Features, parameters: &Parameters) -> Result<Composed, KernelError> {
-    let kernel =
-        composer(features, parameters).compose(&[Own::of(features, parameters.recording).root])?;
-    let unused = |own: &&OwnFile| !kernel.files().any(|file| file == own.name);
-    match parameters.own_files.iter().find(unused) {
+pub fn compose(features: &Features, parameters: &Parameters) -> Result<Vec<Composed>, KernelError> {
+    let kernel = |&side: &Side| {
+        let own = Own::of(features, parameters.recording, side);
+        composer(features, parameters, side, &own).compose(&[own.root])
+    };
+    let sides = Side::of(features.integrator).iter();
+    let kernels: Vec<Composed> = sides.map(kernel).collect::<Result<_, _>>()?;
+    let used = |name: &str| kernels.iter().any(|k| k.files().any(|file| file == name));
+    match parameters.own_files.iter().find(|own| !used(own.name)) {
         Some(OwnFile { name, .. }) => Err(KernelError::Unused {
             name: (*name).to_owned(),
         }),
-        None => Ok(kernel),
+        None => Ok(kernels),
     }
 }
 
-fn composer(features: &Features, parameters: &Parameters) -> Composer {
+fn composer(features: &Features, parameters: &Parameters, side: Side, own: &Own) -> Composer {
     let file = |path: &str| Slot::File(path.into());
-    let mut composer = Composer::new().prelude(declare::prelude(features, parameters));
-    for (name, path) in files(features, parameters) {
+    let mut composer = Composer::new().prelude(declare::prelude(features, parameters, own));
+    for (name, path) in files(features, parameters, side) {
         composer = composer.slot(name, file(path));
     }
     for (name, text) in generate::texts(features, parameters) {
@@ -83,22 +106,27 @@ fn composer(features: &Features, parameters: &Parameters) -> Composer {
 }
 
 /// Slots that hold one file of several.
-fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'static str)> {
+fn files(
+    features: &Features,
+    parameters: &Parameters,
+    side: Side,
+) -> Vec<(&'static str, &'static str)> {
     let connects = !features.lights.is_empty() && features.connect != Connect::Bsdf;
-    let from_light = features.integrator == Integrator::Light;
+    let both = features.integrator == Integrator::Bidirectional;
     vec![
         (
             "blocks",
-            match from_light {
-                true => "path/blocks/light",
-                false => "path/blocks/eye",
+            match side {
+                Side::Eye => "path/blocks/eye",
+                Side::Light => "path/blocks/light",
             },
         ),
         (
             "correction",
-            match from_light && features.shading_normals {
-                true => "path/correction/shading_normal",
-                false => "path/correction/none",
+            match (features.shading_normals, side) {
+                (true, Side::Light) => "path/correction/shading_normal",
+                (true, Side::Eye) if both => "path/correction/both",
+                (_, Side::Eye) | (false, _) => "path/correction/none",
             },
         ),
         (
@@ -132,9 +160,10 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
         (
             "scaling",
             // Light paths carry the adjoint: `Settings::adjoint`.
-            match features.radiance_scaling != from_light {
-                true => "bsdf/scaling/radiance",
-                false => "bsdf/scaling/flux",
+            match (side, features.radiance_scaling) {
+                (Side::Eye, _) if both => "bsdf/scaling/both",
+                (Side::Eye, true) | (Side::Light, false) => "bsdf/scaling/radiance",
+                (Side::Eye, false) | (Side::Light, true) => "bsdf/scaling/flux",
             },
         ),
         (
@@ -184,9 +213,32 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
         ),
         (
             "direct",
-            match connects {
-                true => "integrator/path/direct/sample",
-                false => "integrator/path/direct/none",
+            match (both, connects) {
+                (false, true) => "integrator/path/direct/sample",
+                (false, false) => "integrator/path/direct/none",
+                (true, true) => "integrator/bidirectional/direct/sample",
+                (true, false) => "integrator/bidirectional/direct/none",
+            },
+        ),
+        (
+            "weigh",
+            match both {
+                false => "integrator/path/weigh",
+                true => "integrator/bidirectional/to_light",
+            },
+        ),
+        (
+            "light_shade",
+            match both {
+                false => "integrator/light/shade",
+                true => "integrator/bidirectional/light_path",
+            },
+        ),
+        (
+            "first_partial",
+            match features.lights.is_empty() {
+                false => "integrator/bidirectional/first/light",
+                true => "integrator/bidirectional/first/none",
             },
         ),
         (
@@ -198,16 +250,20 @@ fn files(features: &Features, parameters: &Parameters) -> Vec<(&'static str, &'s
         ),
         (
             "emission",
-            match shine(&features.lights) {
-                true => "integrator/path/emission/shapes",
-                false => "integrator/path/emission/none",
+            match (both, shine(&features.lights)) {
+                (false, true) => "integrator/path/emission/shapes",
+                (false, false) => "integrator/path/emission/none",
+                (true, true) => "integrator/bidirectional/emission/shapes",
+                (true, false) => "integrator/bidirectional/emission/none",
             },
         ),
         (
             "background",
-            match features.lights.contains(&LightKind::Background) {
-                true => "integrator/path/background/constant",
-                false => "integrator/path/background/black",
+            match (both, features.lights.contains(&LightKind::Background)) {
+                (false, true) => "integrator/path/background/constant",
+                (false, false) => "integrator/path/background/black",
+                (true, true) => "integrator/bidirectional/background/constant",
+                (true, false) => "integrator/bidirectional/background/black",
             },
         ),
         (

@@ -25,12 +25,6 @@ pub fn faces_seen<F: Real>(p: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>) -> Vec3<F> {
     }
 }
 
-/// Whether `p` lies outside the box.
-pub fn is_outside<F: Real>(p: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>) -> bool {
-    let beyond = |p: F, lo: F, hi: F| p < lo || hi < p;
-    beyond(p.x, lo.x, hi.x) || beyond(p.y, lo.y, hi.y) || beyond(p.z, lo.z, hi.z)
-}
-
 /// The area of one face across each axis.
 pub fn face_areas<F: Real>(e: Vec3<F>) -> Vec3<F> {
     vec3(e.y * e.z, e.z * e.x, e.x * e.y)

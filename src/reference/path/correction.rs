@@ -5,11 +5,7 @@ use super::vertex::Vertex;
 use crate::reference::math::frame::to_world;
 use crate::reference::math::{Real, Vec3, dot3};
 
-/// `value` |wo·Ns||wi·Ng|/(|wo·Ng||wi·Ns|) on a light path: the BSDF of shading normals is not symmetric. `value` has the
-/// cosine |wi·Ns| already, or is a weight made with it. 0 where wo's sides differ, as on eye paths; `value` itself on
-/// those, and where the two normals are one.
-///
-/// Veach, Robust Monte Carlo Methods for Light Transport Simulation, 1997, eq. 5.19.
+/// `value` of a path from the eye; on a light path [`adjoint_value`].
 pub fn corrected<F: Real>(
     from: Origin,
     v: &Vertex<F>,
@@ -17,7 +13,23 @@ pub fn corrected<F: Real>(
     wi_local: Vec3<F>,
     value: Vec3<F>,
 ) -> Vec3<F> {
-    if from == Origin::Eye || v.frame.n == v.facing {
+    match from {
+        Origin::Eye => value,
+        Origin::Light => adjoint_value(v, wi, wi_local, value),
+    }
+}
+
+/// `value` |wo·Ns||wi·Ng|/(|wo·Ng||wi·Ns|): the BSDF of shading normals is not symmetric. `value` has the cosine |wi·Ns| already,
+/// or is a weight made with it. 0 where wo's sides differ, as on eye paths; `value` itself where the two normals are one.
+///
+/// Veach, Robust Monte Carlo Methods for Light Transport Simulation, 1997, eq. 5.19.
+pub fn adjoint_value<F: Real>(
+    v: &Vertex<F>,
+    wi: Vec3<F>,
+    wi_local: Vec3<F>,
+    value: Vec3<F>,
+) -> Vec3<F> {
+    if v.frame.n == v.facing {
         return value;
     }
     let wo = v.interaction.wo;

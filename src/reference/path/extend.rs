@@ -52,7 +52,7 @@ pub fn extend<F: Real>(
     let b = bsdf_sample(settings, &v.interaction, random);
     let wi = to_world(v.frame, b.wi);
     let wi = leaving_direction(v.frame.n, v.facing, wi, b.wi.z, b.lobe);
-    let found = b.lobe != LOBE_NONE && same_sides(v, wi, b.wi);
+    let found = b.lobe != LOBE_NONE && same_sides(v.facing, wi, b.wi);
     let weight = corrected(from, v, wi, b.wi, b.weight);
     let faint = underflows(path.throughput, weight);
     path.throughput *= weight;

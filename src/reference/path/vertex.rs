@@ -4,11 +4,11 @@
 use super::medium::term_attenuation;
 use super::throughput::channel_shares;
 use super::valid::seen_normal;
-use crate::prepared::{NONE, ShapeKind};
-use crate::reference::bsdf::{Interaction, bsdf_eval, interaction};
+use crate::prepared::{NONE, Shape, ShapeKind};
+use crate::reference::bsdf::{Interaction, Material, interaction};
 use crate::reference::math::frame::{Frame, frame_about, to_local};
 use crate::reference::math::{Real, Vec3, dot3};
-use crate::reference::shape::{Hit, Ray, triangle_self_distance};
+use crate::reference::shape::{Hit, Ray, Surface, triangle_self_distance};
 use crate::reference::world::World;
 use crate::settings::Settings;
 
@@ -33,6 +33,63 @@ pub struct Vertex<F> {
     pub kind: ShapeKind,
 }
 
+/// A surface, seen from one side.
+pub struct Seen<F> {
+    pub outside: bool,
+    pub facing: Vec3<F>,
+    pub frame: Frame<F>,
+    pub interaction: Interaction<F>,
+}
+
+/// A surface of normals `ng` and `ns`, seen along `wo`, which leads away from it.
+pub fn seen_from<F: Real>(material: Material<F>, ng: Vec3<F>, ns: Vec3<F>, wo: Vec3<F>) -> Seen<F> {
+    let outside = dot3(wo, ng) >= F::zero();
+    let facing = if outside { ng } else { -ng };
+    // The geometric normal decides the side; the shading normal makes only the frame (model.md, "Conventions").
+    let shading = if dot3(ns, facing) < F::zero() {
+        -ns
+    } else {
+        ns
+    };
+    let frame = frame_about(seen_normal(shading, facing, wo, material.kind));
+    Seen {
+        outside,
+        facing,
+        frame,
+        interaction: interaction(material, outside, to_local(frame, wo), Vec3::one()),
+    }
+}
+
+/// The point `surface` of a shape, seen along `wo`.
+pub fn vertex_at<F: Real>(
+    world: &World<F>,
+    surface: Surface<F>,
+    shape: u32,
+    prim: u32,
+    wo: Vec3<F>,
+) -> Vertex<F> {
+    let &Shape { material, kind, .. } = &world.shapes[shape as usize];
+    let seen = seen_from(
+        world.materials[material as usize],
+        surface.ng,
+        surface.ns,
+        wo,
+    );
+    Vertex {
+        p: surface.p,
+        ng: surface.ng,
+        ns: surface.ns,
+        facing: seen.facing,
+        outside: seen.outside,
+        frame: seen.frame,
+        interaction: seen.interaction,
+        shape,
+        prim,
+        material,
+        kind,
+    }
+}
+
 /// The vertex where `ray` has hit, `distance` away from the path's last vertex, with this `throughput`.
 pub fn path_vertex<F: Real>(
     world: &World<F>,
@@ -43,68 +100,17 @@ pub fn path_vertex<F: Real>(
     throughput: Vec3<F>,
 ) -> Vertex<F> {
     let surface = world.hit_surface(ray, hit);
-    let wo = -ray.d;
-    let outside = dot3(wo, surface.ng) >= F::zero();
-    let facing = if outside { surface.ng } else { -surface.ng };
-    // The geometric normal decides the side; the shading normal makes only the frame (model.md, "Conventions").
-    let ns = if dot3(surface.ns, facing) < F::zero() {
-        -surface.ns
-    } else {
-        surface.ns
-    };
-    let shape = &world.shapes[hit.shape as usize];
-    let material = world.materials[shape.material as usize];
-    let frame = frame_about(seen_normal(ns, facing, wo, material.kind));
-    let attenuation = term_attenuation(
-        world,
-        settings.model.absorption,
-        shape.material,
-        outside,
-        distance,
-    );
-    Vertex {
-        p: surface.p,
-        ng: surface.ng,
-        ns: surface.ns,
-        facing,
-        outside,
-        frame,
-        interaction: Interaction {
-            carried: channel_shares(throughput),
-            ..interaction(material, outside, to_local(frame, wo), attenuation)
-        },
-        shape: hit.shape,
-        prim: hit.prim,
-        material: shape.material,
-        kind: shape.kind,
-    }
-}
-
-/// Density per solid angle with which a path that comes from `wi` and has lost nothing of its colour would leave `v` towards
-/// `wo`; both are of unit length and lead away from it.
-pub fn reverse_pdf<F: Real>(settings: &Settings, v: &Vertex<F>, wi: Vec3<F>, wo: Vec3<F>) -> F {
-    let outside = dot3(wi, v.ng) >= F::zero();
-    let facing = if outside { v.ng } else { -v.ng };
-    let ns = if dot3(v.ns, facing) < F::zero() {
-        -v.ns
-    } else {
-        v.ns
-    };
-    let material = v.interaction.material;
-    let frame = frame_about(seen_normal(ns, facing, wi, material.kind));
-    let at = interaction(material, outside, to_local(frame, wi), Vec3::one());
-    let back = to_local(frame, wo);
-    let leaves = (dot3(wo, facing) > F::zero()) == (back.z > F::zero());
-    if leaves {
-        bsdf_eval(settings, &at, back).pdf
-    } else {
-        F::zero()
-    }
+    let mut v = vertex_at(world, surface, hit.shape, hit.prim, -ray.d);
+    let absorption = settings.model.absorption;
+    v.interaction.attenuation =
+        term_attenuation(world, absorption, v.material, v.outside, distance);
+    v.interaction.carried = channel_shares(throughput);
+    v
 }
 
 /// Whether a direction lies on the same side of the geometric and of the shading normal; elsewhere the BSDF is 0.
-pub fn same_sides<F: Real>(v: &Vertex<F>, wi: Vec3<F>, wi_local: Vec3<F>) -> bool {
-    (dot3(wi, v.facing) > F::zero()) == (wi_local.z > F::zero())
+pub fn same_sides<F: Real>(facing: Vec3<F>, wi: Vec3<F>, wi_local: Vec3<F>) -> bool {
+    (dot3(wi, facing) > F::zero()) == (wi_local.z > F::zero())
 }
 
 /// How far along a ray from a mesh its origin's rounding error reaches; solids tell theirs by the side that the

@@ -14,6 +14,14 @@ use crate::reference::world::World;
 use crate::render::{Job, LightFilm};
 use crate::settings::Integrator;
 
+/// What the paths of a row of pixels have brought.
+struct Row<F> {
+    splats: Vec<Splat<F>>,
+    /// By eye paths.
+    seen: Vec<Splat<F>>,
+    counts: Vec<LightCounts>,
+}
+
 impl<F: Real> Render<F> for LightFilm<F> {
     fn new(job: &Job) -> Self {
         Self::new(job)
@@ -30,8 +38,11 @@ impl<F: Real> Render<F> for LightFilm<F> {
         let both = settings.estimator.integrator == Integrator::Bidirectional;
         let window = self.window();
         let row = |row: u32, sample: u32| {
-            let mut splats: Vec<Splat<F>> = Vec::new();
-            let mut counts = Vec::new();
+            let mut arrived = Row {
+                splats: Vec::new(),
+                seen: Vec::new(),
+                counts: Vec::new(),
+            };
             for column in 0..job.prepared.camera.width {
                 let id = SampleId {
                     column,
@@ -40,22 +51,27 @@ impl<F: Real> Render<F> for LightFilm<F> {
                     sample,
                     seed: job.seed,
                 };
-                let mut take = |splat| splats.push(splat);
-                counts.push(match both {
+                let mut take = |splat| arrived.splats.push(splat);
+                let (radiance, counts) = match both {
                     true => trace_bidirectional(transport, window, id, &mut take),
-                    false => trace_light(world, &adjoint, window, id, &mut take),
-                });
+                    false => (None, trace_light(world, &adjoint, window, id, &mut take)),
+                };
+                let pixel = id.pixel;
+                arrived
+                    .seen
+                    .extend(radiance.map(|value| Splat { value, pixel }));
+                arrived.counts.push(counts);
             }
-            (splats, counts)
+            arrived
         };
         for sample in samples {
             let rows = (0..job.prepared.camera.height).into_par_iter();
-            let rows: Vec<(Vec<Splat<F>>, Vec<LightCounts>)> =
-                rows.map(|y| row(y, sample)).collect();
-            for (splats, counts) in rows {
-                splats.into_iter().for_each(|splat| self.splat(splat));
-                counts.into_iter().for_each(|c| self.count(c));
-            }
+            let rows: Vec<Row<F>> = rows.map(|y| row(y, sample)).collect();
+            let splats = rows.iter().flat_map(|row| &row.splats);
+            let seen = rows.iter().flat_map(|row| &row.seen);
+            splats.chain(seen).for_each(|&splat| self.splat(splat));
+            let counts = rows.iter().flat_map(|row| &row.counts);
+            counts.for_each(|&counts| self.count(counts));
             self.end_sample();
         }
     }

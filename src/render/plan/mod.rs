@@ -9,7 +9,7 @@ mod state;
 pub use array::ArrayPlan;
 pub use limits::PlanLimits;
 pub use scene::{CAMERA, ScenePlan, hierarchy};
-pub use state::{LightPlan, PathPlan, StatePlan, thread_tiles};
+pub use state::{EyePlan, LightPlan, PathPlan, StatePlan, thread_tiles};
 
 use super::tiles::Tile;
 use super::{Job, RenderError};
@@ -17,7 +17,6 @@ use crate::features::Features;
 use crate::flat::bvh::Cost;
 use crate::kernel::scene::Recording;
 use crate::kernel::{self, Composed, KernelError, Spirv};
-use crate::settings::Integrator;
 
 /// A rendering before it begins.
 #[derive(Clone, Debug)]
@@ -33,7 +32,8 @@ pub struct Plan {
     /// Of so many pixels at most, rendered one after the other.
     pub tiles: usize,
     pub tile_pixels: u32,
-    pub kernel: Composed,
+    /// One, or of an integrator that follows paths from both ends two.
+    pub kernels: Vec<Composed>,
 }
 
 /// A bounding volume hierarchy in figures.
@@ -55,7 +55,7 @@ impl Plan {
         let features = job.features();
         let bvh = hierarchy(job.prepared, &features);
         let scene = ScenePlan::new(job, &features, bvh.as_ref(), limits);
-        let kernel = composed(&scene, &features, Recording::Nothing)?;
+        let kernels = composed(&scene, &features, Recording::Nothing)?;
         let tiles = thread_tiles(job, limits.tile_pixels);
         let tile_pixels = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
         Ok(Self {
@@ -70,14 +70,15 @@ impl Plan {
             pixels: u64::from(job.area().pixels()),
             tiles: tiles.len(),
             tile_pixels,
-            kernel,
+            kernels,
             features,
         })
     }
 
-    /// The kernel as a device gets it.
-    pub fn compile(&self) -> Result<Spirv, RenderError> {
-        compiled(&self.kernel, &self.features)
+    /// The kernels as a device gets them.
+    pub fn compile(&self) -> Result<Vec<Spirv>, RenderError> {
+        let compile = |kernel| compiled(kernel, &self.features);
+        self.kernels.iter().map(compile).collect()
     }
 
     /// All that is to lie on the device.
@@ -87,15 +88,12 @@ impl Plan {
     }
 }
 
-/// The kernel of these features for the arrays of `scene`.
+/// The kernels of these features for the arrays of `scene`, in the order of their dispatches.
 pub fn composed(
     scene: &ScenePlan,
     features: &Features,
     recording: Recording,
-) -> Result<Composed, RenderError> {
-    if features.integrator == Integrator::Bidirectional {
-        return Err(RenderError::NoKernel);
-    }
+) -> Result<Vec<Composed>, RenderError> {
     kernel::scene::compose(features, &scene.parameters(recording)).map_err(mistake(features))
 }
 

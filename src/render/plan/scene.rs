@@ -150,7 +150,7 @@ impl<'a> Arrays<'a> {
                 trails.clone()
             });
         }
-        if features.integrator == Integrator::Light && !features.lights.is_empty() {
+        if features.integrator != Integrator::Path && !features.lights.is_empty() {
             let media = absent::light_media(prepared, features);
             self.words("light_media", Element::Uint, media.len(), move || {
                 media.clone()

@@ -3,9 +3,10 @@
 use super::array::ArrayPlan;
 use crate::features::Features;
 use crate::kernel::scene::{Recording, SPLATS};
+use crate::layout::constants::bidirectional::KEPT;
 use crate::layout::{
-    BufferUse, FilmMoments, FilmPixel, GpuStruct, LightLane, LightState, PathOutcome, PathState,
-    Record, Splat,
+    BufferUse, EyeState, FilmMoments, FilmPixel, GpuStruct, LightLane, LightState, LightVertex,
+    PathOutcome, PathState, Radiance, Record, Reservoir, Splat,
 };
 use crate::render::tiles::{Tile, tiles};
 use crate::render::{Job, LightFilm};
@@ -14,11 +15,15 @@ use crate::settings::Integrator;
 /// Light paths under way at once, at most: each thread has its slots for splats.
 const LIGHT_PATHS: u32 = 1 << 16;
 
+/// Light paths whose vertices are kept at once, of tiles that are smaller.
+const KEPT_PATHS: u32 = 1 << 18;
+
 /// What a tile's threads keep between two dispatches, and what they bring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StatePlan {
     Path(PathPlan),
     Light(LightPlan),
+    Bidirectional(LightPlan, EyePlan),
 }
 
 /// Paths and film of a tile, and what else is kept of them.
@@ -40,14 +45,24 @@ pub struct LightPlan {
     pub splats: ArrayPlan,
 }
 
+/// Eye paths of a tile, what they bring, and what they are joined to: of each thread and of so many samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EyePlan {
+    pub paths: ArrayPlan,
+    pub radiances: ArrayPlan,
+    pub vertices: ArrayPlan,
+    pub reservoirs: ArrayPlan,
+}
+
 impl StatePlan {
     /// Room for tiles of `threads` threads.
     pub fn new(features: &Features, threads: u32, recording: Recording) -> Self {
         match features.integrator {
-            Integrator::Path | Integrator::Bidirectional => {
-                Self::Path(PathPlan::new(features, threads, recording))
-            }
+            Integrator::Path => Self::Path(PathPlan::new(features, threads, recording)),
             Integrator::Light => Self::Light(LightPlan::new(threads)),
+            Integrator::Bidirectional => {
+                Self::Bidirectional(LightPlan::new(threads), EyePlan::new(threads))
+            }
         }
     }
 
@@ -56,6 +71,7 @@ impl StatePlan {
         match self {
             Self::Path(p) => p.plans().collect(),
             Self::Light(p) => p.plans().collect(),
+            Self::Bidirectional(light, eye) => light.plans().chain(eye.plans()).collect(),
         }
     }
 
@@ -68,7 +84,7 @@ impl StatePlan {
         moments
             + match self {
                 Self::Path(_) => size_of::<FilmPixel>() as u64,
-                Self::Light(_) => LightFilm::<f32>::PIXEL_BYTES,
+                Self::Light(_) | Self::Bidirectional(..) => LightFilm::<f32>::PIXEL_BYTES,
             }
     }
 }
@@ -112,6 +128,27 @@ impl LightPlan {
 
     pub fn plans(&self) -> impl Iterator<Item = ArrayPlan> {
         [self.paths, self.lanes, self.splats].into_iter()
+    }
+}
+
+impl EyePlan {
+    pub fn new(threads: u32) -> Self {
+        let samples = (threads * Self::samples(threads)) as usize;
+        Self {
+            paths: storage::<EyeState>("eye_paths", threads as usize),
+            radiances: storage::<Radiance>("radiances", samples),
+            vertices: storage::<LightVertex>("light_vertices", samples * KEPT as usize),
+            reservoirs: storage::<Reservoir>("reservoirs", samples),
+        }
+    }
+
+    /// Samples of a thread that there is room for.
+    pub fn samples(threads: u32) -> u32 {
+        (KEPT_PATHS / threads.max(1)).max(1)
+    }
+
+    pub fn plans(&self) -> impl Iterator<Item = ArrayPlan> {
+        [self.paths, self.radiances, self.vertices, self.reservoirs].into_iter()
     }
 }
 

@@ -1,8 +1,10 @@
 //! Rendering on a Vulkan device: slices of samples, until every pixel has its samples.
 
 mod develop;
+mod eye_paths;
 mod kernel;
 mod light;
+mod light_paths;
 mod limits;
 mod outcomes;
 mod path;
@@ -37,8 +39,9 @@ pub fn render(
 ) -> Result<Outcome, RenderError> {
     match job.settings.estimator.integrator {
         Integrator::Path => render_by::<PathRun>(job, device, limits, stop, progress),
-        Integrator::Light => render_by::<LightRun>(job, device, limits, stop, progress),
-        Integrator::Bidirectional => Err(RenderError::NoKernel),
+        Integrator::Light | Integrator::Bidirectional => {
+            render_by::<LightRun>(job, device, limits, stop, progress)
+        }
     }
 }
 
@@ -51,8 +54,9 @@ pub fn replicates<'a>(
 ) -> Result<Box<dyn Growing + 'a>, RenderError> {
     Ok(match job.settings.estimator.integrator {
         Integrator::Path => Box::new(Replicates::<PathRun, _>::new(job, device, limits, seeds)?),
-        Integrator::Light => Box::new(Replicates::<LightRun, _>::new(job, device, limits, seeds)?),
-        Integrator::Bidirectional => return Err(RenderError::NoKernel),
+        Integrator::Light | Integrator::Bidirectional => {
+            Box::new(Replicates::<LightRun, _>::new(job, device, limits, seeds)?)
+        }
     })
 }
 

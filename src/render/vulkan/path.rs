@@ -104,8 +104,14 @@ impl<'a> PathRun<'a> {
         let largest = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
         let plan = PathPlan::new(features, largest, recording);
         let read_first = limits.read_first;
-        let mut kernel =
-            Kernel::new::<Slice>(job, device, features, recording, read_first, plan.plans())?;
+        let mut kernel = Kernel::new::<Slice>(
+            job,
+            device,
+            features,
+            recording,
+            read_first,
+            &[plan.plans().count()],
+        )?;
         let start = Instant::now();
         let film = DeviceFilm::new(device, &plan)?;
         let recorded = plan.recorded.map(|r| buffer(device, &r)).transpose()?;
@@ -162,7 +168,7 @@ impl<'a> PathRun<'a> {
             eye_medium: self.job.prepared.eye_medium,
         };
         let state = self.film.buffers().chain(&self.recorded);
-        self.kernel.dispatch(state, &slice, tile.pixels())
+        self.kernel.dispatch(0, state, &slice, tile.pixels())
     }
 
     /// What the samples of the tile that was advanced last came to: as many a pixel as the kernel has room for.

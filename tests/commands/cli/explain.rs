@@ -89,9 +89,33 @@ fn the_spirv_is_the_module_that_renders_and_is_written_whole() {
     let device = vkpt::gpu::Device::open(&vkpt::gpu::Selector::Best).expect("a device");
     let settings = Settings::default();
     let scene = common::render::prepared(SCENE, &settings);
-    let kernel = vkpt::render::kernel(&job(&scene, settings, 1, 0), &device).expect("a kernel");
-    assert!(written == kernel.bytes());
+    let kernels = vkpt::render::kernels(&job(&scene, settings, 1, 0), &device);
+    assert!(written == kernels.expect("a kernel")[0].bytes());
     tool("spirv-val", &["--target-env", "vulkan1.1"], &written);
+}
+
+/// Bidirectional paths have a kernel for each end.
+#[test]
+fn each_of_two_kernels_has_a_file() {
+    if without_vulkan() {
+        return;
+    }
+    let folder = folder(SCENE);
+    let arguments = [
+        "explain",
+        "scene.scn",
+        "--spirv",
+        "k.spv",
+        "--integrator",
+        "bidirectional",
+    ];
+    let run = run(folder.path(), &arguments);
+    assert_eq!(run.code, Some(0), "{}", run.err);
+    assert_eq!(names(folder.path()), ["k-2.spv", "k.spv", "scene.scn"]);
+    for name in ["k.spv", "k-2.spv"] {
+        let module = fs::read(folder.path().join(name)).expect("a module");
+        tool("spirv-val", &["--target-env", "vulkan1.1"], &module);
+    }
 }
 
 #[test]

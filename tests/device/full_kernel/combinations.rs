@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use vkpt::features::Features;
 use vkpt::kernel::Spirv;
 use vkpt::prepared::{LightKind, ShapeKind};
-use vkpt::render::{Job, KernelChoice, RenderError, kernel};
+use vkpt::render::{Job, KernelChoice, RenderError, kernels};
 use vkpt::settings::Settings;
 
 use super::scenes::{DIFFUSE, small_scenes};
@@ -14,13 +14,13 @@ use crate::common::device;
 use crate::common::render::{job, prepared};
 use crate::common::spirv_tools::tool;
 
-/// The kernel of these features, compiled but not run; `None` where the run goes without a device.
-fn compiled(job: &Job, features: &Features) -> Option<Result<Spirv, RenderError>> {
+/// The kernels of these features, compiled but not run; `None` where the run goes without a device.
+fn compiled(job: &Job, features: &Features) -> Option<Result<Vec<Spirv>, RenderError>> {
     let job = Job {
         kernel: KernelChoice::Given(features),
         ..*job
     };
-    Some(kernel(&job, device()?))
+    Some(kernels(&job, device()?))
 }
 
 /// Two members more than the scene needs, and two less than there are.
@@ -69,11 +69,12 @@ fn spirv_val_passes_every_member_alone_on_and_alone_off() {
         let alone = |member| [job.features().with(member), full(&job).without(member)];
         let all = extra(&job).into_iter().flat_map(alone).chain([full(&job)]);
         for features in all.collect::<HashSet<_>>() {
-            let Some(kernel) = compiled(&job, &features) else {
+            let Some(kernels) = compiled(&job, &features) else {
                 return;
             };
-            let kernel = kernel.unwrap_or_else(|e| panic!("{name}: {e}"));
-            tool("spirv-val", &["--target-env", "vulkan1.1"], kernel.bytes());
+            for kernel in kernels.unwrap_or_else(|e| panic!("{name}: {e}")) {
+                tool("spirv-val", &["--target-env", "vulkan1.1"], kernel.bytes());
+            }
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod harness;
 
+mod bidirectional;
 mod bsdf;
 mod camera;
 mod elementary;
@@ -21,6 +22,11 @@ use harness::{Row, Twin, check, compare};
 use vkpt::kernel::{file, files};
 
 use crate::common;
+
+#[test]
+fn bidirectional_functions() {
+    check(&bidirectional::twins());
+}
 
 #[test]
 fn bsdf_functions() {
@@ -85,6 +91,15 @@ const EXCUSED: &[(&str, &str)] = &[
         "film/moments/",
         "the buffer's side of film_moments; tests/device/same_bits.rs holds standard errors to the bit",
     ),
+    ("integrator/bidirectional/background/", READS_THE_SCENE),
+    ("integrator/bidirectional/bend", READS_THE_SCENE),
+    ("integrator/bidirectional/direct/", READS_THE_SCENE),
+    ("integrator/bidirectional/emission/", READS_THE_SCENE),
+    ("integrator/bidirectional/eye_", READS_THE_SCENE),
+    ("integrator/bidirectional/first/", READS_THE_SCENE),
+    ("integrator/bidirectional/join", READS_THE_SCENE),
+    ("integrator/bidirectional/light_path", READS_THE_SCENE),
+    ("integrator/bidirectional/to_light", READS_THE_SCENE),
     ("integrator/path/background/", READS_THE_SCENE),
     ("integrator/path/begin", READS_THE_SCENE),
     (
@@ -107,6 +122,7 @@ const EXCUSED: &[(&str, &str)] = &[
     ("integrator/path/pick/tree", READS_THE_SCENE),
     ("integrator/light/", READS_THE_SCENE),
     ("light/emission/point", "a constant"),
+    ("bsdf/scaling/both", "one of two that have rows"),
     ("path/blocks/", "a sum, and none"),
     ("path/correction/", READS_THE_SCENE),
     ("path/extend", READS_THE_SCENE),
@@ -117,6 +133,7 @@ const EXCUSED: &[(&str, &str)] = &[
     ("integrator/path/record/", READS_THE_SCENE),
     ("path/self_distance/", READS_THE_SCENE),
     ("integrator/path/shade", READS_THE_SCENE),
+    ("integrator/path/weigh", "a function of fewer arguments"),
     ("path/spawn", READS_THE_SCENE),
     ("path/null_interface/", READS_THE_SCENE),
     ("path/valid/flat", "its arguments"),
@@ -139,6 +156,7 @@ fn excused(file: &str) -> bool {
 /// All rows of functions.
 fn all() -> Vec<Twin> {
     let twins = [
+        bidirectional::twins(),
         bsdf::twins(),
         camera::twins(),
         elementary::twins(),
@@ -218,8 +236,8 @@ fn every_function_that_naga_lists_is_accounted_for() {
         ] {
             let scene = common::render::prepared(text, &settings);
             let job = common::render::job(&scene, settings, 1, 1);
-            let kernel = vkpt::render::kernel(&job, device).expect("a kernel");
-            let listed = kernel.functions.into_iter();
+            let kernels = vkpt::render::kernels(&job, device).expect("kernels");
+            let listed = kernels.into_iter().flat_map(|kernel| kernel.functions);
             missing.extend(listed.filter(|f| !known.contains(f.as_str())));
         }
     }

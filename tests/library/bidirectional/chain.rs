@@ -2,6 +2,7 @@
 
 use vkpt::prepared::MaterialKind;
 use vkpt::reference::camera::eye_sample;
+use vkpt::reference::integrator::bidirectional::bend::reverse_pdf;
 use vkpt::reference::integrator::path::begin_path;
 use vkpt::reference::integrator::path::pick::{pick_normal, pick_probability};
 use vkpt::reference::math::{Vec3, dot3};
@@ -9,7 +10,7 @@ use vkpt::reference::path::SampleId;
 use vkpt::reference::path::blocks::Origin;
 use vkpt::reference::path::extend::extend;
 use vkpt::reference::path::trace::extend_ray;
-use vkpt::reference::path::vertex::{Vertex, path_vertex, reverse_pdf};
+use vkpt::reference::path::vertex::{Vertex, path_vertex};
 use vkpt::reference::world::World;
 use vkpt::settings::Settings;
 

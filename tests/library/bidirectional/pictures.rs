@@ -5,6 +5,7 @@
 
 use vkpt::film::Film;
 use vkpt::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
+use vkpt::reference::integrator::light::Splat;
 use vkpt::reference::world::World;
 use vkpt::render::{Job, Target};
 use vkpt::settings::{Integrator, Lights, Roulette, Sampler, Settings};
@@ -154,11 +155,15 @@ fn by_ways(
     for seed in 5000..5000 + effort.seeds {
         let mut pixels = vec![0.0; (window.width * window.height) as usize];
         for id in samples(&prepared, effort.spp, seed) {
-            trace_bidirectional(transport, window, id, &mut |splat| {
-                let v = splat.value;
+            let mut add = |Splat { value: v, pixel }| {
                 let sum = f64::from(v.x) + f64::from(v.y) + f64::from(v.z);
-                pixels[splat.pixel as usize] += sum / 3.0 / f64::from(effort.spp);
-            });
+                pixels[pixel as usize] += sum / 3.0 / f64::from(effort.spp);
+            };
+            let (radiance, _) = trace_bidirectional(transport, window, id, &mut add);
+            let pixel = id.pixel;
+            radiance
+                .into_iter()
+                .for_each(|value| add(Splat { value, pixel }));
         }
         for (all, mean) in all.iter_mut().zip(block_means(&pixels)) {
             all.push(mean);

@@ -4,6 +4,7 @@
 //! same path by itself. From a diffuse vertex that is ρ L cos θ Ω/π at most, Ω the solid angle of a ball of light.
 
 use vkpt::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
+use vkpt::reference::math::Vec3;
 use vkpt::reference::world::World;
 use vkpt::settings::{Roulette, Settings};
 
@@ -50,10 +51,13 @@ fn largest(text: &str, ways: Ways) -> f64 {
     let window = whole(&prepared);
     let mut most = 0.0;
     for id in samples(&prepared, 400, 3) {
-        trace_bidirectional(transport, window, id, &mut |splat| {
-            assert!(splat.value.x.is_finite());
-            most = f64::max(most, splat.value.x.into());
-        });
+        let mut largest = |value: Vec3<f32>| {
+            assert!(value.x.is_finite());
+            most = f64::max(most, value.x.into());
+        };
+        let (radiance, _) =
+            trace_bidirectional(transport, window, id, &mut |splat| largest(splat.value));
+        radiance.into_iter().for_each(largest);
     }
     most
 }

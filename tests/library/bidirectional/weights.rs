@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use vkpt::reference::integrator::bidirectional::partial::{
-    Junction, Partial, arrive, from_eye, from_light, hit_weight, light_weight, scatter,
+    Junction, Partial, arrive, from_eye, from_light_point, hit_weight, light_weight, scatter,
     scatter_delta, splat_weight, vertex_weight,
 };
 use vkpt::reference::world::World;
@@ -88,7 +88,7 @@ fn by_recursion(c: &Chain, planted: Planted) -> Vec<f64> {
         towards_light(&n[k - 1]),
         planted,
     );
-    let mut light = vec![from_light(c.p_n, emission, n[k - 1].to_light)];
+    let mut light = vec![from_light_point(c.p_n, emission, n[k - 1].to_light)];
     for i in (0..k - 1).rev() {
         let from = &n[i + 1];
         let along = left(light[0], from.delta, towards_eye(from), planted);

@@ -21,6 +21,22 @@ pub const HOMES: &[(&str, &str)] = &[
     ("path/crossing/", "path/vertex"),
     ("path/depth/", "path"),
     ("integrator/path/emission/", "integrator/path"),
+    (
+        "integrator/bidirectional/background/",
+        "integrator/bidirectional/eye_path",
+    ),
+    (
+        "integrator/bidirectional/direct/",
+        "integrator/bidirectional/to_light",
+    ),
+    (
+        "integrator/bidirectional/emission/",
+        "integrator/bidirectional/eye_path",
+    ),
+    (
+        "integrator/bidirectional/first/",
+        "integrator/bidirectional/light_path",
+    ),
     ("path/self_distance/", "path/vertex"),
     ("integrator/path/begin", "integrator/path"),
     ("integrator/path/shade", "integrator/path"),
@@ -48,10 +64,20 @@ pub const KERNEL_ONLY: &[(&str, &str)] = &[
     ),
     ("integrator/path/record/", "the reference tells a Recorder"),
     (
-        "integrator/light/shade",
-        "a turn of the loop in trace_light",
+        "integrator/bidirectional/eye_rays",
+        "traces a vertex's connections one turn late, in one loop with the extension ray",
     ),
-    ("integrator/path/shade", "a turn of the loop in trace_path"),
+    ("end_path", "a break"),
+    ("join_all", "a loop in eye_path"),
+    ("go_on", "the end of a turn in eye_path"),
+    ("begin", "before the loop of a light path"),
+    ("offer", "Reservoir::offer"),
+    ("shade", "a turn of a path's loop"),
+    ("keep_vertex", "writes a buffer"),
+    ("kept_vertex", "reads a buffer"),
+    ("kept_index", "a place in a buffer"),
+    ("leave_pending", "the reference traces a connection at once"),
+    ("weigh", "Weigh::weight"),
     ("coincidences_of", "Coincidences::of"),
     ("box_covered", CALLS_IS_COVERED),
     ("cylinder_covered", CALLS_IS_COVERED),
@@ -81,12 +107,20 @@ pub const ARGUMENTS: &[(&str, &str)] = &[
     ),
     ("begin_light_path", SAMPLE),
     ("extend", SAMPLE),
+    ("join_light", SAMPLE),
     ("light_start", SAMPLE),
     (
         "mesh_emission",
         "the place of the mesh's part of the table instead of a slice",
     ),
-    ("splat_vertex", "the kernel has the power in its state"),
+    (
+        "first_partial",
+        "the kernel has the light's point in its state",
+    ),
+    (
+        "mesh_emission_pdf",
+        "the place of the mesh's part of the table instead of a slice",
+    ),
     (
         "go_on",
         "the kernel keeps the path apart from its state: naga takes no `inout` of a member",
@@ -111,8 +145,6 @@ pub const ARGUMENTS: &[(&str, &str)] = &[
     ("triangle_surface", "the kernel looks the triangle up"),
 ];
 
-const BIDIRECTIONAL: &str = "a density that bidirectional paths alone ask for";
-
 /// Free functions of the reference without a twin, by name or by the start of their file.
 pub const REFERENCE_ONLY: &[(&str, &str)] = &[
     ("accel/", "each renderer has a hierarchy of its own"),
@@ -129,20 +161,10 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
         "how",
         "which of the files of the slot <pick> the kernel holds",
     ),
-    (
-        "integrator/bidirectional",
-        "rendered by the reference alone",
-    ),
-    ("reverse_pdf", BIDIRECTIONAL),
-    ("is_outside", BIDIRECTIONAL),
-    ("box_emission_pdf", BIDIRECTIONAL),
-    ("cylinder_emission_pdf", BIDIRECTIONAL),
-    ("mesh_emission_pdf", BIDIRECTIONAL),
-    ("sphere_emission_pdf", BIDIRECTIONAL),
-    (
-        "integrator/path/direct",
-        "the first half of connect, which the kernel has in one piece",
-    ),
+    ("trace_bidirectional", "both kernels, one after the other"),
+    ("light_path", "the loop of light_trace.comp"),
+    ("eye_path", "the loop of eye_trace.comp"),
+    ("arrives", "a part of trace_eye_rays"),
     ("math/ulps", "measures errors; renders nothing"),
     ("path/trace", "the two halves of trace_rays"),
     ("shape/linear", "the loops that a kernel has written out"),

@@ -28,13 +28,15 @@ impl fmt::Display for Function {
 }
 
 /// Types of arguments that stand for what a kernel has in its slots, buffers and push constants, or that record.
-const GIVEN_TO_RUST: [&str; 15] = [
+const GIVEN_TO_RUST: [&str; 17] = [
     "&Settings",
     "&World<F>",
     "&Primitives<F>",
     "&impl Cover<F>",
     "&mut impl Recorder<F>",
     "&impl Weigh<F>",
+    "Transport<F>",
+    "&mut LightCounts",
     "SampleId",
     "Origin",
     "Window",

@@ -16,7 +16,7 @@ use functions::{Function, glsl_functions, rust_functions, sources, undocumented}
 use vkpt::features::Features;
 use vkpt::kernel::scene::{Parameters, Recording, compose};
 use vkpt::kernel::{file, files};
-use vkpt::settings::Settings;
+use vkpt::settings::{Integrator, Settings};
 
 use crate::common;
 
@@ -27,13 +27,21 @@ fn kernel_functions() -> Vec<Function> {
     let mut all: Vec<Function> = written.collect();
     let known: BTreeSet<String> = all.iter().map(|f| f.name.clone()).collect();
     let generated = glsl_functions("generated", &generated());
-    let of_file =
-        |f: &Function| file("integrator/path/path_trace.comp").is_some_and(|t| t.contains(&f.name));
-    all.extend((generated.into_iter()).filter(|f| !known.contains(&f.name) && !of_file(f)));
+    let roots: Vec<&str> = files().filter(|f| f.ends_with(".comp")).collect();
+    let of_root = |f: &Function| {
+        let mut texts = roots.iter().filter_map(|root| file(root));
+        texts.any(|text| text.contains(&format!(" {}(", f.name)))
+    };
+    let mut seen = BTreeSet::new();
+    for f in generated {
+        if !known.contains(&f.name) && !of_root(&f) && seen.insert(f.name.clone()) {
+            all.push(f);
+        }
+    }
     all
 }
 
-/// The kernel of a scene that needs everything.
+/// The kernels of a scene that needs everything, of paths from the eye and from both ends.
 fn generated() -> String {
     let cube = common::meshes::cube();
     let text = format!(
@@ -41,19 +49,26 @@ fn generated() -> String {
         common::scenes::WIDE,
         cube.path().display()
     );
-    let settings = Settings::default();
-    let features = Features::of(&common::render::prepared(&text, &settings), &settings, &[]);
-    let parameters = Parameters {
-        settings: &settings,
-        bindings: &[],
-        bvh: None,
-        background_light: Some(0),
-        recording: Recording::Nothing,
-        read_first: true,
-        own_files: &[],
+    let kernels = |integrator| {
+        let mut settings = Settings::default();
+        settings.estimator.integrator = integrator;
+        let features = Features::of(&common::render::prepared(&text, &settings), &settings, &[]);
+        let parameters = Parameters {
+            settings: &settings,
+            bindings: &[],
+            bvh: None,
+            background_light: Some(0),
+            recording: Recording::Nothing,
+            read_first: true,
+            own_files: &[],
+        };
+        let kernels = compose(&features, &parameters).expect("kernels");
+        kernels.iter().map(|k| k.text().to_owned()).collect()
     };
-    let composed = compose(&features, &parameters).expect("a kernel");
-    composed.text().to_owned()
+    [Integrator::Path, Integrator::Bidirectional]
+        .map(kernels)
+        .map(|texts: Vec<String>| texts.concat())
+        .concat()
 }
 
 /// Where the twin of a function of this GLSL file may stand: the same path, the folder's own file, or its home.

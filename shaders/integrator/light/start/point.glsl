@@ -6,6 +6,9 @@ struct LightStart {
     Emission point;
     // L/(P p_A): radiance over the density of the point among those of all lights.
     vec3 radiance;
+    // P p_A, that density.
+    float pdf;
+    uint light;
     uint shape;
     uint medium;
     // Something begins here.

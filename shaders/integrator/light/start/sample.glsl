@@ -12,6 +12,8 @@ LightStart light_start(uint pixel_index, uint sample_index) {
     bool covered = is_covered_at(lights[light].shape, start.point.prim, start.point.p);
     start.emits = (p > 0.0 || !is_finite(p)) && !covered;
     start.radiance = lights[light].radiance / (start.emits ? p : 1.0);
+    start.pdf = p;
+    start.light = light;
     start.shape = start.emits ? lights[light].shape : 0u;
     start.medium = light_media[light];
     return start;

@@ -1,6 +1,6 @@
 // A connection of a vertex to a point of one light, before anyone has looked for what stands between.
 // Twin of src/reference/integrator/path/pick/candidate.rs.
-// uses: constants/none, math/finite, path/vertex, <light>, <bsdf>, <connect>, <cover>
+// uses: constants/none, math/finite, path/vertex, <light>, <bsdf>, <weigh>, <cover>
 
 struct Candidate {
     // Index, or NONE: there is no light to pick.
@@ -27,9 +27,9 @@ Candidate candidate(Subpath path, Vertex v, uint light, float expected, uint u24
     // A broken density breaks the contribution, which the film then drops and counts.
     bool covered = is_covered_at(lights[light].shape, l.prim, v.p + l.wi * l.distance);
     bool sampled = (p > 0.0 || !is_finite(p)) && !covered;
-    if (sampled && same_sides(v, l.wi, wi)) {
+    if (sampled && same_sides(v.facing, l.wi, wi)) {
         BsdfValue f = bsdf_eval(v.interaction, wi);
-        float weight = connection_weight(p, f.pdf);
+        float weight = weigh(path, v, light, l, p, f.pdf);
         c.contribution = path.throughput * f.value * lights[light].radiance * (weight / p);
     }
     return c;

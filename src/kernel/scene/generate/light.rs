@@ -50,6 +50,21 @@ pub fn emission(features: &Features) -> String {
         + &function("Emission", "light_emission", &arguments).text(&members, "no_emission()")
 }
 
+/// The density with which they begin at a point: `emission_pdf`.
+pub fn emission_pdf(features: &Features) -> String {
+    let arguments = [
+        ("uint", "light"),
+        ("vec3", "p"),
+        ("uint", "prim"),
+        ("vec3", "wi"),
+    ];
+    let members = calls(features, |shape| shape.emission_pdf, "0.0");
+    let shapes = features.lights.iter().filter_map(|kind| kind.shape());
+    let files = shapes.map(|shape| shape.description().emission_file);
+    uses("light/emission/point", files)
+        + &function("float", "emission_pdf", &arguments).text(&members, "0.0")
+}
+
 /// Explicit sampling: `light_sample`, and `light_pdf` for what a path hits.
 pub fn light(features: &Features) -> String {
     let sample = [

@@ -1,24 +1,26 @@
 //! The path from the eye: lights that it hits, lights and vertices of the light path that it is joined to.
 
-use super::join::{Joint, join};
+use super::Transport;
+use super::bend::left_partial;
+use super::join::{Connection, join};
+use super::joint::Joint;
 use super::partial::{Partial, arrive, from_eye, hit_weight};
 use super::reservoir::Reservoir;
 use super::to_light::{emission_density, join_light};
-use super::{Transport, left_partial};
 use crate::prepared::MaterialKind;
 use crate::reference::camera::eye_sample;
 use crate::reference::integrator::light::LightCounts;
+use crate::reference::integrator::path::begin_path;
 use crate::reference::integrator::path::pick::{pick_normal, pick_probability};
-use crate::reference::integrator::path::{PathState, begin_path};
 use crate::reference::light::background_light_pdf;
 use crate::reference::math::finite::is_black;
 use crate::reference::math::{Real, Vec3, dot3};
 use crate::reference::path::blocks::Origin;
 use crate::reference::path::extend::extend;
 use crate::reference::path::roulette::LONG_PATH;
-use crate::reference::path::trace::extend_ray;
+use crate::reference::path::trace::{extend_ray, shadow_ray, shadow_ray_into};
 use crate::reference::path::vertex::{Vertex, path_vertex};
-use crate::reference::path::{SampleId, depth_reached};
+use crate::reference::path::{SampleId, Subpath, depth_reached};
 
 /// Follows the eye path of a sample to its end; returns what it has brought, W·sr⁻¹·m⁻².
 pub fn eye_path<F: Real>(
@@ -34,12 +36,14 @@ pub fn eye_path<F: Real>(
         let origin = s.path.ray.o;
         let (hit, distance) = extend_ray(t.world, t.settings, &mut s.path, &mut s.rays);
         let Some(hit) = hit else {
-            s.radiance += s.path.throughput * background_seen(t, &s, partial, origin);
+            let seen = background_seen(t, &s.path, partial, s.pick_normal, origin);
+            s.radiance += s.path.throughput * seen;
             break;
         };
         let v = path_vertex(t.world, t.settings, s.path.ray, hit, distance, Vec3::one());
         let wo = -s.path.ray.d;
-        let seen = emission_seen(t, &s, partial, &v, origin, distance);
+        let n = s.pick_normal;
+        let seen = emission_seen(t, &s.path, partial, n, &v, origin, distance);
         s.radiance += s.path.throughput * seen;
         let cosine = dot3(wo, v.ng).abs();
         let here = match partial {
@@ -51,9 +55,11 @@ pub fn eye_path<F: Real>(
         if black || depth_reached(t.settings, s.path.bounce) || s.underflow {
             break;
         }
-        join_light(t, &mut s, &v, wo, here, id);
+        let shadow = join_light(t, &s.path, &v, here, id);
+        let arrived = shadow.and_then(|c| shadow_ray(t.world, t.settings, c, &mut s.rays));
+        s.radiance += arrived.unwrap_or(Vec3::zero());
         let x = Joint {
-            v: &v,
+            v,
             wo,
             carried: s.path.throughput,
             medium: s.path.ray.medium,
@@ -61,9 +67,9 @@ pub fn eye_path<F: Real>(
             count: s.path.bounce + 2,
         };
         for (y, share) in light.vertices() {
-            if let Some(brought) = join(t, &x, &y.joint(), &mut s.rays) {
-                s.radiance += brought * share;
-            }
+            let joined = join(t, &x, y, share);
+            let arrived = joined.and_then(|c| arrives(t, c, &mut s.rays));
+            s.radiance += arrived.unwrap_or(Vec3::zero());
         }
         s.pick_normal = pick_normal(t.world, t.settings, &v);
         let e = extend(t.settings, Origin::Eye, &mut s.path, &v, id);
@@ -73,7 +79,7 @@ pub fn eye_path<F: Real>(
             s.radiance += s.path.throughput;
         }
         if e.alive {
-            partial = Some(left_partial(t, &s.path, &v, wo, here));
+            partial = Some(left_partial(t.settings, &s.path, &v, wo, here));
         }
         alive = e.alive;
     }
@@ -83,11 +89,18 @@ pub fn eye_path<F: Real>(
     s.radiance
 }
 
-/// Weighted radiance of a light that the path has hit.
+/// What arrives over a connection of two vertices: nothing where it ends in another medium than it must.
+fn arrives<F: Real>(t: Transport<F>, c: Connection<F>, rays: &mut u64) -> Option<Vec3<F>> {
+    let (light, medium) = shadow_ray_into(t.world, t.settings, c.shadow, rays)?;
+    (medium == c.medium).then_some(light)
+}
+
+/// Weighted radiance of a light that the path has hit; `n` is the last vertex's [`pick_normal`].
 fn emission_seen<F: Real>(
     t: Transport<F>,
-    s: &PathState<F>,
+    path: &Subpath<F>,
     partial: Option<Partial<F>>,
+    n: Vec3<F>,
     v: &Vertex<F>,
     origin: Vec3<F>,
     distance: F,
@@ -96,28 +109,29 @@ fn emission_seen<F: Real>(
         return Vec3::zero();
     };
     let weight = partial.map_or(F::one(), |partial| {
-        let cosine = dot3(s.path.ray.d, v.ng).abs();
-        let expected = pick_probability(t.world, t.settings, light, origin, s.pick_normal);
+        let cosine = dot3(path.ray.d, v.ng).abs();
+        let expected = pick_probability(t.world, t.settings, light, origin, n);
         let p_n = expected * (t.world).light_pdf(light, origin, v.prim, cosine, distance);
-        let emission = emission_density(t, light, origin, v.prim, s.path.ray.d);
+        let emission = emission_density(t, light, origin, v.prim, path.ray.d);
         hit_weight(partial, p_n, emission)
     });
-    t.world.lights[light].radiance * t.ways.weight(0, s.path.bounce + 2, weight)
+    t.world.lights[light].radiance * t.ways.weight(0, path.bounce + 2, weight)
 }
 
 /// Weighted radiance of everything outside, which sends out no light paths.
 fn background_seen<F: Real>(
     t: Transport<F>,
-    s: &PathState<F>,
+    path: &Subpath<F>,
     partial: Option<Partial<F>>,
+    n: Vec3<F>,
     origin: Vec3<F>,
 ) -> Vec3<F> {
     let Some(light) = t.world.background_light else {
         return Vec3::zero();
     };
     let weight = partial.map_or(F::one(), |partial| {
-        let expected = pick_probability(t.world, t.settings, light, origin, s.pick_normal);
+        let expected = pick_probability(t.world, t.settings, light, origin, n);
         hit_weight(partial, expected * background_light_pdf(), F::zero())
     });
-    t.world.lights[light].radiance * t.ways.weight(0, s.path.bounce + 2, weight)
+    t.world.lights[light].radiance * t.ways.weight(0, path.bounce + 2, weight)
 }

@@ -1,21 +1,24 @@
 //! The path from a light: its splats, and the vertices that eye paths are joined to.
 
-use super::partial::{Junction, Partial, arrive, from_light, splat_weight};
-use super::reservoir::{LightVertex, Reservoir, has_density};
-use super::{Transport, left_partial};
+use super::Transport;
+use super::bend::{bend, left_partial};
+use super::joint::Joint;
+use super::partial::{Partial, arrive, from_light_point, splat_weight};
+use super::reservoir::{Reservoir, has_density};
 use crate::prepared::MaterialKind;
+use crate::reference::camera::eye_sample;
 use crate::reference::integrator::light::begin::{LightStart, begin_light_path, light_start};
-use crate::reference::integrator::light::splat::{SplatRay, Window, splat_vertex};
-use crate::reference::integrator::light::{LightCounts, Splat};
+use crate::reference::integrator::light::splat::{SplatRay, Window, in_film, splat_ray};
+use crate::reference::integrator::light::{LightCounts, Splat, count_extension};
 use crate::reference::integrator::path::pick::{pick_normal, pick_probability};
-use crate::reference::math::finite::{has_nan, is_black};
+use crate::reference::math::finite::is_black;
 use crate::reference::math::{Real, Vec3, dot3};
 use crate::reference::path::blocks::{Origin, path_block};
 use crate::reference::path::extend::extend;
-use crate::reference::path::roulette::LONG_PATH;
+use crate::reference::path::spawn::spawn_ray;
 use crate::reference::path::trace::{extend_ray, shadow_ray};
-use crate::reference::path::vertex::{Vertex, path_vertex, reverse_pdf};
-use crate::reference::path::{SampleId, Subpath, depth_reached};
+use crate::reference::path::vertex::{Vertex, path_vertex};
+use crate::reference::path::{SampleId, depth_reached};
 use crate::reference::sampler::{roulette_block, unit_float};
 
 /// Follows the light path of a sample to its end.
@@ -50,23 +53,29 @@ pub fn light_path<F: Real>(
         if black || depth_reached(t.adjoint, path.bounce) || absorbed {
             break;
         }
-        let vertex = LightVertex {
+        let y = Joint {
             v,
             wo,
-            power: power * path.throughput,
+            carried: power * path.throughput,
             medium: path.ray.medium,
             partial: here,
             count: path.bounce + 2,
         };
-        if has_density(&v.interaction.material) {
+        let material = &v.interaction.material;
+        if has_density(material.kind, material.kd) {
             let [.., u] = id.words(
                 t.adjoint,
                 path_block(Origin::Light, roulette_block(path.bounce)),
             );
-            reservoir.offer(vertex, unit_float(u));
+            reservoir.offer(y, unit_float(u));
         }
-        let splat = weighed_splat(t, window, power, &path, &vertex);
-        alive = go_on(t, &mut path, &vertex, id, counts, &mut partial);
+        let splat = weighed_splat(t, window, &y);
+        let e = extend(t.adjoint, Origin::Light, &mut path, &v, id);
+        count_extension(&path, e, counts);
+        if e.alive {
+            partial = Some(left_partial(t.adjoint, &path, &v, wo, here));
+        }
+        alive = e.alive;
         if let Some(SplatRay { shadow, pixel, .. }) = splat
             && let Some(value) = shadow_ray(t.world, t.adjoint, shadow, &mut counts.rays)
         {
@@ -90,46 +99,19 @@ fn first_partial<F: Real>(
     let at_light = dot3(wo, point.n).abs();
     let p_n = expected * (t.world).light_pdf(light, v.p, point.prim, at_light, distance);
     let emission = start.pdf * F::new(std::f64::consts::FRAC_1_PI);
-    from_light(p_n, emission, dot3(wo, v.ng).abs())
-}
-
-/// Moves the path and what the weights know onto the next direction; false where it ends.
-fn go_on<F: Real>(
-    t: Transport<F>,
-    path: &mut Subpath<F>,
-    at: &LightVertex<F>,
-    id: SampleId,
-    counts: &mut LightCounts,
-    partial: &mut Option<Partial<F>>,
-) -> bool {
-    let e = extend(t.adjoint, Origin::Light, path, &at.v, id);
-    counts.underflows += u64::from(e.underflow);
-    counts.long_paths += u64::from(e.alive && path.bounce == LONG_PATH);
-    let nan = e.broken && has_nan(path.throughput);
-    counts.nan += u64::from(nan);
-    counts.infinite += u64::from(e.broken && !nan);
-    if e.alive {
-        *partial = Some(left_partial(t, path, &at.v, at.wo, at.partial));
-    }
-    e.alive
+    from_light_point(p_n, emission, dot3(wo, v.ng).abs())
 }
 
 /// A vertex joined to the eye.
-fn weighed_splat<F: Real>(
-    t: Transport<F>,
-    window: Window,
-    power: Vec3<F>,
-    path: &Subpath<F>,
-    at: &LightVertex<F>,
-) -> Option<SplatRay<F>> {
-    let mut splat = splat_vertex(t.world, t.adjoint, window, power, path, &at.v)?;
-    let wi = splat.shadow.ray.d;
-    let y = Junction {
-        cosine: dot3(wi, at.v.ng).abs(),
-        pdf: F::zero(),
-        reverse_pdf: reverse_pdf(t.settings, &at.v, wi, at.wo),
-    };
-    let weight = splat_weight(at.partial, y, splat.importance);
-    splat.shadow.contribution *= Vec3::splat(t.ways.weight(at.count, 1, weight));
-    (!is_black(splat.shadow.contribution)).then_some(splat)
+fn weighed_splat<F: Real>(t: Transport<F>, window: Window, y: &Joint<F>) -> Option<SplatRay<F>> {
+    let eye = eye_sample(&t.world.camera, y.v.p);
+    if !in_film(window, &eye) {
+        return None;
+    }
+    let at = bend(t.adjoint, Origin::Light, &y.v, y.wo, eye.wi)?;
+    let weight = splat_weight(y.partial, at.junction, eye.importance);
+    let weight = t.ways.weight(y.count, 1, weight);
+    let contribution = y.carried * at.f * eye.importance * Vec3::splat(weight);
+    let ray = spawn_ray(&y.v, eye.wi, at.through, y.medium);
+    splat_ray(t.world, window, eye, ray, contribution)
 }

@@ -4,8 +4,10 @@
 //! Sample i of a pixel is an eye path and, with random numbers of its own, a light path; what the light path brings to the eye
 //! are splats on any pixel. Veach, Robust Monte Carlo Methods for Light Transport Simulation, 1997, chapter 10.
 
+pub mod bend;
 pub mod eye_path;
 pub mod join;
+pub mod joint;
 pub mod light_path;
 pub mod partial;
 pub mod reservoir;
@@ -13,14 +15,12 @@ pub mod to_light;
 
 use super::light::splat::Window;
 use super::light::{LightCounts, Splat};
-use crate::reference::math::{Real, Vec3, dot3};
-use crate::reference::path::vertex::{Vertex, reverse_pdf};
-use crate::reference::path::{SampleId, Subpath};
+use crate::reference::math::{Real, Vec3};
+use crate::reference::path::SampleId;
 use crate::reference::world::World;
 use crate::settings::Settings;
 use eye_path::eye_path;
 use light_path::light_path;
-use partial::{Junction, Partial, scatter, scatter_delta};
 
 /// Which ways to find a path count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,46 +54,21 @@ pub struct Transport<'a, F> {
     pub ways: Ways,
 }
 
-/// What the weights know along the direction that a path has just left `v` in.
-pub fn left_partial<F: Real>(
-    t: Transport<F>,
-    path: &Subpath<F>,
-    v: &Vertex<F>,
-    wo: Vec3<F>,
-    at: Partial<F>,
-) -> Partial<F> {
-    let wi = path.ray.d;
-    let cosine = dot3(wi, v.ng).abs();
-    if path.delta {
-        return scatter_delta(at, cosine);
-    }
-    let to = Junction {
-        cosine,
-        pdf: path.pdf,
-        reverse_pdf: reverse_pdf(t.settings, v, wi, wo),
-    };
-    scatter(at, to)
-}
-
-/// Follows both paths of a pixel and sample index to their ends, and hands to `take` the splats of the light path in the order
-/// of its vertices, then what the eye path has brought to its own pixel; of both what lies within `window`.
+/// Follows both paths of a pixel and sample index to their ends, and hands the splats of the light path to `take`, in the order
+/// of its vertices. Returns what the eye path has brought to its own pixel, W·sr⁻¹·m⁻²; of both what lies within `window`.
 pub fn trace_bidirectional<F: Real>(
     transport: Transport<F>,
     window: Window,
     id: SampleId,
     take: &mut impl FnMut(Splat<F>),
-) -> LightCounts {
+) -> (Option<Vec3<F>>, LightCounts) {
     let mut counts = LightCounts::default();
     let light = light_path(transport, window, id, &mut counts, take);
     let (x, y) = (
         id.column.wrapping_sub(window.x),
         id.row.wrapping_sub(window.y),
     );
-    if x < window.width && y < window.height {
-        take(Splat {
-            value: eye_path(transport, &light, id, &mut counts),
-            pixel: id.pixel,
-        });
-    }
-    counts
+    let rendered = x < window.width && y < window.height;
+    let radiance = rendered.then(|| eye_path(transport, &light, id, &mut counts));
+    (radiance, counts)
 }

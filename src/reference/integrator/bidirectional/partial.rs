@@ -12,7 +12,7 @@
 use crate::reference::math::{Real, max2, min2};
 
 /// No ratio is larger: products of two are finite, and so is the weight of 0 that they lead to.
-const MOST: f64 = 1e18;
+pub const MOST: f64 = 1e18;
 
 /// √dVCM and √dVC of a subpath.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,7 +41,8 @@ pub fn hypot<F: Real>(a: F, b: F) -> F {
     most * (F::one() + ratio * ratio).sqrt()
 }
 
-fn bounded<F: Real>(x: F) -> F {
+/// No ratio is larger than [`MOST`].
+pub fn bounded<F: Real>(x: F) -> F {
     min2(x, F::new(MOST))
 }
 
@@ -49,7 +50,7 @@ fn bounded<F: Real>(x: F) -> F {
 /// light's point, `emission` p_e/cos = P p_A/π, `cosine` |Ng·w| here.
 ///
 /// dVCM = m(p_n c0/(p_e c1)), dVC = m(c0/p_e)/m(c1): the cosine c0 at the light cancels.
-pub fn from_light<F: Real>(connection_pdf: F, emission: F, cosine: F) -> Partial<F> {
+pub fn from_light_point<F: Real>(connection_pdf: F, emission: F, cosine: F) -> Partial<F> {
     let vc = bounded(F::one() / (emission * cosine));
     Partial {
         vcm: bounded(connection_pdf * vc),
@@ -98,11 +99,11 @@ pub fn earlier<F: Real>(at: Partial<F>, reverse_pdf: F) -> F {
 }
 
 /// 1/(1 + a² + b²)
-fn weight<F: Real>(a: F, b: F) -> F {
+pub fn weight<F: Real>(a: F, b: F) -> F {
     F::one() / (F::one() + a * a + b * b)
 }
 
-/// Weight of a light that an eye path hits, `at` as it was along the ray: `connection_pdf` p_n as in [`from_light`],
+/// Weight of a light that an eye path hits, `at` as it was along the ray: `connection_pdf` p_n as in [`from_light_point`],
 /// `emission` 0 on the side that sends out no light paths. 1/(1 + m(p_n/p) + m(p_e/cos) dVC).
 pub fn hit_weight<F: Real>(at: Partial<F>, connection_pdf: F, emission: F) -> F {
     weight(bounded(connection_pdf * at.vcm), bounded(emission * at.vc))

@@ -1,16 +1,17 @@
 //! A vertex of the eye path connected to a light.
 
 use super::Transport;
+use super::bend::reverse_pdf;
 use super::partial::{Junction, Partial, light_weight};
-use crate::reference::integrator::path::PathState;
 use crate::reference::integrator::path::direct::shadow_to_light;
 use crate::reference::integrator::path::pick::candidate::Weigh;
-use crate::reference::integrator::path::record::Silent;
+use crate::reference::integrator::path::pick::pick;
 use crate::reference::light::LightSample;
 use crate::reference::math::{Real, Vec3, dot3};
-use crate::reference::path::SampleId;
-use crate::reference::path::trace::shadow_ray;
-use crate::reference::path::vertex::{Vertex, reverse_pdf};
+use crate::reference::path::trace::ShadowRay;
+use crate::reference::path::vertex::Vertex;
+use crate::reference::path::{SampleId, Subpath};
+use crate::reference::sampler::light_block;
 
 /// Density per area and solid angle of the start of a light path that `p` sees along `wi`, over the cosine there: P p_A/π.
 pub fn emission_density<F: Real>(
@@ -27,48 +28,43 @@ pub fn emission_density<F: Real>(
 /// What weighs a connection of an eye path's vertex to a light.
 struct ToLight<'a, F> {
     t: Transport<'a, F>,
+    path: &'a Subpath<F>,
     v: &'a Vertex<F>,
-    wo: Vec3<F>,
     partial: Partial<F>,
-    count: u32,
 }
 
 impl<F: Real> Weigh<F> for ToLight<'_, F> {
     fn weight(&self, light: usize, l: &LightSample<F>, p: F, bsdf_pdf: F) -> F {
-        let Self { t, v, .. } = *self;
+        let Self { t, path, v, .. } = *self;
         let x = Junction {
             cosine: dot3(l.wi, v.ng).abs(),
             pdf: bsdf_pdf,
-            reverse_pdf: reverse_pdf(t.settings, v, l.wi, self.wo),
+            reverse_pdf: reverse_pdf(t.settings, v, l.wi, -path.ray.d),
         };
         let emission = emission_density(t, light, v.p, l.prim, l.wi);
         let weight = light_weight(self.partial, x, p, emission);
-        t.ways.weight(1, self.count, weight)
+        t.ways.weight(1, path.bounce + 2, weight)
     }
 }
 
-/// Adds the light of one connection to a light.
+/// A vertex of the eye path, whose ray `path` still is, connected to a point of a light.
 pub fn join_light<F: Real>(
     t: Transport<F>,
-    s: &mut PathState<F>,
+    path: &Subpath<F>,
     v: &Vertex<F>,
-    wo: Vec3<F>,
     partial: Partial<F>,
     id: SampleId,
-) {
+) -> Option<ShadowRay<F>> {
     if t.world.lights.is_empty() {
-        return;
+        return None;
     }
     let weigh = ToLight {
         t,
+        path,
         v,
-        wo,
         partial,
-        count: s.path.bounce + 2,
     };
-    let shadow = shadow_to_light(t.world, t.settings, s, v, id, &weigh, &mut Silent);
-    let arrived = shadow.and_then(|c| shadow_ray(t.world, t.settings, c, &mut s.rays));
-    if let Some(light) = arrived {
-        s.radiance += light;
-    }
+    let u = id.words(t.settings, light_block(path.bounce));
+    let picked = pick(t.world, t.settings, path, v, u, &weigh)?;
+    shadow_to_light(t.world, path, v, picked)
 }

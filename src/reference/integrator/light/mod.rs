@@ -12,11 +12,11 @@ use crate::prepared::MaterialKind;
 use crate::reference::math::finite::{has_nan, is_black};
 use crate::reference::math::{Real, Vec3};
 use crate::reference::path::blocks::Origin;
-use crate::reference::path::extend::extend;
+use crate::reference::path::extend::{Extension, extend};
 use crate::reference::path::roulette::LONG_PATH;
 use crate::reference::path::trace::{extend_ray, shadow_ray};
 use crate::reference::path::vertex::path_vertex;
-use crate::reference::path::{SampleId, depth_reached};
+use crate::reference::path::{SampleId, Subpath, depth_reached};
 use crate::reference::world::World;
 use crate::settings::Settings;
 use begin::{begin_light_path, light_start};
@@ -40,6 +40,15 @@ pub struct LightCounts {
     /// Paths that ended with a throughput that is NaN, infinite.
     pub nan: u64,
     pub infinite: u64,
+}
+
+/// Counts what came of a path's extension.
+pub fn count_extension<F: Real>(path: &Subpath<F>, e: Extension, counts: &mut LightCounts) {
+    counts.underflows += u64::from(e.underflow);
+    counts.long_paths += u64::from(e.alive && path.bounce == LONG_PATH);
+    let nan = e.broken && has_nan(path.throughput);
+    counts.nan += u64::from(nan);
+    counts.infinite += u64::from(e.broken && !nan);
 }
 
 /// Follows the light path of a pixel and sample index to its end, and hands its splats within `window` to `take`, in the
@@ -81,11 +90,7 @@ pub fn trace_light<F: Real>(
         let splat = splat_vertex(world, settings, window, power, &path, &v);
         let e = extend(settings, Origin::Light, &mut path, &v, id);
         arrive(splat, &mut counts);
-        counts.underflows += u64::from(e.underflow);
-        counts.long_paths += u64::from(e.alive && path.bounce == LONG_PATH);
-        let nan = e.broken && has_nan(path.throughput);
-        counts.nan += u64::from(nan);
-        counts.infinite += u64::from(e.broken && !nan);
+        count_extension(&path, e, &mut counts);
         alive = e.alive;
     }
     counts

@@ -21,8 +21,6 @@ use crate::settings::Settings;
 #[derive(Clone, Copy, Debug)]
 pub struct SplatRay<F> {
     pub shadow: ShadowRay<F>,
-    /// As in [`EyeSample`].
-    pub importance: F,
     /// row · width + column of the full picture.
     pub pixel: u32,
 }
@@ -61,7 +59,6 @@ pub fn splat_ray<F: Real>(
             target: Target::none(),
             contribution,
         },
-        importance: eye.importance,
         pixel: eye.row * world.width + eye.column,
     })
 }
@@ -95,6 +92,6 @@ pub fn splat_vertex<F: Real>(
     let f = corrected(Origin::Light, v, eye.wi, wi, value);
     let contribution = power * path.throughput * f * eye.importance;
     let ray = spawn_ray(v, eye.wi, wi.z < F::zero(), path.ray.medium);
-    let valid = same_sides(v, eye.wi, wi);
+    let valid = same_sides(v.facing, eye.wi, wi);
     splat_ray(world, window, eye, ray, contribution).filter(|_| valid)
 }

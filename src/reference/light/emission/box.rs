@@ -1,7 +1,7 @@
 //! Points of axis-aligned boxes; twin of `shaders/light/emission/box.glsl`.
 
 use super::Emission;
-use crate::reference::light::r#box::{face_areas, is_outside};
+use crate::reference::light::r#box::face_areas;
 use crate::reference::light::sample::{area_density, choice_below};
 use crate::reference::math::{Real, Vec3, vec3};
 
@@ -36,6 +36,12 @@ pub fn box_emission<F: Real>(lo: Vec3<F>, hi: Vec3<F>, u24: u32, u: [F; 2]) -> E
         area_pdf: area_density(lower + lower),
         prim: 2 * axis + u32::from(upper),
     }
+}
+
+/// Whether `p` lies outside the box.
+pub fn is_outside<F: Real>(p: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>) -> bool {
+    let beyond = |p: F, lo: F, hi: F| p < lo || hi < p;
+    beyond(p.x, lo.x, hi.x) || beyond(p.y, lo.y, hi.y) || beyond(p.z, lo.z, hi.z)
 }
 
 /// Density per area of `box_emission` at a point that `p` sees; 0 from inside, where no light path goes.

@@ -55,7 +55,7 @@ pub fn candidate<F: Real>(
     // A broken density breaks the contribution, which the film then drops and counts.
     let sampled = (p > F::zero() || !is_finite(p))
         && !world.is_covered_at(world.lights[light].shape, l.prim, v.p + l.wi * l.distance);
-    if sampled && same_sides(v, l.wi, wi) {
+    if sampled && same_sides(v.facing, l.wi, wi) {
         let f = bsdf_eval(settings, &v.interaction, wi);
         let weight = weigh.weight(light, &l, p, f.pdf);
         c.contribution = path.throughput * f.value * world.lights[light].radiance * (weight / p);

@@ -1,0 +1,70 @@
+// A light path whose vertices are joined to the eye, and kept for eye paths. Fills the slot <light_shade>.
+// uses: constants/bidirectional, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, camera/eye, sampler/dimensions, sampler/unit_float, integrator/light/begin, integrator/light/splat, integrator/bidirectional/bend, integrator/bidirectional/joint, integrator/bidirectional/partial, integrator/bidirectional/reservoir, <sampler>, <blocks>, <first_partial>, <depth>
+
+// What the eye sees of a light it finds itself: no splat is pending.
+void begin(inout LightState s, inout Subpath path, inout ShadowRay shadow, uint thread, uint pixel_index) {
+    LightStart start = light_start(pixel_index, s.index);
+    path = begin_light_path(start, pixel_index, s.index);
+    s.power = start.radiance * 3.141592653589793;
+    s.emission = start.pdf * 0.3183098861837907;
+    s.light = start.light;
+    s.light_prim = start.point.prim;
+    s.light_cosine = abs(dot3(path.ray.d, start.point.n));
+    reservoirs[kept_index(1u, 0u, s.index, thread)].seen = 0u;
+    s.index += 1u;
+}
+
+// Keeps a vertex, or does not.
+void offer(Joint y, uint bounce, uint sample_index, uint thread, uint pixel_index) {
+    if (has_density(y.v.interaction.material.kind, y.v.interaction.material.kd)) {
+        uvec4 u = sampler_block(pixel_index, sample_index, path_block(roulette_block(bounce)), camera.seed);
+        uint at = kept_index(1u, 0u, sample_index, thread);
+        uint seen = reservoirs[at].seen;
+        uint place = kept_place(seen, unit_float(u.w));
+        if (place < KEPT) {
+            keep_vertex(y, place, sample_index, thread);
+        }
+        reservoirs[at].seen = seen + 1u;
+    }
+}
+
+// A vertex joined to the eye.
+SplatRay weighed_splat(Joint y) {
+    EyeSample eye = eye_sample(camera, y.v.p);
+    Bend at = bend(y.v, y.wo, eye.wi);
+    float w = splat_weight(y.partial, at.junction, eye.importance);
+    vec3 contribution = y.carried * at.f * eye.importance * vec3(w);
+    return splat_ray(eye, spawn_ray(y.v, eye.wi, at.through, y.medium), at.some ? contribution : vec3(0.0));
+}
+
+void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Traced traced, inout LightLane lane, uint thread,
+           uint pixel_index) {
+    bool alive = false;
+    if (traced.hit.shape != NONE) {
+        Joint y;
+        y.v = path_vertex(traced.ray, traced.hit, traced.distance, vec3(1.0));
+        y.wo = -path.ray.d;
+        y.carried = s.power * path.throughput;
+        y.medium = path.ray.medium;
+        y.count = path.bounce + 2u;
+        Partial first = first_partial(s, y.v, y.wo, traced.distance);
+        y.partial = arrive(Partial(s.vcm, s.vc), traced.distance, abs(dot3(y.wo, y.v.ng)));
+        if (path.bounce == 0u) {
+            y.partial = first;
+        }
+        // A path sets out with some light: what has none has lost it to absorption.
+        bool absorbed = is_black(path.throughput);
+        lane.underflows += absorbed ? 1u : 0u;
+        if (!(materials[y.v.material].kind == KIND_BLACK || depth_reached(path.bounce) || absorbed)) {
+            offer(y, path.bounce, s.index - 1u, thread, pixel_index);
+            leave_pending(s, shadow, weighed_splat(y));
+            Extension e = extend(path, y.v, pixel_index, s.index - 1u);
+            count_extension(path, e, lane);
+            Partial left = left_partial(path, y.v, y.wo, y.partial);
+            s.vcm = left.vcm;
+            s.vc = left.vc;
+            alive = e.alive;
+        }
+    }
+    path.alive = alive ? 1u : 0u;
+}
