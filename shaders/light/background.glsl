@@ -10,5 +10,5 @@ float background_light_pdf() {
 
 // A direction uniform over the sphere.
 LightSample background_light_sample(vec2 u) {
-    return LightSample(unit_sphere(u), -1.0, background_light_pdf(), NONE);
+    return LightSample(unit_sphere(u), -1.0, background_light_pdf(), 1.0, NONE);
 }

@@ -11,6 +11,8 @@ struct LightSample {
     float distance;
     // Per steradian; 0: no sample, whatever else stands here.
     float pdf;
+    // |N_L.wi| at the point.
+    float cosine;
     // The face that the point is on, as in Hit: with the light's shape, what a shadow ray leads to.
     uint prim;
 };
@@ -33,7 +35,8 @@ float solid_angle_pdf(float area_pdf, float distance, float cosine) {
 LightSample area_sample(vec3 to, vec3 n, float area_pdf, uint prim) {
     float distance = length3(to);
     vec3 wi = to / (distance > 0.0 ? distance : 1.0);
-    return LightSample(wi, distance, solid_angle_pdf(area_pdf, distance, abs(dot3(wi, n))), prim);
+    float cosine = abs(dot3(wi, n));
+    return LightSample(wi, distance, solid_angle_pdf(area_pdf, distance, cosine), cosine, prim);
 }
 
 // A direction uniform over the unit sphere: z = 1 - 2 u1, sqrt(1 - z²) = 2 sqrt(u1 (1 - u1)).

@@ -29,6 +29,14 @@ float sphere_density(float radius) {
     return area_density(FOUR_PI * (radius * radius));
 }
 
+// A direction uniform in a cone about z, 1 - cos theta = h = u1 height, sin² theta = h (2 - h).
+vec3 cone_direction(float height, vec2 u) {
+    float h = u.x * height;
+    float sine = sqrt(h * (2.0 - h));
+    vec2 sincos = sincos_2pi(u.y);
+    return vec3(sine * sincos.y, sine * sincos.x, 1.0 - h);
+}
+
 // Uniform in the cone about `axis`, of length d: 1 - cos theta = h = u1 (1 - cos theta_max), sin² theta = h (2 - h).
 //
 // The distance to the near side is (d² - r²)/(d cos theta + sqrt(r² - d² sin² theta)), where the root is
@@ -36,12 +44,10 @@ float sphere_density(float radius) {
 LightSample cone_sample(vec3 axis, float d, float radius, vec2 u) {
     float height = cone_height(radius, d);
     float h = u.x * height;
-    float sine = sqrt(h * (2.0 - h));
-    vec2 sincos = sincos_2pi(u.y);
     float root = sqrt(height * (1.0 - u.x) * (2.0 - height - h));
-    vec3 wi = to_world(frame_about(axis / d), vec3(sine * sincos.y, sine * sincos.x, 1.0 - h));
+    vec3 wi = to_world(frame_about(axis / d), cone_direction(height, u));
     float distance = (d - radius) * ((d + radius) / d) / (1.0 - h + root);
-    return LightSample(wi, distance, cone_pdf(height), 0u);
+    return LightSample(wi, distance, cone_pdf(height), root * d / radius, 0u);
 }
 
 // A direction uniform in the cone that the sphere subtends; from inside, or from a point on it, where there is no cone, a

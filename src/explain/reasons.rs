@@ -28,6 +28,7 @@ pub fn reason(subject: &Subject, member: Member) -> String {
             true => "no mesh file gives normals",
             false => "there is no mesh",
         },
+        Member::Aims => "nothing mirrors or refracts: no light gathers",
         Member::Covered(kind) => {
             return format!(
                 "no face of a {} is where another comes first",

@@ -20,6 +20,7 @@ pub enum Member {
     LightPick(LightPick),
     Absorption(Absorption),
     ShadingNormals,
+    Aims,
     /// Faces of this kind of shape may be covered by others.
     Covered(ShapeKind),
 }
@@ -32,6 +33,7 @@ impl Member {
             Self::Absorption(settings.model.absorption),
             Self::ShadingNormals,
         ]);
+        all.extend(Features::aims(settings).then_some(Self::Aims));
         all.extend(ShapeKind::EVERY.map(Self::Shape));
         all.extend(ShapeKind::EVERY.map(Self::InBvh));
         all.extend(ShapeKind::EVERY.map(Self::Covered));
@@ -55,6 +57,7 @@ impl Features {
         let flags = [
             (self.diffuse_beside, Member::DiffuseBeside),
             (self.shading_normals, Member::ShadingNormals),
+            (self.aims, Member::Aims),
         ];
         let mut all: BTreeSet<Member> = flags.iter().filter(|f| f.0).map(|f| f.1).collect();
         all.extend(self.shapes.iter().copied().map(Member::Shape));
@@ -105,6 +108,7 @@ impl Features {
             Member::LightPick(pick) => put(&mut self.picks, pick, there),
             Member::Absorption(rule) => self.absorption = there.then_some(rule),
             Member::ShadingNormals => self.shading_normals = there,
+            Member::Aims => self.aims = there,
             Member::Covered(kind) => put(&mut self.covered, kind, there),
         }
     }

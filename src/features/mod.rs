@@ -102,6 +102,8 @@ pub struct Features {
     pub max_depth: bool,
     /// A mesh brings normals of its own.
     pub shading_normals: bool,
+    /// Light paths are aimed at what gathers light.
+    pub aims: bool,
     /// Kinds with a face that another shape's may come before, in the same place.
     pub covered: BTreeSet<ShapeKind>,
     /// What is made beside the picture.
@@ -142,6 +144,7 @@ impl Features {
                 .any(|m| Prepared::is_transmissive(m) && m.sigma != DVec3::ZERO)
                 .then_some(settings.model.absorption),
             shading_normals: !prepared.primitives.normals.is_empty(),
+            aims: Self::aims(settings) && !prepared.aims.is_empty(),
             covered: covered(prepared),
             ..Self::bare(settings, aovs)
         }
@@ -183,9 +186,15 @@ impl Features {
             absorption: None,
             max_depth: model.max_depth.is_some(),
             shading_normals: false,
+            aims: false,
             covered: BTreeSet::new(),
             aovs: aovs.iter().copied().collect(),
         }
+    }
+
+    /// Whether light paths are aimed where there is anything to aim at.
+    fn aims(settings: &Settings) -> bool {
+        settings.estimator.integrator == Integrator::Bidirectional
     }
 
     /// The kinds whose primitives are tried one by one.

@@ -31,6 +31,7 @@ impl Features {
         let optional = [
             (self.diffuse_beside, "diffuse beside specular"),
             (self.shading_normals, "shading normals"),
+            (self.aims, "aimed light paths"),
             (self.radiance_scaling, "radiance scaling"),
             (self.max_depth, "longest path"),
         ];

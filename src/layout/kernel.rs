@@ -165,7 +165,7 @@ crate::gpu_struct! {
     pub struct LightState {
         path: Subpath,
         shadow: ShadowRay,
-        /// π L/(P p_A) of the path's first vertex.
+        /// L cos/p_e of the path's first vertex.
         power: vec3,
         /// Light paths begun, from the first sample on.
         index: uint,
@@ -175,7 +175,7 @@ crate::gpu_struct! {
         /// What the weights of bidirectional paths know along the path's ray: √dVCM and √dVC.
         vcm: float,
         vc: float,
-        /// Of the light path's first vertex: P p_A/π, the cosine of its ray, its light and the face of that.
+        /// Of the light path's first vertex: P p_A p/cos, the cosine of its ray, its light and the face of that.
         emission: float,
         light_cosine: float,
         light: uint,

@@ -4,6 +4,7 @@
 //! Positions and lengths are in rendering space ([`Space`]): the scene moved so that the middle of its bounds is the
 //! origin, and scaled to about 1, which keeps f32 accurate whatever the scene's place and scale.
 
+mod aims;
 pub mod cdf;
 mod coincide;
 mod eye;
@@ -27,6 +28,7 @@ pub use crate::shape::{
 };
 pub use light_tree::LightTree;
 pub use prepare::{PrepareError, prepare};
+pub use record::aim::Aim;
 pub use record::camera::Camera;
 pub use record::light::Light;
 pub use record::light_node::LightNode;
@@ -35,6 +37,7 @@ pub use record::shape::Shape;
 
 /// The records as the kernels read them.
 pub mod device {
+    pub use super::record::aim::device::Aim;
     pub use super::record::camera::device::Camera;
     pub use super::record::light::device::Light;
     pub use super::record::light_node::device::LightNode;
@@ -62,6 +65,8 @@ pub struct Prepared {
     pub light_media: Vec<u32>,
     /// Choice of a triangle within each mesh light, in the same form; see [`Light::cdf`].
     pub triangle_cdf: Vec<u32>,
+    /// What light paths of bidirectional path tracing are aimed at.
+    pub aims: Vec<Aim>,
     /// Radiance of everything outside.
     pub background: DVec3,
     /// The scene file's line, 0 where none says so.

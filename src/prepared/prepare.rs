@@ -78,6 +78,7 @@ pub fn prepare(
             None => NONE,
         })
         .collect();
+    let aims = super::aims::aims(&placed, &materials);
     let light_tree = LightTree::new(&placed, &lights.lights);
     let mut shapes = placed.shapes;
     for (i, light) in lights.lights.iter().enumerate() {
@@ -95,6 +96,7 @@ pub fn prepare(
         light_cdf: lights.light_cdf,
         light_tree,
         light_media,
+        aims,
         triangle_cdf: lights.triangle_cdf,
         background: scene.background,
         background_line: scene.background_line,

@@ -11,6 +11,7 @@ pub use super::primitives::Light;
 use super::primitives::Primitives;
 use super::shape::cover::{is_covered_at, touching};
 use super::shape::{Hit, Ray, Surface, Target, no_hit};
+pub use crate::prepared::record::aim::scalar::Aim;
 use crate::prepared::{LightKind, NONE, Prepared, Shape};
 
 /// The scene that paths travel in.
@@ -26,6 +27,8 @@ pub struct World<F> {
     pub background_light: Option<usize>,
     /// Of each light, the material whose inside it stands in, or `NONE`.
     pub light_media: Vec<u32>,
+    /// What light paths of bidirectional path tracing are aimed at.
+    pub aims: Vec<Aim<F>>,
     light_cdf: Vec<u32>,
     /// The tree of lights, and the ways to them.
     pub light_nodes: Vec<LightNode<F>>,
@@ -54,6 +57,9 @@ impl<F: Real> World<F> {
             background_light: lights.clone().position(|l| l.kind == LightKind::Background),
             lights: lights.map(|l| Light::rounded(l, F::new)).collect(),
             light_media: prepared.light_media.clone(),
+            aims: (prepared.aims.iter())
+                .map(|aim| Aim::rounded(aim, F::new))
+                .collect(),
             light_cdf: prepared.light_cdf.clone(),
             light_nodes: nodes.map(|n| LightNode::rounded(n, F::new)).collect(),
             light_trails: prepared.light_tree.trails.clone(),

@@ -1,15 +1,22 @@
 // A light path whose vertices are joined to the eye, and kept for eye paths. Fills the slot <light_shade>.
-// uses: constants/bidirectional, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, camera/eye, sampler/dimensions, sampler/unit_float, integrator/light/begin, integrator/light/splat, integrator/bidirectional/bend, integrator/bidirectional/joint, integrator/bidirectional/partial, integrator/bidirectional/reservoir, <sampler>, <blocks>, <first_partial>, <depth>
+// uses: constants/bidirectional, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, camera/eye, sampler/dimensions, sampler/unit_float, integrator/light/begin, integrator/light/splat, integrator/bidirectional/bend, integrator/bidirectional/joint, integrator/bidirectional/partial, integrator/bidirectional/reservoir, <sampler>, <blocks>, <aim>, <first_partial>, <depth>
 
 // What the eye sees of a light it finds itself: no splat is pending.
 void begin(inout LightState s, inout Subpath path, inout ShadowRay shadow, uint thread, uint pixel_index) {
     LightStart start = light_start(pixel_index, s.index);
-    path = begin_light_path(start, pixel_index, s.index);
-    s.power = start.radiance * 3.141592653589793;
-    s.emission = start.pdf * 0.3183098861837907;
+    uvec4 u = sampler_block(pixel_index, s.index, path_block(light_block(0u)), camera.seed);
+    vec3 d = aimed_direction(start.point.p, start.point.n, unit_float(u.z), vec2(unit_float(u.x), unit_float(u.y)));
+    path = leaving_path(start, d);
+    float cosine = dot3(d, start.point.n);
+    // Half the cone of an aim may be behind the light.
+    path.alive = cosine > 0.0 ? path.alive : 0u;
+    // L cos/p_e, p_e = P p_A p: `radiance` is L/(P p_A), `density` p/cos.
+    float density = aimed_density(start.point.p, d, cosine);
+    s.power = start.radiance / density;
+    s.emission = start.pdf * density;
     s.light = start.light;
     s.light_prim = start.point.prim;
-    s.light_cosine = abs(dot3(path.ray.d, start.point.n));
+    s.light_cosine = abs(cosine);
     reservoirs[kept_index(1u, 0u, s.index, thread)].seen = 0u;
     s.index += 1u;
 }

@@ -149,6 +149,9 @@ fn structs(features: &Features) -> String {
     if !features.lights.is_empty() {
         text += &device::Light::glsl();
     }
+    if features.aims {
+        text += &device::Aim::glsl();
+    }
     if features.picks.contains(&LightPick::Tree) {
         text += &device::LightNode::glsl();
     }

@@ -228,6 +228,13 @@ fn files(
             },
         ),
         (
+            "aim",
+            match features.aims {
+                true => "integrator/bidirectional/aim/balls",
+                false => "integrator/bidirectional/aim/none",
+            },
+        ),
+        (
             "light_shade",
             match both {
                 false => "integrator/light/shade",

@@ -1,5 +1,6 @@
 //! The records of a scene, each declared once: see [`record!`](crate::layout::record).
 
+pub mod aim;
 pub mod camera;
 pub mod light;
 pub mod light_node;

@@ -15,6 +15,7 @@ pub fn background_light_sample<F: Real>(u: [F; 2]) -> LightSample<F> {
         wi: unit_sphere(u),
         distance: -F::one(),
         pdf: background_light_pdf(),
+        cosine: F::one(),
         prim: NONE,
     }
 }

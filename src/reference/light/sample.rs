@@ -11,6 +11,8 @@ pub struct LightSample<F> {
     pub distance: F,
     /// Per steradian; 0: no sample, whatever else stands here.
     pub pdf: F,
+    /// |N_L·wi| at the point.
+    pub cosine: F,
     /// The face that the point is on, as in [`Hit::prim`](crate::reference::shape::Hit::prim): with the light's shape, what
     /// a shadow ray leads to.
     pub prim: u32,
@@ -39,10 +41,12 @@ pub fn area_sample<F: Real>(to: Vec3<F>, n: Vec3<F>, area_pdf: F, prim: u32) -> 
         } else {
             F::one()
         };
+    let cosine = dot3(wi, n).abs();
     LightSample {
         wi,
         distance,
-        pdf: solid_angle_pdf(area_pdf, distance, dot3(wi, n).abs()),
+        pdf: solid_angle_pdf(area_pdf, distance, cosine),
+        cosine,
         prim,
     }
 }

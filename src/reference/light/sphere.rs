@@ -75,16 +75,20 @@ pub fn cone_sample<F: Real>(axis: Vec3<F>, d: F, radius: F, u: [F; 2]) -> LightS
     let two = F::new(2.0);
     let height = cone_height(radius, d);
     let h = u[0] * height;
-    let sin = (h * (two - h)).sqrt();
-    let (sin_phi, cos_phi) = F::sincos_2pi(u[1]);
     let root = (height * (one - u[0]) * (two - height - h)).sqrt();
     LightSample {
-        wi: to_world(
-            frame_about(axis / d),
-            vec3(sin * cos_phi, sin * sin_phi, one - h),
-        ),
+        wi: to_world(frame_about(axis / d), cone_direction(height, u)),
         distance: (d - radius) * ((d + radius) / d) / (one - h + root),
         pdf: cone_pdf(height),
+        cosine: root * d / radius,
         prim: 0,
     }
+}
+
+/// A direction uniform in a cone about z, 1 − cos θ = h = u₁ `height`, sin²θ = h(2 − h).
+pub fn cone_direction<F: Real>(height: F, u: [F; 2]) -> Vec3<F> {
+    let h = u[0] * height;
+    let sin = (h * (F::new(2.0) - h)).sqrt();
+    let (sin_phi, cos_phi) = F::sincos_2pi(u[1]);
+    vec3(sin * cos_phi, sin * sin_phi, F::one() - h)
 }

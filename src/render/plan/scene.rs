@@ -156,6 +156,9 @@ impl<'a> Arrays<'a> {
                 media.clone()
             });
         }
+        if features.aims {
+            self.records("aims", &prepared.aims);
+        }
         if features.lights.contains(&LightKind::Mesh) {
             self.lent("triangle_cdf", Element::Uint, &prepared.triangle_cdf);
         }

@@ -30,6 +30,7 @@ impl Builder {
             primitives: Primitives::default(),
             materials: Vec::new(),
             lights: Vec::new(),
+            aims: Vec::new(),
             light_media: Vec::new(),
             light_cdf: Vec::new(),
             light_tree: Default::default(),

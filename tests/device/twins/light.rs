@@ -36,7 +36,8 @@ pub fn twins() -> Vec<Twin> {
     .collect()
 }
 
-const OUT_SAMPLE: &str = "out_vec3(s.wi); out_f(s.distance); out_f(s.pdf); out_u(s.prim);";
+const OUT_SAMPLE: &str =
+    "out_vec3(s.wi); out_f(s.distance); out_f(s.pdf); out_f(s.cosine); out_u(s.prim);";
 /// 1 − 2⁻²⁴, the largest that the sampler draws.
 const LAST: f32 = 0.999_999_94;
 
@@ -44,6 +45,7 @@ fn out_sample(s: LightSample<f32>, o: &mut Out) {
     o.vec3(s.wi);
     o.f(s.distance);
     o.f(s.pdf);
+    o.f(s.cosine);
     o.u(s.prim);
 }
 
@@ -253,6 +255,7 @@ fn cones() -> Vec<Twin> {
             .rust(|i, o| o.f(cone_pdf(i.f())))
             .edges([0.0, 1e-40, 1e-36, 1.0].map(|x| Row::from([x]))),
         light("cone_sample", "light/sphere")
+            .also(&["cone_direction"])
             .glsl(&format!(
                 "vec3 axis = in_vec3(); float d = in_f(); float r = in_f();
                  LightSample s = cone_sample(axis, d, r, in_vec2()); {OUT_SAMPLE}"

@@ -91,6 +91,7 @@ const EXCUSED: &[(&str, &str)] = &[
         "film/moments/",
         "the buffer's side of film_moments; tests/device/same_bits.rs holds standard errors to the bit",
     ),
+    ("integrator/bidirectional/aim/", READS_THE_SCENE),
     ("integrator/bidirectional/background/", READS_THE_SCENE),
     ("integrator/bidirectional/bend", READS_THE_SCENE),
     ("integrator/bidirectional/direct/", READS_THE_SCENE),

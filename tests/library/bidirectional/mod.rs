@@ -1,5 +1,6 @@
 //! Bidirectional path tracing: its weights by brute force, and its pictures against those of path tracing.
 
+mod aim;
 mod chain;
 mod emission;
 mod pictures;

@@ -22,6 +22,10 @@ pub const HOMES: &[(&str, &str)] = &[
     ("path/depth/", "path"),
     ("integrator/path/emission/", "integrator/path"),
     (
+        "integrator/bidirectional/aim/",
+        "integrator/bidirectional/aim",
+    ),
+    (
         "integrator/bidirectional/background/",
         "integrator/bidirectional/eye_path",
     ),
@@ -162,6 +166,7 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
         "which of the files of the slot <pick> the kernel holds",
     ),
     ("trace_bidirectional", "both kernels, one after the other"),
+    ("begin_aimed_path", "a part of begin"),
     ("light_path", "the loop of light_trace.comp"),
     ("eye_path", "the loop of eye_trace.comp"),
     ("arrives", "a part of trace_eye_rays"),

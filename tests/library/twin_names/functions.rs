@@ -28,7 +28,7 @@ impl fmt::Display for Function {
 }
 
 /// Types of arguments that stand for what a kernel has in its slots, buffers and push constants, or that record.
-const GIVEN_TO_RUST: [&str; 17] = [
+const GIVEN_TO_RUST: [&str; 18] = [
     "&Settings",
     "&World<F>",
     "&Primitives<F>",
@@ -36,6 +36,7 @@ const GIVEN_TO_RUST: [&str; 17] = [
     "&mut impl Recorder<F>",
     "&impl Weigh<F>",
     "Transport<F>",
+    "&[Aim<F>]",
     "&mut LightCounts",
     "SampleId",
     "Origin",

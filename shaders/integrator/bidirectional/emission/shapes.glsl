@@ -10,7 +10,7 @@ vec3 emission_seen(Subpath path, Partial partial, vec3 n, Vertex v, vec3 origin,
     if (light != NONE) {
         float cosine = abs(dot3(path.ray.d, v.ng));
         float p_n = pick_probability(light, origin, n) * light_pdf(light, origin, v.prim, cosine, distance);
-        float emission = emission_density(light, origin, v.prim, path.ray.d);
+        float emission = emission_density(light, origin, v.prim, path.ray.d, v.p, cosine);
         seen = lights[light].radiance * (path.bounce == 0u ? 1.0 : hit_weight(partial, p_n, emission));
     }
     return seen;

@@ -14,7 +14,7 @@ struct Candidate {
 };
 
 Candidate no_candidate() {
-    return Candidate(NONE, LightSample(vec3(0.0), -1.0, 0.0, NONE), false, vec3(0.0));
+    return Candidate(NONE, LightSample(vec3(0.0), -1.0, 0.0, 1.0, NONE), false, vec3(0.0));
 }
 
 // The point of `light` that u24 and u draw. `expected`: how many points of this light are drawn on average, as

@@ -82,7 +82,7 @@ pub fn light(features: &Features) -> String {
     ];
     let samples = calls(features, |s| s.light_sample, "background_light_sample(u)");
     let pdfs = calls(features, |s| s.light_pdf, "background_light_pdf()");
-    let none = "LightSample(vec3(0.0), -1.0, 0.0, NONE)";
+    let none = "LightSample(vec3(0.0), -1.0, 0.0, 1.0, NONE)";
     let file = |kind: &LightKind| match kind.shape() {
         Some(shape) => shape.description().light_file,
         None => "light/background",

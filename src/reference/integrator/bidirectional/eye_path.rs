@@ -112,7 +112,7 @@ fn emission_seen<F: Real>(
         let cosine = dot3(path.ray.d, v.ng).abs();
         let expected = pick_probability(t.world, t.settings, light, origin, n);
         let p_n = expected * (t.world).light_pdf(light, origin, v.prim, cosine, distance);
-        let emission = emission_density(t, light, origin, v.prim, path.ray.d);
+        let emission = emission_density(t, light, origin, v.prim, path.ray.d, v.p, cosine);
         hit_weight(partial, p_n, emission)
     });
     t.world.lights[light].radiance * t.ways.weight(0, path.bounce + 2, weight)

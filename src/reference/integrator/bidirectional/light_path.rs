@@ -1,16 +1,18 @@
 //! The path from a light: its splats, and the vertices that eye paths are joined to.
 
 use super::Transport;
+use super::aim::{aimed_density, aimed_direction};
 use super::bend::{bend, left_partial};
 use super::joint::Joint;
 use super::partial::{Partial, arrive, from_light_point, splat_weight};
 use super::reservoir::{Reservoir, has_density};
 use crate::prepared::MaterialKind;
 use crate::reference::camera::eye_sample;
-use crate::reference::integrator::light::begin::{LightStart, begin_light_path, light_start};
+use crate::reference::integrator::light::begin::{LightStart, leaving_path, light_start};
 use crate::reference::integrator::light::splat::{SplatRay, Window, in_film, splat_ray};
 use crate::reference::integrator::light::{LightCounts, Splat, count_extension};
 use crate::reference::integrator::path::pick::{pick_normal, pick_probability};
+use crate::reference::light::emission::Emission;
 use crate::reference::math::finite::is_black;
 use crate::reference::math::{Real, Vec3, dot3};
 use crate::reference::path::blocks::{Origin, path_block};
@@ -18,8 +20,8 @@ use crate::reference::path::extend::extend;
 use crate::reference::path::spawn::spawn_ray;
 use crate::reference::path::trace::{extend_ray, shadow_ray};
 use crate::reference::path::vertex::{Vertex, path_vertex};
-use crate::reference::path::{SampleId, depth_reached};
-use crate::reference::sampler::{roulette_block, unit_float};
+use crate::reference::path::{SampleId, Subpath, depth_reached};
+use crate::reference::sampler::{light_block, roulette_block, unit_float};
 
 /// Follows the light path of a sample to its end.
 pub fn light_path<F: Real>(
@@ -33,10 +35,12 @@ pub fn light_path<F: Real>(
     let Some(start) = light_start(t.world, t.adjoint, id) else {
         return reservoir;
     };
-    let mut path = begin_light_path(t.world, t.adjoint, &start, id);
-    let power = start.radiance * F::new(std::f64::consts::PI);
+    let (mut path, density) = begin_aimed_path(t, &start, id);
+    // L cos θ/p_e, p_e = P p_A p: `radiance` is L/(P p_A), `density` p/cos θ.
+    let power = start.radiance / density;
     let mut partial = None;
-    let mut alive = true;
+    // Half the cone of an aim may be behind the light.
+    let mut alive = dot3(path.ray.d, start.point.n) > F::zero();
     while alive {
         let (hit, distance) = extend_ray(t.world, t.adjoint, &mut path, &mut counts.rays);
         let Some(hit) = hit else { break };
@@ -44,7 +48,7 @@ pub fn light_path<F: Real>(
         let wo = -path.ray.d;
         let cosine = dot3(wo, v.ng).abs();
         let here = match partial {
-            None => first_partial(t, &start, &v, wo, distance),
+            None => first_partial(t, &start, density, &v, wo, distance),
             Some(partial) => arrive(partial, distance, cosine),
         };
         let absorbed = is_black(path.throughput);
@@ -85,10 +89,25 @@ pub fn light_path<F: Real>(
     reservoir
 }
 
+/// The path that leaves a light, and its direction's density over its cosine there.
+fn begin_aimed_path<F: Real>(
+    t: Transport<F>,
+    start: &LightStart<F>,
+    id: SampleId,
+) -> (Subpath<F>, F) {
+    let u = id.words(t.adjoint, path_block(Origin::Light, light_block(0)));
+    let [x, y, choice, _] = u.map(unit_float);
+    let Emission { p, n, .. } = start.point;
+    let d = aimed_direction(&t.world.aims, p, n, choice, [x, y]);
+    let density = aimed_density(&t.world.aims, p, d, dot3(d, n));
+    (leaving_path(t.world, start, d), density)
+}
+
 /// What the weights know at the first vertex that light arrives at, along `wo`.
 fn first_partial<F: Real>(
     t: Transport<F>,
     start: &LightStart<F>,
+    density: F,
     v: &Vertex<F>,
     wo: Vec3<F>,
     distance: F,
@@ -98,7 +117,7 @@ fn first_partial<F: Real>(
     let expected = pick_probability(t.world, t.settings, light, v.p, n);
     let at_light = dot3(wo, point.n).abs();
     let p_n = expected * (t.world).light_pdf(light, v.p, point.prim, at_light, distance);
-    let emission = start.pdf * F::new(std::f64::consts::FRAC_1_PI);
+    let emission = start.pdf * density;
     from_light_point(p_n, emission, dot3(wo, v.ng).abs())
 }
 

@@ -4,6 +4,7 @@
 //! Sample i of a pixel is an eye path and, with random numbers of its own, a light path; what the light path brings to the eye
 //! are splats on any pixel. Veach, Robust Monte Carlo Methods for Light Transport Simulation, 1997, chapter 10.
 
+pub mod aim;
 pub mod bend;
 pub mod eye_path;
 pub mod join;

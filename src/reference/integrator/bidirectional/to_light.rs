@@ -1,6 +1,7 @@
 //! A vertex of the eye path connected to a light.
 
 use super::Transport;
+use super::aim::aimed_density;
 use super::bend::reverse_pdf;
 use super::partial::{Junction, Partial, light_weight};
 use crate::reference::integrator::path::direct::shadow_to_light;
@@ -13,16 +14,19 @@ use crate::reference::path::vertex::Vertex;
 use crate::reference::path::{SampleId, Subpath};
 use crate::reference::sampler::light_block;
 
-/// Density per area and solid angle of the start of a light path that `p` sees along `wi`, over the cosine there: P p_A/π.
+/// Density per area and solid angle of the start of a light path at `q`, a point of primitive `prim` that `p` sees along `wi`,
+/// over the cosine there: P p_A p/cos.
 pub fn emission_density<F: Real>(
     t: Transport<F>,
     light: usize,
     p: Vec3<F>,
     prim: u32,
     wi: Vec3<F>,
+    q: Vec3<F>,
+    cosine: F,
 ) -> F {
     let per_area = t.world.emission_pdf(light, p, prim, wi);
-    t.world.light_pmf(light) * per_area * F::new(std::f64::consts::FRAC_1_PI)
+    t.world.light_pmf(light) * per_area * aimed_density(&t.world.aims, q, -wi, cosine)
 }
 
 /// What weighs a connection of an eye path's vertex to a light.
@@ -41,7 +45,15 @@ impl<F: Real> Weigh<F> for ToLight<'_, F> {
             pdf: bsdf_pdf,
             reverse_pdf: reverse_pdf(t.settings, v, l.wi, -path.ray.d),
         };
-        let emission = emission_density(t, light, v.p, l.prim, l.wi);
+        let emission = emission_density(
+            t,
+            light,
+            v.p,
+            l.prim,
+            l.wi,
+            v.p + l.wi * l.distance,
+            l.cosine,
+        );
         let weight = light_weight(self.partial, x, p, emission);
         t.ways.weight(1, path.bounce + 2, weight)
     }

@@ -75,10 +75,13 @@ pub fn begin_light_path<F: Real>(
     id: SampleId,
 ) -> Subpath<F> {
     let u = id.words(settings, path_block(Origin::Light, light_block(0)));
-    let d = to_world(
-        frame_about(start.point.n),
-        cosine_lobe([unit_float(u[0]), unit_float(u[1])]),
-    );
+    let u = [unit_float(u[0]), unit_float(u[1])];
+    let d = to_world(frame_about(start.point.n), cosine_lobe(u));
+    leaving_path(world, start, d)
+}
+
+/// A path that sets out along `d`.
+pub fn leaving_path<F: Real>(world: &World<F>, start: &LightStart<F>, d: Vec3<F>) -> Subpath<F> {
     Subpath {
         ray: emitted_ray(world, start, d),
         throughput: Vec3::one(),
