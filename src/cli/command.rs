@@ -81,6 +81,7 @@ mod tests {
         let mut request = Request {
             scene: &scene,
             settings,
+            auto: false,
             size: Some([40, 30]),
             crop: Some([1, 2, 3, 4]),
             spp: 9,

@@ -3,6 +3,8 @@
 use glam::DVec3;
 
 use super::exit::Failure;
+use super::job::Request;
+use crate::features::{Chosen, chosen};
 use crate::prepared::{MaterialKind, Prepared};
 use crate::report::names::Named;
 use crate::settings::{Absorption, Connect, Integrator, Settings};
@@ -26,10 +28,26 @@ pub fn check(settings: &Settings) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Refuses what follows paths from the eye, `flag`, with another integrator.
-pub fn only_path(settings: &Settings, flag: &str) -> Result<(), Failure> {
-    match settings.estimator.integrator {
-        Integrator::Path => Ok(()),
+/// Settings with the integrator that a scene has chosen, and why.
+pub struct Settled {
+    pub settings: Settings,
+    pub why: &'static str,
+}
+
+/// These settings with the integrator that the scene chooses.
+pub fn settled(prepared: &Prepared, mut settings: Settings) -> Settled {
+    let Chosen { integrator, why } = chosen(prepared, &settings);
+    settings.estimator.integrator = integrator;
+    Settled { settings, why }
+}
+
+/// Refuses what follows paths from the eye, `flag`, with another integrator; one that the scene chooses is these paths'.
+pub fn only_path<'a>(request: Request<'a>, flag: &str) -> Result<Request<'a>, Failure> {
+    match request.settings.estimator.integrator {
+        Integrator::Path => Ok(Request {
+            auto: false,
+            ..request
+        }),
         other => Err(Failure::Usage(format!(
             "{flag} follows the paths of --integrator path: leave --integrator {} out",
             other.name()

@@ -14,6 +14,8 @@ use crate::settings::Settings;
 pub struct Request<'a> {
     pub scene: &'a Source,
     pub settings: Settings,
+    /// The scene is to choose its integrator.
+    pub auto: bool,
     pub size: Option<[u32; 2]>,
     pub crop: Option<[u32; 4]>,
     pub spp: u32,
@@ -34,6 +36,8 @@ pub struct Loaded {
 pub struct Ready {
     pub prepared: Prepared,
     pub settings: Settings,
+    /// Why the integrator was chosen, where the scene was to choose it.
+    pub why: Option<&'static str>,
     /// Those of reading it, too.
     pub warnings: Vec<String>,
     pub read_s: f64,
@@ -63,14 +67,17 @@ impl Loaded {
         let start = Instant::now();
         let prepared = self.prepare_in_silence(request)?;
         let prepare_s = start.elapsed().as_secs_f64();
+        let settled = (request.auto).then(|| integrator::settled(&prepared, request.settings));
+        let settings = settled.as_ref().map_or(request.settings, |s| s.settings);
         let mut warnings = prepared.warnings.clone();
-        warnings.extend(integrator::unseen(&prepared, &request.settings));
+        warnings.extend(integrator::unseen(&prepared, &settings));
         if request.strict && !warnings.is_empty() {
             return Err(Failure::Strict(warnings));
         }
         warnings.iter().for_each(|warning| warn(warning));
         Ok(Ready {
-            settings: request.settings,
+            settings,
+            why: settled.map(|s| s.why),
             warnings: [&self.warnings[..], &warnings].concat(),
             read_s: self.read_s,
             prepare_s,

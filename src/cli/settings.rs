@@ -1,6 +1,6 @@
 //! The flags of the settings, which every command that renders takes.
 
-use super::values::{self, Preset, choice};
+use super::values::{self, IntegratorRule, Preset, choice};
 use crate::settings::{
     Absorption, Connect, DistributionRule, Fresnel, Integrator, Lights, LobeChoice, Normals,
     Roulette, Sampler, Settings,
@@ -46,10 +46,10 @@ pub struct SettingArguments {
 
     /// Which paths find the light: those from the eye; those from the lights, each vertex joined to
     /// the eye, which see neither mirrors nor through smooth glass; or both, joined to each other: path,
-    /// light or bidirectional [default: path]
+    /// light, bidirectional, or auto: what suits the scene [default: path]
     #[arg(long, value_name = "PATHS", help_heading = ESTIMATOR)]
-    #[arg(value_parser = choice::<Integrator>(), hide_possible_values = true)]
-    pub integrator: Option<Integrator>,
+    #[arg(value_parser = values::integrator(), hide_possible_values = true)]
+    pub integrator: Option<IntegratorRule>,
 
     /// How a lobe is chosen: by its share of fresnel, or by the norms of Kd, Ks and Kt [default:
     /// fresnel]
@@ -96,6 +96,11 @@ impl SettingArguments {
         }
     }
 
+    /// Whether the scene is to choose its integrator.
+    pub fn auto(&self) -> bool {
+        self.integrator == Some(IntegratorRule::Auto)
+    }
+
     /// The preset's values, or the defaults, with what the flags say put over them.
     pub fn settings(&self) -> Settings {
         let (_, preset) = self.preset();
@@ -118,7 +123,12 @@ impl SettingArguments {
         replace(&mut model.absorption, self.absorption);
         replace(&mut model.radiance_scaling, self.radiance_scaling);
         model.max_depth = self.max_depth.or(model.max_depth);
-        replace(&mut estimator.integrator, self.integrator);
+        match self.integrator {
+            Some(IntegratorRule::Always(integrator)) => estimator.integrator = integrator,
+            // Until the scene is known.
+            Some(IntegratorRule::Auto) => estimator.integrator = Integrator::Path,
+            None => {}
+        }
         replace(&mut estimator.lobe, self.lobe);
         replace(&mut estimator.normals, self.normals);
         replace(&mut estimator.roulette, self.roulette);

@@ -10,7 +10,7 @@ use crate::image::Format;
 use crate::render::{KernelChoice, Target};
 use crate::report::names::Named;
 use crate::scene::LARGEST_SIDE;
-use crate::settings::{Distribution, DistributionRule, Roulette};
+use crate::settings::{Distribution, DistributionRule, Integrator, Roulette};
 
 /// A named set of settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,6 +52,26 @@ pub fn distribution() -> impl TypedValueParser<Value = DistributionRule> {
         .map(|&(which, name)| (DistributionRule::Always(which), name));
     named(
         [(DistributionRule::Auto, "auto")]
+            .into_iter()
+            .chain(always)
+            .collect(),
+    )
+}
+
+/// Which integrator: the same for every scene, or the one that suits it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum IntegratorRule {
+    Auto,
+    Always(Integrator),
+}
+
+/// `auto`, or the name of an integrator.
+pub fn integrator() -> impl TypedValueParser<Value = IntegratorRule> {
+    let always = Integrator::ALL
+        .iter()
+        .map(|&(which, name)| (IntegratorRule::Always(which), name));
+    named(
+        [(IntegratorRule::Auto, "auto")]
             .into_iter()
             .chain(always)
             .collect(),

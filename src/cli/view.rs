@@ -1,9 +1,9 @@
 //! The flags of what is looked at in a scene, which every command that reads one takes.
 
 use super::job::Request;
+use super::settings::SettingArguments;
 use super::source::Source;
 use super::values;
-use crate::settings::Settings;
 
 /// Which pixels there are, and what is taken for wrong.
 #[derive(clap::Args, Debug)]
@@ -26,13 +26,14 @@ impl ViewArguments {
     pub fn request<'a>(
         &self,
         scene: &'a Source,
-        settings: Settings,
+        settings: &SettingArguments,
         spp: u32,
         seed: u32,
     ) -> Request<'a> {
         Request {
             scene,
-            settings,
+            settings: settings.settings(),
+            auto: settings.auto(),
             size: self.size,
             crop: self.crop,
             spp,

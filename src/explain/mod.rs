@@ -23,6 +23,8 @@ pub struct Subject<'a> {
     /// The scene file, line by line.
     pub text: &'a str,
     pub preset: Preset,
+    /// Why the scene chose its integrator, where it was to choose it.
+    pub auto: Option<&'a str>,
     /// Whose limits the plan keeps.
     pub device: &'a str,
 }

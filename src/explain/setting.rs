@@ -51,7 +51,10 @@ fn estimator(subject: &Subject) -> [Setting; 9] {
     let settings = &subject.job.settings.estimator;
     let names = SettingsRecord::from(&subject.job.settings);
     let connect = by(subject, "connect", |s| s.connect.to_owned());
-    let integrator = by(subject, "integrator", |s| s.integrator.to_owned());
+    let integrator = match subject.auto {
+        Some(why) => format!("--integrator auto: {why}"),
+        None => by(subject, "integrator", |s| s.integrator.to_owned()),
+    };
     [
         Setting {
             group: "integrator",

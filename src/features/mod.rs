@@ -4,6 +4,7 @@
 //! layout, never the order in which random numbers are drawn. So a kernel that holds more than its scene needs,
 //! up to [`Features::full`], makes the same picture.
 
+mod auto;
 mod member;
 mod names;
 
@@ -18,6 +19,7 @@ use crate::settings::{
     Absorption, Connect, Distribution, Estimator, Fresnel, Integrator, Lights, LobeChoice, Normals,
     Roulette, Sampler, Settings,
 };
+pub use auto::{Chosen, chosen};
 pub use member::Member;
 pub use names::words;
 

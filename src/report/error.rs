@@ -14,6 +14,8 @@ pub fn bought(record: &Record) -> String {
         parts.push(format!("{} samples/s", count(rate)));
     }
     parts.extend(record.error.last().map(rel_mse));
+    let integrator = record.job.settings.integrator;
+    parts.extend((record.job.auto).map(|why| format!("{integrator} by auto: {why}")));
     parts.join(" · ")
 }
 

@@ -43,6 +43,8 @@ pub struct Job {
     pub target_error: Option<f64>,
     pub seed: u32,
     pub settings: SettingsRecord,
+    /// Why `--integrator auto` chose the integrator of the settings.
+    pub auto: Option<&'static str>,
 }
 
 /// Where it ran.

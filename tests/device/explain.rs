@@ -29,6 +29,7 @@ fn explained(job: &Job, text: &str) -> Vec<Part> {
         text,
         preset,
         device: "",
+        auto: None,
     })
 }
 

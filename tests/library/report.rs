@@ -36,6 +36,7 @@ fn record() -> Record {
             target_error: None,
             seed: 7,
             settings: (&Settings::default()).into(),
+            auto: None,
         },
         machine: Machine {
             device: "llvmpipe".to_owned(),

@@ -143,7 +143,7 @@ const PAIRED: &str = "Same paths";
 impl PairedArguments {
     /// The scene and what is to be rendered of it; `None` where no scene is to be rendered.
     pub fn request(&self) -> Option<Request<'_>> {
-        let (scene, settings) = (self.scene.as_ref()?, self.settings.settings());
+        let (scene, settings) = (self.scene.as_ref()?, &self.settings);
         Some(self.view.request(scene, settings, self.spp, self.seed))
     }
 

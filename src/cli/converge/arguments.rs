@@ -108,9 +108,8 @@ const REPORTS: &str = "Reports";
 impl ConvergeArguments {
     /// The scene and what is to be rendered of it by the settings of the command line.
     pub fn request(&self) -> Request<'_> {
-        let settings = self.settings.settings();
         self.view
-            .request(&self.scene, settings, self.spp, self.seed)
+            .request(&self.scene, &self.settings, self.spp, self.seed)
     }
 
     /// What shall render.

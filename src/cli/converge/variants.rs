@@ -3,6 +3,7 @@
 use super::arguments::ConvergeArguments;
 use super::vary::{Combination, combinations};
 use crate::cli::exit::Failure;
+use crate::cli::integrator::settled;
 use crate::cli::job::{Loaded, Request};
 use crate::prepared::Prepared;
 use crate::render::{Job, KernelChoice, Until};
@@ -20,7 +21,7 @@ pub struct Variants {
 impl Variants {
     /// Reads and prepares the scene; tells its warnings once.
     pub fn new(arguments: &ConvergeArguments) -> Result<Self, Failure> {
-        let combinations = combinations(&arguments.settings, &arguments.vary)?;
+        let mut combinations = combinations(&arguments.settings, &arguments.vary)?;
         let loaded = Loaded::new(&arguments.request())?;
         let mut models: Vec<(Model, Prepared)> = Vec::new();
         for Combination { settings, .. } in &combinations {
@@ -41,6 +42,13 @@ impl Variants {
                 false => loaded.prepare_in_silence(&request)?,
             };
             models.push((settings.model, prepared));
+        }
+        for combination in &mut combinations {
+            let mut models = models.iter();
+            let model = models.find(|(model, _)| *model == combination.settings.model);
+            if let Some((_, prepared)) = model.filter(|_| combination.auto) {
+                combination.settings = settled(prepared, combination.settings).settings;
+            }
         }
         Ok(Self {
             combinations,

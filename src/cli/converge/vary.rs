@@ -21,6 +21,8 @@ pub struct Combination {
     /// `connect=light normals=visible`; empty where nothing varies.
     pub name: String,
     pub settings: Settings,
+    /// The scene is to choose its integrator.
+    pub auto: bool,
 }
 
 /// Variants that are worth a table each.
@@ -75,11 +77,14 @@ pub fn combinations(
     }
     let combination = |pairs: &Vec<(&str, &str)>| {
         let names: Vec<String> = pairs.iter().map(|(n, v)| format!("{n}={v}")).collect();
-        let settings = settings.with(&flags(pairs).map_err(Failure::Usage)?);
+        let flags = flags(pairs).map_err(Failure::Usage)?;
+        let auto = flags.integrator.map_or(settings.auto(), |_| flags.auto());
+        let settings = settings.with(&flags);
         integrator::check(&settings)?;
         Ok(Combination {
             name: names.join(" "),
             settings,
+            auto,
         })
     };
     all.iter().map(combination).collect()

@@ -61,7 +61,6 @@ impl ExplainArguments {
     /// The scene and what would be rendered of it.
     pub fn request(&self) -> Request<'_> {
         // No kernel and no buffer depends on samples and seed.
-        self.view
-            .request(&self.scene, self.settings.settings(), 1, 0)
+        self.view.request(&self.scene, &self.settings, 1, 0)
     }
 }

@@ -47,6 +47,7 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
             scene: &arguments.scene.name(),
             text: &loaded.text,
             preset: preset(arguments),
+            auto: ready.why,
             device: &device,
         };
         page(&explanation(&subject, &spirv, (&full, &full_spirv)))

@@ -109,10 +109,10 @@ pub struct RenderArguments {
 impl RenderArguments {
     /// The scene and what is to be rendered of it.
     pub fn request(&self) -> Result<Request<'_>, Failure> {
-        let settings = self.settings.settings();
+        let scene = self.scene()?;
         Ok(self
             .view
-            .request(self.scene()?, settings, self.spp(), self.seed))
+            .request(scene, &self.settings, self.spp(), self.seed))
     }
 
     /// The most samples that a pixel is to have.

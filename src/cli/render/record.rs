@@ -55,6 +55,7 @@ pub fn record(
             target_error: arguments.target_error,
             seed: arguments.seed,
             settings: (&ready.settings).into(),
+            auto: ready.why,
         },
         machine: Machine {
             device: stats.device.clone(),

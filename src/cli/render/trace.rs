@@ -11,8 +11,7 @@ use crate::render;
 
 /// Prints the path of one sample on stdout; writes no file.
 pub fn trace(arguments: &RenderArguments, path: SamplePath) -> Result<Ending, Failure> {
-    let request = arguments.request()?;
-    only_path(&request.settings, "--trace")?;
+    let request = only_path(arguments.request()?, "--trace")?;
     let ready = Ready::new(&request)?;
     let job = render::Job {
         kernel: arguments.kernel,

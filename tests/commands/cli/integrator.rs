@@ -88,3 +88,70 @@ fn what_light_paths_do_not_see_is_warned_of_once() {
         }
     }
 }
+
+/// A ball of light beside a ball of glass.
+const GLASS: &str = "screen 16 12
+camera 0 -6 2 .35 x 75
+light 5 5 4
+sphere -2 0 3 .3
+brdf .5 .5 .5 0 0 0 1
+box -5 -5 -.1 10 10 .1
+brdf 0 0 0 .04 .04 .04 .2 .9 .9 .9 1.5
+sphere 0 0 .8 .8
+";
+
+/// What the scene has decides, the last line says so, and the picture is the chosen integrator's.
+#[test]
+fn a_scene_chooses_its_integrator() {
+    let skies = format!("{GLASS}background .1 .1 .1\n");
+    let plaster = GLASS.replace("brdf 0 0 0 .04 .04 .04 .2 .9 .9 .9 1.5\n", "");
+    let rows: [(&str, &[&str], &str, &str); 5] = [
+        (
+            GLASS,
+            &[],
+            "bidirectional",
+            "lights shine on what mirrors or refracts",
+        ),
+        (
+            GLASS,
+            &["--absorption", "term"],
+            "path",
+            "absorption by term has no path backwards",
+        ),
+        (
+            GLASS,
+            &["--connect", "light"],
+            "path",
+            "--connect weighs paths from the eye alone",
+        ),
+        (
+            &skies,
+            &[],
+            "path",
+            "the background shines, which paths from the eye find by themselves",
+        ),
+        (&plaster, &[], "path", "nothing mirrors or refracts"),
+    ];
+    for (text, flags, integrator, why) in rows {
+        let folder = folder(text);
+        let base = ["scene.scn", "--spp", "4", "--device", "cpu-f32"];
+        let of = |integrator, out| {
+            let more = ["--integrator", integrator, "-o", out];
+            let run = run(folder.path(), &[&base[..], flags, &more].concat());
+            assert_eq!(run.code, Some(0), "{}", run.err);
+            (
+                run.out,
+                std::fs::read(folder.path().join(out)).expect("a picture"),
+            )
+        };
+        let (said, auto) = of("auto", "auto.png");
+        assert!(
+            said.trim_end()
+                .ends_with(&format!("{integrator} by auto: {why}")),
+            "{said}"
+        );
+        let (said, asked) = of(integrator, "asked.png");
+        assert!(!said.contains("by auto"), "{said}");
+        assert!(auto == asked, "{integrator}");
+    }
+}

@@ -23,7 +23,7 @@ pub fn paired(arguments: &PairedArguments) -> Result<Ending, Failure> {
     let request = arguments
         .request()
         .ok_or_else(|| Failure::Usage("a scene file is missing".to_owned()))?;
-    only_path(&request.settings, "--paired")?;
+    let request = only_path(request, "--paired")?;
     let ready = Ready::new(&request)?;
     let job = ready.job(&request)?;
     let device = Device::open(&arguments.device()).map_err(|e| Failure::Render(e.into()))?;

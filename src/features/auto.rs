@@ -1,0 +1,38 @@
+//! Which integrator suits a scene, by what it has alone.
+
+use crate::prepared::{LightKind, Prepared};
+use crate::settings::{Absorption, Connect, Integrator, Settings};
+
+/// An integrator, and why it was chosen: words that complete "it was chosen: …".
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Chosen {
+    pub integrator: Integrator,
+    pub why: &'static str,
+}
+
+/// Paths from both ends where shapes shine on what gathers light, and from the eye elsewhere
+/// (`benches/2026-11-28-auto.md`).
+pub fn chosen(prepared: &Prepared, settings: &Settings) -> Chosen {
+    let shine = |kind: LightKind| kind != LightKind::Background;
+    let path = |why| Chosen {
+        integrator: Integrator::Path,
+        why,
+    };
+    match () {
+        () if settings.model.absorption == Absorption::Term => {
+            path("absorption by term has no path backwards")
+        }
+        () if settings.estimator.connect != Connect::Mis => {
+            path("--connect weighs paths from the eye alone")
+        }
+        () if !prepared.lights.iter().any(|l| shine(l.kind)) => path("no shape shines"),
+        () if !prepared.lights.iter().all(|l| shine(l.kind)) => {
+            path("the background shines, which paths from the eye find by themselves")
+        }
+        () if prepared.aims.is_empty() => path("nothing mirrors or refracts"),
+        () => Chosen {
+            integrator: Integrator::Bidirectional,
+            why: "lights shine on what mirrors or refracts",
+        },
+    }
+}
