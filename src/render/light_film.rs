@@ -71,9 +71,8 @@ impl<F: Real> LightFilm<F> {
 
     /// Every light path of the sample index under way has brought its splats.
     pub fn end_sample(&mut self) {
-        let (sums, sample) = (&self.sums, self.samples);
-        self.pixels
-            .each(|i, mut pixel| pixel.add(sums[i].sum, sample));
+        let sums = &self.sums;
+        self.pixels.add(|i| sums[i].sum, self.samples);
         self.sums.fill(PixelSum::zero());
         self.samples += 1;
     }

@@ -14,6 +14,9 @@ use crate::reference::world::World;
 use crate::render::{Job, LightFilm};
 use crate::settings::Integrator;
 
+/// Rows under way at once, of several sample indices where a picture has fewer.
+const ROWS: u32 = 256;
+
 /// What the paths of a row of pixels have brought.
 struct Row<F> {
     splats: Vec<Splat<F>>,
@@ -64,15 +67,20 @@ impl<F: Real> Render<F> for LightFilm<F> {
             }
             arrived
         };
-        for sample in samples {
-            let rows = (0..job.prepared.camera.height).into_par_iter();
-            let rows: Vec<Row<F>> = rows.map(|y| row(y, sample)).collect();
-            let splats = rows.iter().flat_map(|row| &row.splats);
-            let seen = rows.iter().flat_map(|row| &row.seen);
-            splats.chain(seen).for_each(|&splat| self.splat(splat));
-            let counts = rows.iter().flat_map(|row| &row.counts);
-            counts.for_each(|&counts| self.count(counts));
-            self.end_sample();
+        let height = job.prepared.camera.height;
+        let indices: Vec<u32> = samples.collect();
+        for indices in indices.chunks((ROWS / height).max(1) as usize) {
+            let rows = (0..height * indices.len() as u32).into_par_iter();
+            let rows = rows.map(|i| row(i % height, indices[(i / height) as usize]));
+            let rows: Vec<Row<F>> = rows.collect();
+            for rows in rows.chunks(height as usize) {
+                let splats = rows.iter().flat_map(|row| &row.splats);
+                let seen = rows.iter().flat_map(|row| &row.seen);
+                splats.chain(seen).for_each(|&splat| self.splat(splat));
+                let counts = rows.iter().flat_map(|row| &row.counts);
+                counts.for_each(|&counts| self.count(counts));
+                self.end_sample();
+            }
         }
     }
 }

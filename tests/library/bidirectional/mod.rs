@@ -1,6 +1,7 @@
 //! Bidirectional path tracing: its weights by brute force, and its pictures against those of path tracing.
 
 mod aim;
+mod battery;
 mod chain;
 mod emission;
 mod pictures;

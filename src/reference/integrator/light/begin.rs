@@ -27,12 +27,15 @@ pub struct LightStart<F> {
     pub medium: u32,
 }
 
-/// The point that a light path begins at; `None` where the choice falls on the background, which sends out none.
+/// The point that a light path begins at; `None` where there is no light, or the choice falls on the background, which sends out none.
 pub fn light_start<F: Real>(
     world: &World<F>,
     settings: &Settings,
     id: SampleId,
 ) -> Option<LightStart<F>> {
+    if world.lights.is_empty() {
+        return None;
+    }
     let u = id.words(settings, path_block(Origin::Light, camera_block()));
     let light = world.light_choice(u[0] >> 8);
     let point = world.light_emission(light, u[1] >> 8, [unit_float(u[2]), unit_float(u[3])]);
