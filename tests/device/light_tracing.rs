@@ -50,6 +50,15 @@ fn meshes(cube: &Path) -> String {
     )
 }
 
+/// Nothing shines; with a background nothing but that.
+const DARK: &str = "screen 16 12
+camera 0 -6 2 .35 x 75
+brdf .5 .5 .5 0 0 0 1
+box -5 -5 -.1 10 10 .1
+brdf 0 0 0 .04 .04 .04 .2 .9 .9 .9 1.5
+sphere 0 0 .8 .8
+";
+
 /// The eye and a lamp in a ball of haze, a background, a null interface, a mirror.
 const HAZY: &str = "screen 24 24
 camera 0 -2 1.5 .5 x 80
@@ -90,6 +99,8 @@ fn same_as_the_reference(settings: Settings) {
         ("many", MANY),
         ("meshes", &meshes),
         ("hazy", HAZY),
+        ("dark", DARK),
+        ("sky", &format!("{DARK}background .4 .5 .6\n")),
     ] {
         for (scaling, sampler) in [(true, Sampler::Sobol), (false, Sampler::Random)] {
             let mut settings = settings;
