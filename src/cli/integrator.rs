@@ -3,7 +3,6 @@
 use glam::DVec3;
 
 use super::exit::Failure;
-use super::job::Request;
 use crate::features::{Chosen, chosen};
 use crate::prepared::{MaterialKind, Prepared};
 use crate::report::names::Named;
@@ -41,13 +40,10 @@ pub fn settled(prepared: &Prepared, mut settings: Settings) -> Settled {
     Settled { settings, why }
 }
 
-/// Refuses what follows paths from the eye, `flag`, with another integrator; one that the scene chooses is these paths'.
-pub fn only_path<'a>(request: Request<'a>, flag: &str) -> Result<Request<'a>, Failure> {
-    match request.settings.estimator.integrator {
-        Integrator::Path => Ok(Request {
-            auto: false,
-            ..request
-        }),
+/// Refuses what follows paths from the eye, `flag`, with another integrator.
+pub fn only_path(settings: &Settings, flag: &str) -> Result<(), Failure> {
+    match settings.estimator.integrator {
+        Integrator::Path => Ok(()),
         other => Err(Failure::Usage(format!(
             "{flag} follows the paths of --integrator path: leave --integrator {} out",
             other.name()

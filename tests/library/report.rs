@@ -100,6 +100,7 @@ fn json_holds_every_field_by_name() {
         "time": null,
         "target_error": null,
         "seed": 7,
+        "auto": null,
         "settings": {
             "fresnel": "scene", "distribution": "scene", "absorption": "segment", "radiance_scaling": true,
             "max_depth": null, "integrator": "path", "lobe": "fresnel", "normals": "visible", "roulette": "throughput",

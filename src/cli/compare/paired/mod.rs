@@ -10,7 +10,7 @@ use crate::cli::destination::all_written;
 use crate::cli::exit::{Ending, Failure, warn};
 use crate::cli::integrator::only_path;
 use crate::cli::interrupt::stop_flag;
-use crate::cli::job::Ready;
+use crate::cli::job::{Ready, Request};
 use crate::cli::progress::Display;
 use crate::cli::streams::put;
 use crate::gpu::{Device, DeviceKind};
@@ -23,7 +23,12 @@ pub fn paired(arguments: &PairedArguments) -> Result<Ending, Failure> {
     let request = arguments
         .request()
         .ok_or_else(|| Failure::Usage("a scene file is missing".to_owned()))?;
-    let request = only_path(request, "--paired")?;
+    let request = Request {
+        // Paths from the eye are compared, whichever the scene would choose.
+        auto: false,
+        ..request
+    };
+    only_path(&request.settings, "--paired")?;
     let ready = Ready::new(&request)?;
     let job = ready.job(&request)?;
     let device = Device::open(&arguments.device()).map_err(|e| Failure::Render(e.into()))?;
