@@ -10,7 +10,7 @@ use crate::image::Format;
 use crate::render::{KernelChoice, Target};
 use crate::report::names::Named;
 use crate::scene::LARGEST_SIDE;
-use crate::settings::{Distribution, DistributionRule, Integrator, Roulette};
+use crate::settings::{DistributionRule, Integrator, Roulette};
 
 /// A named set of settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,15 +47,7 @@ pub fn choice<T: Named>() -> impl TypedValueParser<Value = T> {
 
 /// `auto`, or the name of a distribution.
 pub fn distribution() -> impl TypedValueParser<Value = DistributionRule> {
-    let always = Distribution::ALL
-        .iter()
-        .map(|&(which, name)| (DistributionRule::Always(which), name));
-    named(
-        [(DistributionRule::Auto, "auto")]
-            .into_iter()
-            .chain(always)
-            .collect(),
-    )
+    auto_or(DistributionRule::Auto, DistributionRule::Always)
 }
 
 /// Which integrator: the same for every scene, or the one that suits it.
@@ -67,15 +59,16 @@ pub enum IntegratorRule {
 
 /// `auto`, or the name of an integrator.
 pub fn integrator() -> impl TypedValueParser<Value = IntegratorRule> {
-    let always = Integrator::ALL
-        .iter()
-        .map(|&(which, name)| (IntegratorRule::Always(which), name));
-    named(
-        [(IntegratorRule::Auto, "auto")]
-            .into_iter()
-            .chain(always)
-            .collect(),
-    )
+    auto_or(IntegratorRule::Auto, IntegratorRule::Always)
+}
+
+/// `auto`, or the name of one of few.
+fn auto_or<T: Named, R: Copy + Send + Sync + 'static>(
+    auto: R,
+    always: fn(T) -> R,
+) -> impl TypedValueParser<Value = R> {
+    let one = T::ALL.iter().map(|&(which, name)| (always(which), name));
+    named([(auto, "auto")].into_iter().chain(one).collect())
 }
 
 /// `on` or `off`.
