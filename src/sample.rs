@@ -19,10 +19,11 @@ pub struct Address {
     pub index: u32,
 }
 
-/// What its path brought, and how it went.
+/// What its path brought, and how it went; of a bidirectional sample what both its paths brought, splats on other pixels among
+/// it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Path {
-    /// W·sr⁻¹·m⁻²; of a renderer in f32 exactly its numbers.
+    /// W·sr⁻¹·m⁻²; of a renderer in f32 exactly its numbers, or their sum.
     pub radiance: [f64; 3],
     /// The hash of the path's decisions (`reference::integrator::path::signature`): the same where two paths decided alike.
     pub signature: u32,

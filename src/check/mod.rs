@@ -4,6 +4,7 @@
 //! [`battery`] has the cases, a file a group below [`cases`]; [`measure`](measure::measure) runs one, [`judge`] holds it
 //! against its bounds, [`run`](run::run) does so for many.
 
+pub mod both;
 pub mod bound;
 pub mod case;
 mod cases;

@@ -40,15 +40,19 @@ pub fn settled(prepared: &Prepared, mut settings: Settings) -> Settled {
     Settled { settings, why }
 }
 
-/// Refuses what follows paths from the eye, `flag`, with another integrator.
-pub fn only_path(settings: &Settings, flag: &str) -> Result<(), Failure> {
+/// Refuses what `flag` shows of the paths of a pixel's samples with light paths alone, which belong to no pixel.
+pub fn needs_eye_paths(settings: &Settings, flag: &str) -> Result<(), Failure> {
     match settings.estimator.integrator {
-        Integrator::Path => Ok(()),
-        other => Err(Failure::Usage(format!(
-            "{flag} follows the paths of --integrator path: leave --integrator {} out",
-            other.name()
-        ))),
+        Integrator::Path | Integrator::Bidirectional => Ok(()),
+        Integrator::Light => Err(no_eye_paths(flag)),
     }
+}
+
+/// `what` follows paths from the eye.
+pub fn no_eye_paths(what: &str) -> Failure {
+    Failure::Usage(format!(
+        "{what} follows paths from the eye, which --integrator light has none of: use --integrator path or bidirectional"
+    ))
 }
 
 /// What the integrator does not see of a scene.

@@ -201,23 +201,26 @@ crate::gpu_struct! {
         /// What the weights know along the path's ray: √dVCM and √dVC.
         vcm: float,
         vc: float,
-        pad0: uint,
-        pad1: uint,
+        /// What the slot `record` keeps: the chains of the path's vertices and of its connections.
+        recorded: uint,
+        connected: uint,
     }
 
     /// How many vertices of a light path could have been kept.
     pub struct Reservoir {
         seen: uint,
+        /// What the slot `record` keeps: the chain of the light path's vertices.
+        decided: uint,
         pad0: uint,
         pad1: uint,
-        pad2: uint,
     }
 
     /// What the eye path of a sample has brought.
     pub struct Radiance {
         /// W·sr⁻¹·m⁻².
         value: vec3,
-        pad0: uint,
+        /// The hash of its decisions, where it is kept: see `reference::integrator::bidirectional::signature`.
+        signature: uint,
     }
 
     /// A vertex of a light path, kept for the eye path of the same sample.

@@ -47,13 +47,7 @@ impl<F: Real> LightFilm<F> {
 
     /// The pixels that it has.
     pub fn window(&self) -> Window {
-        let area = self.pixels.area;
-        Window {
-            x: area.x,
-            y: area.y,
-            width: area.width,
-            height: area.height,
-        }
+        self.pixels.area.window()
     }
 
     /// Adds a splat on one of its pixels to the sample index under way: to be called in the order of light paths.

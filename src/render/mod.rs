@@ -1,5 +1,6 @@
 //! Rendering: a prepared scene, a device, and the film that comes out.
 
+mod both;
 mod course;
 mod cpu;
 mod host_film;
@@ -22,7 +23,8 @@ pub use crate::gpu::Selector;
 use crate::gpu::{Device, GpuError};
 use crate::kernel::{KernelError, OwnFile, Spirv};
 use crate::prepared::Prepared;
-use crate::sample::Largest;
+use crate::reference::path::SampleId;
+use crate::sample::{Address, Largest};
 use crate::settings::Settings;
 pub use course::{End, ErrorAt, Until};
 pub use host_film::{Counts, HostFilm, freedom, standard_errors};
@@ -33,7 +35,7 @@ pub use plan::{ArrayPlan, HierarchyPlan, Plan, PlanLimits, StatePlan};
 pub use replicates::{Engine, Replicates, Took};
 pub use slices::WANTED as DISPATCH_TIME;
 use tiles::Tile;
-pub use trace::{Trace, trace};
+pub use trace::{Trace, chain, techniques, trace};
 pub use vulkan::DispatchLimits;
 
 /// What renders.
@@ -102,6 +104,23 @@ impl Job<'_> {
     /// Width and height of the picture, or of its crop.
     pub fn size(&self) -> [u32; 2] {
         [self.area().width, self.area().height]
+    }
+
+    /// A sample of this rendering.
+    fn sample(
+        &self,
+        Address {
+            pixel: [column, row],
+            index,
+        }: Address,
+    ) -> SampleId {
+        SampleId {
+            column,
+            row,
+            pixel: row * self.prepared.camera.width + column,
+            sample: index,
+            seed: self.seed,
+        }
     }
 
     /// All pixels of the picture.

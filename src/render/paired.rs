@@ -4,17 +4,19 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
+use super::both::{Brought, both_paths};
 use super::tiles::Tile;
 use super::vulkan::Outcomes;
 use super::{Job, Progress, RenderError};
 use crate::gpu::Device;
-use crate::layout::PathOutcome;
+use crate::reference::integrator::bidirectional::{self, signature::brought};
 use crate::reference::integrator::path::signature::Signature;
 use crate::reference::integrator::path::trace_path;
 use crate::reference::math::Real;
 use crate::reference::path::SampleId;
 use crate::reference::world::World;
 use crate::sample::{Address, PairedSample, Path};
+use crate::settings::Integrator;
 
 /// Pixels and samples of one slice: 2¹⁷ paths of some 150 bytes in all, whatever the picture.
 const TILE: u32 = 1 << 13;
@@ -31,8 +33,14 @@ pub fn paired(
     progress: &mut dyn FnMut(Progress),
     take: &mut dyn FnMut(&PairedSample),
 ) -> Result<bool, RenderError> {
+    let area = job.area();
+    let job = &match job.settings.estimator.integrator {
+        // Splats go to any pixel, not to those of a crop alone.
+        Integrator::Bidirectional => Job { crop: None, ..*job },
+        _ => *job,
+    };
     let references = References::new(job);
-    let mut outcomes = Outcomes::new(job, device, TILE, SLICE.min(job.spp))?;
+    let mut outcomes = Outcomes::new(job, area, device, TILE, SLICE.min(job.spp))?;
     let tiles = outcomes.tiles();
     for done in (0..job.spp).step_by(SLICE as usize) {
         let slice = SLICE.min(job.spp - done);
@@ -71,47 +79,49 @@ impl<'a> References<'a> {
     }
 
     /// The samples from index `first` on of each pixel of a tile, beside what the device made of them.
-    fn samples(
-        &self,
-        tile: &Tile,
-        first: u32,
-        outcomes: &[Vec<PathOutcome>],
-    ) -> Vec<Vec<PairedSample>> {
-        let pixel = |(k, outcomes): (usize, &Vec<PathOutcome>)| {
+    fn samples(&self, tile: &Tile, first: u32, outcomes: &[Vec<Path>]) -> Vec<Vec<PairedSample>> {
+        let pixel = |(k, outcomes): (usize, &Vec<Path>)| {
             let k = k as u32;
             let pixel = tile.pixel(k);
-            let sample = |(index, device)| self.sample(Address { pixel, index }, device);
+            let sample = |(index, &device)| self.sample(Address { pixel, index }, device);
             (first..).zip(outcomes).map(sample).collect()
         };
         outcomes.par_iter().enumerate().map(pixel).collect()
     }
 
-    fn sample(&self, address: Address, device: &PathOutcome) -> PairedSample {
+    fn sample(&self, address: Address, device: Path) -> PairedSample {
         PairedSample {
             address,
-            device: Path {
-                radiance: device.radiance.map(f64::from),
-                signature: device.signature,
-            },
+            device,
             f32: path(self.job, &self.f32, address),
             f64: path(self.job, &self.f64, address),
         }
     }
 }
 
-fn path<F: Real>(job: &Job, world: &World<F>, address: Address) -> Path {
-    let [column, row] = address.pixel;
-    let id = SampleId {
-        column,
-        row,
-        pixel: row * world.width + column,
-        sample: address.index,
-        seed: job.seed,
-    };
+/// What a sample comes to by the reference.
+pub(super) fn path<F: Real>(job: &Job, world: &World<F>, address: Address) -> Path {
+    let id = job.sample(address);
+    match job.settings.estimator.integrator {
+        Integrator::Bidirectional => sample_of_both(job, world, id),
+        _ => eye_path(job, world, id),
+    }
+}
+
+fn eye_path<F: Real>(job: &Job, world: &World<F>, id: SampleId) -> Path {
     let mut signature = Signature::default();
     let result = trace_path(world, &job.settings, id, &mut signature);
     Path {
         radiance: result.radiance.f64().to_array(),
         signature: signature.word(),
+    }
+}
+
+fn sample_of_both<F: Real>(job: &Job, world: &World<F>, id: SampleId) -> Path {
+    let mut signature = bidirectional::signature::Signature::default();
+    let Brought { radiance, splats } = both_paths(job, world, id, &mut signature);
+    Path {
+        radiance: brought(radiance, &splats).to_array(),
+        signature: signature.word(&splats),
     }
 }

@@ -1,5 +1,7 @@
 //! A picture larger than a dispatch may be is rendered in tiles.
 
+use crate::reference::integrator::light::splat::Window;
+
 /// A rectangle of pixels, from the top left of the full picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tile {
@@ -12,6 +14,22 @@ pub struct Tile {
 impl Tile {
     pub fn pixels(&self) -> u32 {
         self.width * self.height
+    }
+
+    /// Its pixels, as light paths look for them.
+    pub fn window(&self) -> Window {
+        let Self {
+            x,
+            y,
+            width,
+            height,
+        } = *self;
+        Window {
+            x,
+            y,
+            width,
+            height,
+        }
     }
 
     /// Whether it has a pixel of the full picture.

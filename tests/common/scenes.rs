@@ -160,3 +160,16 @@ pub fn flush_meshes(square: &Path, cube: &Path) -> String {
          mesh {cube} -1 0 .5 .5\nmesh {cube} -2 .2 .5 .5\nmesh {cube} -1 0 1.5 .5\n"
     )
 }
+
+/// Eye and floor stand in a block of rough glass that absorbs, which a ball of light shines into. Little enough of what the
+/// eye sees is rare: where a few paths in a thousand bring most of the light, Student's t is no test.
+pub const INSIDE: &str = "screen 32 24
+camera 0 0 0 .5 x 20
+light 9 8 6
+sphere .5 .5 4 .9
+brdf .5 .5 .5 0 0 0 1
+box -2 -2 -1.6 4 4 .2
+distribution ggx
+brdf 0 0 0 .04 .04 .04 .6 .9 .95 .9 1.5
+box -2.5 -2.5 -2 5 5 4.5
+";

@@ -2,6 +2,7 @@
 //! tiles and dispatches.
 
 use vkpt::prepared::Prepared;
+use vkpt::reference::integrator::bidirectional::record;
 use vkpt::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
 use vkpt::reference::integrator::light::splat::Window;
 use vkpt::reference::integrator::light::{Splat, trace_light};
@@ -79,7 +80,13 @@ fn samples(scene: &Prepared, settings: &Settings) -> Vec<Largest> {
                     let id = id(pixel, sample);
                     match settings.estimator.integrator {
                         Integrator::Bidirectional => {
-                            let (seen, _) = trace_bidirectional(transport, window, id, &mut take);
+                            let (seen, _) = trace_bidirectional(
+                                transport,
+                                window,
+                                id,
+                                &mut record::Silent,
+                                &mut take,
+                            );
                             let pixel = id.pixel;
                             seen.into_iter()
                                 .for_each(|value| take(Splat { value, pixel }));

@@ -1,7 +1,7 @@
 //! `--trace`: the device and the reference in f32 tell the same story of a path, event by event.
 
 use vkpt::render::{Target, trace};
-use vkpt::settings::Settings;
+use vkpt::settings::{Integrator, Settings};
 
 use crate::common;
 use crate::common::render::{job, prepared};
@@ -117,4 +117,42 @@ fn the_two_references_are_told_side_by_side() {
         Some(2),
         "{trace}"
     );
+}
+
+/// Devices write no events of bidirectional paths down: what a sample brings, and the hash of its decisions, are compared.
+#[test]
+fn both_paths_are_told_with_every_way_to_find_light() {
+    let mut settings = Settings::default();
+    settings.estimator.integrator = Integrator::Bidirectional;
+    let scene = prepared(SMOOTH, &settings);
+    let job = job(&scene, settings, 32, 1);
+    if common::cpu_driver().is_some() {
+        let target = Target::Vulkan(common::selector());
+        let text = trace(&job, &target, [16, 20], 3)
+            .expect("a trace")
+            .to_string();
+        let equal = "the same decisions and the same light as cpu-f32, to the bit";
+        assert!(text.contains(equal), "{text}");
+    }
+    let mut told = String::new();
+    for index in 0..32 {
+        let trace = trace(&job, &Target::CpuF64, [16, 20], index).expect("a trace");
+        let text = trace.to_string();
+        assert!(text.ends_with("the two paths are the same"), "{text}");
+        told += &text;
+    }
+    for event in [
+        "the light path leaves shape",
+        "light vertex 2 on",
+        "eye vertex 3 on",
+        "t=1: a splat on pixel",
+        "s=1 t=2: to shape",
+        "to light vertex",
+        "is blocked",
+        "the eye path leaves the scene",
+        "weight ",
+        "delta",
+    ] {
+        assert!(told.contains(event), "no path of these has this: {event}");
+    }
 }

@@ -1,5 +1,5 @@
 // The rays of one turn: the connections that the last vertex left pending, then the extension ray.
-// uses: constants/none, math/steps, shape/ray, <nearest>, <medium>, <null_interface>
+// uses: constants/none, math/steps, shape/ray, <nearest>, <medium>, <null_interface>, <record>
 
 // Where the extension ray ended, how far it went from the last vertex, and that vertex.
 struct EyeTraced {
@@ -73,7 +73,9 @@ EyeTraced trace_eye_rays(inout EyeState s, inout Subpath path, inout ShadowRay t
             } else {
                 // A connection of two vertices arrives in the medium that its far end looks into, or not at all.
                 bool arrives = hit.shape == NONE && (phase == PHASE_LIGHT || ray.medium == shadow.medium);
-                s.radiance += arrives ? shadow.contribution * transmittance : vec3(0.0);
+                vec3 arrived = shadow.contribution * transmittance;
+                record_arrival(s, arrived, arrives);
+                s.radiance += arrives ? arrived : vec3(0.0);
             }
             phase = next_phase(phase + 1u, 0u, to_first.pending, to_second.pending, path.alive);
             if (phase == PHASE_FIRST) {

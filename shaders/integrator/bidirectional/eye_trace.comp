@@ -5,7 +5,7 @@
 // of the same samples before, and has left their vertices in `light_vertices`.
 //
 // Twin: src/reference/integrator/bidirectional/eye_path.rs.
-// uses: constants/workgroup, math/steps, integrator/path/begin, integrator/bidirectional/eye_rays, integrator/bidirectional/eye_path
+// uses: constants/workgroup, math/steps, integrator/path/begin, integrator/bidirectional/eye_rays, integrator/bidirectional/eye_path, <record>
 layout(local_size_x = WORKGROUP) in;
 
 bool unfinished(EyeState s, Subpath path) {
@@ -29,7 +29,7 @@ void trace_eye(uint thread, uint column, uint row) {
         EyeTraced traced = trace_eye_rays(s, path, to_light, to_first, to_second);
         lane.rays += traced.rays;
         if (s.ended != 0u) {
-            radiances[(s.done - job.sample_begin) * threads + thread] = Radiance(s.radiance, 0u);
+            radiances[(s.done - job.sample_begin) * threads + thread] = Radiance(s.radiance, take_signature(s));
             s.radiance = vec3(0.0);
             s.ended = 0u;
             s.done += 1u;

@@ -1,5 +1,5 @@
 // A light path whose vertices are joined to the eye, and kept for eye paths. Fills the slot <light_shade>.
-// uses: constants/bidirectional, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, camera/eye, sampler/dimensions, sampler/unit_float, integrator/light/begin, integrator/light/splat, integrator/bidirectional/bend, integrator/bidirectional/joint, integrator/bidirectional/partial, integrator/bidirectional/reservoir, <sampler>, <blocks>, <aim>, <first_partial>, <depth>
+// uses: constants/bidirectional, constants/lobe, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, camera/eye, sampler/dimensions, sampler/unit_float, integrator/light/begin, integrator/light/splat, integrator/bidirectional/bend, integrator/bidirectional/joint, integrator/bidirectional/partial, integrator/bidirectional/reservoir, <sampler>, <blocks>, <aim>, <first_partial>, <depth>, <record>
 
 // What the eye sees of a light it finds itself: no splat is pending.
 void begin(inout LightState s, inout Subpath path, inout ShadowRay shadow, uint thread, uint pixel_index) {
@@ -18,6 +18,7 @@ void begin(inout LightState s, inout Subpath path, inout ShadowRay shadow, uint 
     s.light_prim = start.point.prim;
     s.light_cosine = abs(cosine);
     reservoirs[kept_index(1u, 0u, s.index, thread)].seen = 0u;
+    record_start(s.index, thread);
     s.index += 1u;
 }
 
@@ -47,13 +48,17 @@ SplatRay weighed_splat(Joint y) {
 void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Traced traced, inout LightLane lane, uint thread,
            uint pixel_index) {
     bool alive = false;
-    if (traced.hit.shape != NONE) {
+    uint sample_index = s.index - 1u;
+    if (traced.hit.shape == NONE) {
+        record_escape(sample_index, thread, path.throughput);
+    } else {
         Joint y;
         y.v = path_vertex(traced.ray, traced.hit, traced.distance, vec3(1.0));
         y.wo = -path.ray.d;
         y.carried = s.power * path.throughput;
         y.medium = path.ray.medium;
         y.count = path.bounce + 2u;
+        record_hit(sample_index, thread, y);
         Partial first = first_partial(s, y.v, y.wo, traced.distance);
         y.partial = arrive(Partial(s.vcm, s.vc), traced.distance, abs(dot3(y.wo, y.v.ng)));
         if (path.bounce == 0u) {
@@ -62,11 +67,14 @@ void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Trace
         // A path sets out with some light: what has none has lost it to absorption.
         bool absorbed = is_black(path.throughput);
         lane.underflows += absorbed ? 1u : 0u;
-        if (!(materials[y.v.material].kind == KIND_BLACK || depth_reached(path.bounce) || absorbed)) {
-            offer(y, path.bounce, s.index - 1u, thread, pixel_index);
+        if (materials[y.v.material].kind == KIND_BLACK || depth_reached(path.bounce) || absorbed) {
+            record_lobe(sample_index, thread, path.throughput, LOBE_NONE);
+        } else {
+            offer(y, path.bounce, sample_index, thread, pixel_index);
             leave_pending(s, shadow, weighed_splat(y));
-            Extension e = extend(path, y.v, pixel_index, s.index - 1u);
+            Extension e = extend(path, y.v, pixel_index, sample_index);
             count_extension(path, e, lane);
+            record_lobe(sample_index, thread, path.throughput, e.lobe);
             Partial left = left_partial(path, y.v, y.wo, y.partial);
             s.vcm = left.vcm;
             s.vc = left.vc;

@@ -3,6 +3,7 @@
 use crate::cli::destination::Destination;
 use crate::cli::values;
 use crate::gpu::Selector;
+use crate::settings::Integrator;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -24,6 +25,11 @@ pub struct CheckArguments {
     /// Only this case, group of cases, or what a pattern with * means: alpha, alpha/ggx, 'furnace/*/1e5'
     #[arg(long = "case", value_name = "NAME")]
     pub case: Option<String>,
+
+    /// The integrator that renders the cases, path or bidirectional
+    #[arg(long, value_name = "NAME", default_value = "path", value_parser = values::choice::<Integrator>(),
+          hide_possible_values = true)]
+    pub integrator: Integrator,
 
     /// The Vulkan device, by its index or part of its name [default: the best]
     #[arg(long, value_name = "DEVICE", value_parser = values::vulkan_device)]

@@ -7,19 +7,26 @@ use super::command::typed;
 use super::console::Console;
 use super::destination::{self, all_written};
 use super::exit::{Ending, Failure, warn};
+use super::integrator::no_eye_paths;
 use super::interrupt::stop_flag;
 use super::progress::Display;
+use crate::check::both::bidirectional;
 use crate::check::run::{Bench, run};
 use crate::check::select::select;
 use crate::check::{Case, battery};
 use crate::gpu::{Device, Selector};
 use crate::render::KernelChoice;
 use crate::report::check::{Check, Sheet, failures, table};
+use crate::settings::Integrator;
 pub use arguments::CheckArguments;
 
 /// Runs the cases, prints the table and tells what fails.
 pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
-    let all = battery();
+    let all = match arguments.integrator {
+        Integrator::Path => battery(),
+        Integrator::Bidirectional => bidirectional(battery()),
+        Integrator::Light => return Err(no_eye_paths("vkpt check")),
+    };
     let selected = select(&all, arguments.case.as_deref(), arguments.quick);
     if selected.is_empty() {
         return Err(unknown(arguments, &all));

@@ -3,20 +3,16 @@
 use super::arguments::RenderArguments;
 use crate::cli::destination::all_written;
 use crate::cli::exit::{Ending, Failure};
-use crate::cli::integrator::only_path;
-use crate::cli::job::{Ready, Request};
+use crate::cli::integrator::needs_eye_paths;
+use crate::cli::job::Ready;
 use crate::cli::streams::put;
 use crate::cli::values::SamplePath;
 use crate::render;
 
 /// Prints the path of one sample on stdout; writes no file.
 pub fn trace(arguments: &RenderArguments, path: SamplePath) -> Result<Ending, Failure> {
-    let request = Request {
-        // Paths from the eye are told, whichever the scene would choose.
-        auto: false,
-        ..arguments.request()?
-    };
-    only_path(&request.settings, "--trace")?;
+    let request = arguments.request()?;
+    needs_eye_paths(&request.settings, "--trace")?;
     let ready = Ready::new(&request)?;
     let job = render::Job {
         kernel: arguments.kernel,

@@ -324,11 +324,7 @@ fn files(
         ),
         (
             "record",
-            match parameters.recording {
-                Recording::Nothing => "integrator/path/record/off",
-                Recording::Events(_) => "integrator/path/record/on",
-                Recording::Outcomes(_) => "integrator/path/record/signature",
-            },
+            recorder(features.integrator, side, parameters.recording),
         ),
     ]
 }
@@ -341,6 +337,24 @@ fn picked(features: &Features) -> &'static str {
         (true, false) => "integrator/path/pick/few",
         (false, true) => "integrator/path/pick/many",
         (true, true) => "integrator/path/pick/any",
+    }
+}
+
+/// What a kernel writes down of its paths; a light tracer's nothing.
+fn recorder(integrator: Integrator, side: Side, recording: Recording) -> &'static str {
+    let both = integrator == Integrator::Bidirectional;
+    match (both, side, recording) {
+        (false, _, Recording::Nothing) => "integrator/path/record/off",
+        (false, _, Recording::Events(_)) => "integrator/path/record/on",
+        (false, _, Recording::Outcomes(_)) => "integrator/path/record/signature",
+        (true, Side::Eye, Recording::Outcomes(_)) => {
+            "integrator/bidirectional/record/eye_signature"
+        }
+        (true, Side::Eye, _) => "integrator/bidirectional/record/eye_off",
+        (true, Side::Light, Recording::Outcomes(_)) => {
+            "integrator/bidirectional/record/light_signature"
+        }
+        (true, Side::Light, _) => "integrator/bidirectional/record/light_off",
     }
 }
 

@@ -6,6 +6,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::Render;
+use crate::reference::integrator::bidirectional::record::Silent;
 use crate::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
 use crate::reference::integrator::light::{LightCounts, Splat, trace_light};
 use crate::reference::math::Real;
@@ -56,7 +57,7 @@ impl<F: Real> Render<F> for LightFilm<F> {
                 };
                 let mut take = |splat| arrived.splats.push(splat);
                 let (radiance, counts) = match both {
-                    true => trace_bidirectional(transport, window, id, &mut take),
+                    true => trace_bidirectional(transport, window, id, &mut Silent, &mut take),
                     false => (None, trace_light(world, &adjoint, window, id, &mut take)),
                 };
                 let pixel = id.pixel;

@@ -20,6 +20,8 @@ use crate::reference::path::vertex::Vertex;
 pub struct Event {
     pub what: String,
     pub numbers: Vec<(&'static str, Vec<f64>)>,
+    /// What explains it, and is not compared.
+    pub rows: Vec<String>,
 }
 
 /// The scene, by which an event names what was hit, and where in the file's coordinates.
@@ -28,7 +30,7 @@ pub struct Names<'a>(pub &'a Prepared);
 
 impl Names<'_> {
     /// A shape by its index, its kind and the scene's line; `NONE` is the background.
-    fn of(self, shape: u32) -> String {
+    pub fn of(self, shape: u32) -> String {
         let Some(s) = self.0.shapes.get(shape as usize) else {
             return "the background".to_owned();
         };
@@ -36,7 +38,7 @@ impl Names<'_> {
         format!("shape {shape} ({kind} of line {})", s.line)
     }
 
-    fn place(self, p: DVec3) -> Vec<f64> {
+    pub fn place(self, p: DVec3) -> Vec<f64> {
         self.0.space.scene_point(p).to_array().to_vec()
     }
 }
@@ -124,12 +126,12 @@ pub fn event(names: Names, r: &Record) -> Event {
     }
 }
 
-fn xyz<F: Real>(v: Vec3<F>) -> Vec<f64> {
+pub fn xyz<F: Real>(v: Vec3<F>) -> Vec<f64> {
     v.f64().to_array().to_vec()
 }
 
-/// `numbers`: point, pdf, throughput, radiance.
-fn vertex(lobe: u32, on: &str, prim: u32, numbers: [Vec<f64>; 4]) -> Event {
+/// What a path did at a vertex.
+pub fn lobe_name(lobe: u32) -> String {
     let delta = if lobe >= LOBE_DELTA { "delta " } else { "" };
     let name = match lobe % LOBE_DELTA {
         LOBE_DIFFUSE => "diffuse",
@@ -137,10 +139,16 @@ fn vertex(lobe: u32, on: &str, prim: u32, numbers: [Vec<f64>; 4]) -> Event {
         LOBE_TRANSMISSION => "transmission",
         _ => "the path ends",
     };
+    format!("{delta}{name}")
+}
+
+/// `numbers`: point, pdf, throughput, radiance.
+fn vertex(lobe: u32, on: &str, prim: u32, numbers: [Vec<f64>; 4]) -> Event {
     let names = ["point", "pdf", "throughput", "radiance"];
     Event {
-        what: format!("vertex on {on}, primitive {prim}: {delta}{name}"),
+        what: format!("vertex on {on}, primitive {prim}: {}", lobe_name(lobe)),
         numbers: names.into_iter().zip(numbers).collect(),
+        rows: Vec::new(),
     }
 }
 
@@ -155,6 +163,7 @@ fn connection(to: &str, d: Vec<f64>, arrived: Option<Vec<f64>>) -> Event {
     Event {
         what: format!("connection to {to} {what}"),
         numbers: vec![("direction", d), ("light", light)],
+        rows: Vec::new(),
     }
 }
 
@@ -164,6 +173,7 @@ fn escape(numbers: [Vec<f64>; 3]) -> Event {
     Event {
         what: "leaves the scene".to_owned(),
         numbers: names.into_iter().zip(numbers).collect(),
+        rows: Vec::new(),
     }
 }
 
@@ -193,6 +203,7 @@ impl Event {
             }
             lines.push(line);
         }
+        lines.extend(self.rows.iter().map(|row| format!("    {row}")));
         lines
     }
 }

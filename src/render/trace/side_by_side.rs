@@ -13,6 +13,8 @@ pub struct Trace {
     pub(super) paths: [Vec<Event>; 2],
     /// Relative difference that counts as one: 0 between two of f32.
     pub(super) tolerance: f64,
+    /// What is said below them.
+    pub(super) notes: Vec<String>,
 }
 
 impl Trace {
@@ -45,6 +47,9 @@ impl Display for Trace {
                 writeln!(f, "{}", format!("{left:<WIDTH$}  {right}").trim_end())?;
             }
         }
+        for note in &self.notes {
+            writeln!(f, "{note}")?;
+        }
         match parting {
             None => f.write_str("the two paths are the same"),
             Some(i) => write!(f, "the two paths part at event {}", i + 1),
@@ -60,6 +65,7 @@ mod tests {
         Event {
             what: "vertex".into(),
             numbers: vec![("point", vec![1.0, x, 3.0])],
+            rows: Vec::new(),
         }
     }
 
@@ -68,6 +74,7 @@ mod tests {
             names: ["a".into(), "b".into()],
             paths: [a, b].map(|xs| xs.iter().map(|&x| event(x)).collect()),
             tolerance,
+            notes: Vec::new(),
         }
     }
 

@@ -4,10 +4,10 @@
 use std::time::{Duration, Instant};
 
 use super::kernel::Kernel;
-use super::light_paths::{LightPaths, read_lanes};
+use super::light_paths::{Arrived, LightPaths, read_lanes};
 use super::tile_film::buffer;
 use crate::gpu::{Buffer, Device};
-use crate::layout::{EyeState, LightSlice, Radiance};
+use crate::layout::{EyeState, LightSlice, Radiance, Reservoir};
 use crate::reference::integrator::light::Splat;
 use crate::reference::math::vec3;
 use crate::render::plan::EyePlan;
@@ -35,6 +35,14 @@ impl EyePaths {
         Ok(paths)
     }
 
+    /// The chains of the vertices of light paths, index after index, thread after thread.
+    pub fn decided(&self, count: usize) -> Result<Vec<u32>, RenderError> {
+        let mut reservoirs = vec![Reservoir::default(); count];
+        self.reservoirs
+            .read_into(bytemuck::cast_slice_mut(&mut reservoirs))?;
+        Ok(reservoirs.iter().map(|r| r.decided).collect())
+    }
+
     /// What light paths write, in the order of their bindings.
     pub fn kept(&self) -> [&Buffer; 2] {
         [&self.vertices, &self.reservoirs]
@@ -50,8 +58,8 @@ impl EyePaths {
         ]
     }
 
-    /// Follows the eye paths of the samples that pipeline 0 has followed the light paths of, by pipeline 1; `arrived` gets what
-    /// each index brings to the pixels of the film.
+    /// Follows the eye paths of the samples that pipeline 0 has followed the light paths of, by pipeline 1; hands over what
+    /// they bring to the pixels of the film, and their signatures.
     pub fn trace(
         &self,
         job: &Job,
@@ -59,7 +67,7 @@ impl EyePaths {
         light: &LightPaths,
         slice: &LightSlice,
         film: &mut LightFilm<f32>,
-        arrived: &mut [Vec<Splat<f32>>],
+        take: &mut impl FnMut(Arrived, u32),
     ) -> Result<Duration, RenderError> {
         let threads = slice.tile_width * slice.tile_height;
         let fresh = EyeState {
@@ -82,7 +90,7 @@ impl EyePaths {
                 break;
             }
         }
-        self.read(job, &slice, arrived)?;
+        self.read(job, &slice, take)?;
         Ok(longest)
     }
 
@@ -90,24 +98,31 @@ impl EyePaths {
         &self,
         job: &Job,
         slice: &LightSlice,
-        arrived: &mut [Vec<Splat<f32>>],
+        take: &mut impl FnMut(Arrived, u32),
     ) -> Result<(), RenderError> {
         let threads = slice.tile_width * slice.tile_height;
-        let mut radiances = vec![Radiance::default(); threads as usize * arrived.len()];
+        let indices = slice.sample_begin..slice.sample_end;
+        let mut radiances = vec![Radiance::default(); threads as usize * indices.len()];
         self.radiances
             .read_into(bytemuck::cast_slice_mut(&mut radiances))?;
         let area = job.area();
         let width = job.prepared.camera.width;
-        for (radiances, arrived) in radiances.chunks(threads as usize).zip(arrived) {
+        for (radiances, index) in radiances.chunks(threads as usize).zip(indices) {
             for (radiance, thread) in radiances.iter().zip(0..) {
                 let column = slice.tile_x + thread % slice.tile_width;
                 let row = slice.tile_y + thread / slice.tile_width;
                 if area.contains([column, row]) {
                     let [r, g, b] = radiance.value;
-                    arrived.push(Splat {
+                    let splat = Splat {
                         value: vec3(r, g, b),
                         pixel: row * width + column,
-                    });
+                    };
+                    let arrived = Arrived {
+                        thread,
+                        index,
+                        splat,
+                    };
+                    take(arrived, radiance.signature);
                 }
             }
         }

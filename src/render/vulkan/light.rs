@@ -1,16 +1,16 @@
 //! Light paths on a device, alone or with eye paths: in tiles, what they bring added to the film by the host.
 
+use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use super::eye_paths::EyePaths;
 use super::kernel::Kernel;
-use super::light_paths::{LightPaths, slice};
+use super::light_paths::{Arrived, LightPaths, slice};
 use super::rendering::{Costs, Rendering};
 use crate::features::Features;
 use crate::gpu::Device;
 use crate::kernel::scene::Recording;
 use crate::layout::LightSlice;
-use crate::reference::integrator::light::Splat;
 use crate::render::plan::{EyePlan, LightPlan, thread_tiles};
 use crate::render::tiles::Tile;
 use crate::render::{DispatchLimits, Job, LightFilm, RenderError};
@@ -26,9 +26,9 @@ pub struct LightRun<'a> {
     kernel: Kernel<'a>,
     light: LightPaths,
     /// Of bidirectional paths.
-    eye: Option<EyePaths>,
+    pub eye: Option<EyePaths>,
     /// Of light paths: a path's number is a pixel's, wherever its splats go.
-    tiles: Vec<Tile>,
+    pub tiles: Vec<Tile>,
     film: LightFilm<f32>,
     /// Sample indices of a pass.
     pass: u32,
@@ -45,46 +45,12 @@ impl<'a> Rendering<'a> for LightRun<'a> {
         limits: DispatchLimits,
     ) -> Result<Self, RenderError> {
         let tiles = thread_tiles(job, limits.tile_pixels);
-        let largest = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
-        let both = features.integrator == Integrator::Bidirectional;
-        let (light, eye) = (LightPlan::new(largest), EyePlan::new(largest));
-        let (of_light, of_eye) = (light.plans().count(), eye.plans().count());
-        let state = match both {
-            // Light paths write what eye paths read; both have lanes.
-            true => vec![of_light + 2, of_eye + 1],
-            false => vec![of_light],
-        };
-        let mut kernel = Kernel::new::<LightSlice>(
-            job,
-            device,
-            features,
-            Recording::Nothing,
-            limits.read_first,
-            &state,
-        )?;
-        let light = LightPaths::new(device, &light, &mut kernel)?;
-        let eye = both
-            .then(|| EyePaths::new(device, &eye, &mut kernel))
-            .transpose()?;
-        let pass = (PASS / u64::from(job.whole().pixels())).max(1) as u32;
-        Ok(Self {
-            job,
-            light,
-            pass: match eye {
-                Some(_) => pass.min(EyePlan::samples(largest)),
-                None => pass,
-            },
-            eye,
-            kernel,
-            tiles,
-            film: LightFilm::new(job),
-            budget: limits.budget.max(1),
-        })
+        Self::recording(job, device, features, limits, tiles, Recording::Nothing)
     }
 
     fn compile(&mut self) -> Result<Duration, RenderError> {
         let start = Instant::now();
-        self.trace(0, 0..0, &mut [], &mut [])?;
+        self.trace(0, 0..0, &mut |_| {}, &mut |_, _| {})?;
         self.kernel.costs.gpu_time = Duration::ZERO;
         Ok(start.elapsed())
     }
@@ -104,7 +70,10 @@ impl<'a> Rendering<'a> for LightRun<'a> {
             let mut splats = vec![Vec::new(); (end - first) as usize];
             let mut seen = splats.clone();
             for tile in 0..self.tiles.len() {
-                longest = longest.max(self.trace(tile, first..end, &mut splats, &mut seen)?);
+                let place = |a: &Arrived| (a.index - first) as usize;
+                let mut splat = |a: Arrived| splats[place(&a)].push(a.splat);
+                let mut see = |a: Arrived, _| seen[place(&a)].push(a.splat);
+                longest = longest.max(self.trace(tile, first..end, &mut splat, &mut see)?);
                 if let [only] = &mut splats[..] {
                     only.drain(..).for_each(|splat| self.film.splat(splat));
                 }
@@ -145,15 +114,55 @@ impl<'a> Rendering<'a> for LightRun<'a> {
     }
 }
 
-impl LightRun<'_> {
-    /// Follows the paths of a tile and of some sample indices to their ends; `splats` and `seen` get what light paths and eye
-    /// paths of each index bring.
-    fn trace(
+impl<'a> LightRun<'a> {
+    /// Paths of the pixels of `tiles`, and what is written down of them beside the film.
+    pub fn recording(
+        job: &'a Job<'a>,
+        device: &'a Device,
+        features: &Features,
+        limits: DispatchLimits,
+        tiles: Vec<Tile>,
+        recording: Recording,
+    ) -> Result<Self, RenderError> {
+        let largest = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
+        let both = features.integrator == Integrator::Bidirectional;
+        let (light, eye) = (LightPlan::new(largest), EyePlan::new(largest));
+        let (of_light, of_eye) = (light.plans().count(), eye.plans().count());
+        let state = match both {
+            // Light paths write what eye paths read; both have lanes.
+            true => vec![of_light + 2, of_eye + 1],
+            false => vec![of_light],
+        };
+        let mut kernel =
+            Kernel::new::<LightSlice>(job, device, features, recording, limits.read_first, &state)?;
+        let light = LightPaths::new(device, &light, &mut kernel)?;
+        let eye = both
+            .then(|| EyePaths::new(device, &eye, &mut kernel))
+            .transpose()?;
+        let pass = (PASS / u64::from(job.whole().pixels())).max(1) as u32;
+        Ok(Self {
+            job,
+            light,
+            pass: match eye {
+                Some(_) => pass.min(EyePlan::samples(largest)),
+                None => pass,
+            },
+            eye,
+            kernel,
+            tiles,
+            film: LightFilm::new(job),
+            budget: limits.budget.max(1),
+        })
+    }
+
+    /// Follows the paths of a tile and of some sample indices to their ends; `splat` gets what light paths bring, `see` what eye
+    /// paths bring, with their signatures.
+    pub fn trace(
         &mut self,
         tile: usize,
-        indices: std::ops::Range<u32>,
-        splats: &mut [Vec<Splat<f32>>],
-        seen: &mut [Vec<Splat<f32>>],
+        indices: Range<u32>,
+        splat: &mut impl FnMut(Arrived),
+        see: &mut impl FnMut(Arrived, u32),
     ) -> Result<Duration, RenderError> {
         let Self {
             job,
@@ -166,10 +175,10 @@ impl LightRun<'_> {
         let slice = slice(self.tiles[tile], film, &indices, self.budget);
         let kept = eye.iter().flat_map(EyePaths::kept);
         let kept: Vec<_> = kept.collect();
-        let longest = light.trace(kernel, &kept, &slice, film, splats)?;
+        let longest = light.trace(kernel, &kept, &slice, film, splat)?;
         match eye {
             None => Ok(longest),
-            Some(eye) => Ok(longest.max(eye.trace(job, kernel, light, &slice, film, seen)?)),
+            Some(eye) => Ok(longest.max(eye.trace(job, kernel, light, &slice, film, see)?)),
         }
     }
 }

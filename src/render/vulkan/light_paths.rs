@@ -21,11 +21,11 @@ pub struct LightPaths {
     splats: Buffer,
 }
 
-/// A splat of one dispatch, the thread of its light path, and its sample index.
-struct Arrived {
-    thread: u32,
-    index: u32,
-    splat: Splat<f32>,
+/// What a thread's path of one sample index has brought.
+pub struct Arrived {
+    pub thread: u32,
+    pub index: u32,
+    pub splat: Splat<f32>,
 }
 
 impl LightPaths {
@@ -51,14 +51,14 @@ impl LightPaths {
     }
 
     /// Follows the light paths of a tile and of some sample indices, those of `slice`, to their ends by pipeline 0, which
-    /// writes to `beside` too; `arrived` gets the splats of each index in the order of light path and vertex.
+    /// writes to `beside` too; hands over their splats, those of each index in the order of light path and vertex.
     pub fn trace(
         &self,
         kernel: &mut Kernel,
         beside: &[&Buffer],
         slice: &LightSlice,
         film: &mut LightFilm<f32>,
-        arrived: &mut [Vec<Splat<f32>>],
+        take: &mut impl FnMut(Arrived),
     ) -> Result<Duration, RenderError> {
         let threads = slice.tile_width * slice.tile_height;
         self.upload(threads, slice.sample_begin)?;
@@ -75,9 +75,7 @@ impl LightPaths {
         }
         // A path that was handed over has splats in several dispatches; the sort keeps their order.
         all.sort_by_key(|a| a.thread);
-        for Arrived { index, splat, .. } in all {
-            arrived[(index - slice.sample_begin) as usize].push(splat);
-        }
+        all.into_iter().for_each(take);
         Ok(longest)
     }
 

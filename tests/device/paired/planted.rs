@@ -1,13 +1,16 @@
 //! What must be found: other random numbers, another decision, one bit in one sample.
 
+use vkpt::kernel::{OwnFile, file};
 use vkpt::metrics::paired::Verdict;
+use vkpt::render::{Job, KernelChoice};
 use vkpt::sample::PairedSample;
-use vkpt::settings::Settings;
+use vkpt::settings::{Integrator, Settings};
 
 use super::{compared, samples};
 use crate::common::cpu_driver;
 use crate::common::render::{job, prepared};
-use crate::common::scenes::TABLE;
+use crate::common::scenes::{INSIDE, SMOOTH, TABLE};
+use crate::common::stats::{p_of_mean, sidak};
 
 fn table(seed: u32) -> Option<Vec<PairedSample>> {
     let settings = Settings::default();
@@ -89,4 +92,72 @@ fn one_path_of_all_is_found() {
         (lobe.paths - lobe.together, lobe.first_parted),
         (1, Some(victim))
     );
+}
+
+/// A mistake in the weights or in the adjoint of both kernels: the device brings another mean than cpu-f32 over the same samples,
+/// whatever it rounds like. A t-test over sample indices, Šidák over the mistakes at α = 1e-3.
+#[test]
+fn mistakes_of_bidirectional_kernels_are_noticed() {
+    let mistakes = [
+        // A cosine that is forgotten.
+        (
+            "integrator/bidirectional/partial",
+            "to.cosine * back / to.pdf",
+            "back / to.pdf",
+            TABLE,
+        ),
+        // dVCM lives on beyond a delta lobe.
+        (
+            "integrator/bidirectional/partial",
+            "Partial(0.0, cosine * at.vc)",
+            "Partial(at.vcm, cosine * at.vc)",
+            SMOOTH,
+        ),
+        // A distance that is not squared.
+        (
+            "integrator/bidirectional/partial",
+            "float square = distance * distance;",
+            "float square = distance;",
+            TABLE,
+        ),
+        // eta² on light paths, as on eye paths.
+        (
+            "bsdf/scaling/both",
+            "from_light != RADIANCE_SCALING",
+            "RADIANCE_SCALING",
+            INSIDE,
+        ),
+    ];
+    let level = sidak(1e-3, mistakes.len());
+    for (name, right, wrong, scene) in mistakes {
+        let honest = file(name).expect("a shader");
+        assert_eq!(honest.matches(right).count(), 1, "{name}: {right}");
+        let planted = honest.replace(right, wrong);
+        for (text, noticed) in [(honest, false), (&planted, true)] {
+            let files = [OwnFile { name, text }];
+            let Some(differences) = differences(scene, &files) else {
+                return;
+            };
+            let p = p_of_mean(&differences, 0.0, 0.0);
+            println!("{wrong}: {noticed}, p = {p:.1e}");
+            assert_eq!(p < level, noticed, "{wrong}: p = {p:.1e}");
+        }
+    }
+}
+
+/// How much more the device brings than cpu-f32, sample index by sample index.
+fn differences(scene: &str, files: &[OwnFile]) -> Option<Vec<f64>> {
+    const SPP: u32 = 24;
+    let mut settings = Settings::default();
+    settings.estimator.integrator = Integrator::Bidirectional;
+    let prepared = prepared(scene, &settings);
+    let job = Job {
+        kernel: KernelChoice::Own(files),
+        ..job(&prepared, settings, SPP, 1)
+    };
+    let mut sums = vec![0.0; SPP as usize];
+    for s in samples(&job)? {
+        sums[s.address.index as usize] += s.device.radiance[1] - s.f32.radiance[1];
+    }
+    Some(sums)
 }

@@ -1,11 +1,13 @@
 //! Every scene: on a CPU driver the device equals cpu-f32 to the bit, and 99.9 % of the paths stay together with cpu-f64.
 
+use std::path::Path;
+
 use statrs::distribution::{Binomial, DiscreteCDF};
-use vkpt::render::{DispatchLimits, Job, render_on};
-use vkpt::settings::Settings;
+use vkpt::render::{DispatchLimits, Job, Target, render_on};
+use vkpt::settings::{Integrator, Settings};
 
 use super::{compared, samples};
-use crate::common::render::{job, prepared, prepared_file};
+use crate::common::render::{job, outcome, prepared, prepared_file};
 use crate::common::scenes::{SMOOTH, TABLE, WIDE, scene_files};
 use crate::common::settings::{estimators, models};
 use crate::common::{self, cpu_driver};
@@ -82,6 +84,41 @@ fn every_scene_stays_together() {
     }
 }
 
+/// The same of bidirectional paths, splats among what they bring. Their kernels take seconds each: a scene of each kind.
+#[test]
+fn bidirectional_paths_stay_together() {
+    if cpu_driver().is_none() {
+        return;
+    }
+    let names = ["glass-mesh", "many-lights", "rough-pane", "room"];
+    let alpha = 1.0 - (1.0 - 1e-3f64).powf(1.0 / names.len() as f64);
+    for name in names {
+        let settings = both(Settings::default());
+        let path = format!("scenes/{name}.txt");
+        let scene = prepared_file(Path::new(&path), &settings, Some([40, 30]));
+        let (parted, paths) = parted(&job(&scene, settings, 4, 1), name);
+        let p = at_least(parted, paths);
+        assert!(p >= alpha, "{name}: p = {p:.1e}");
+    }
+}
+
+/// What bidirectional samples bring, wherever it goes, is the picture.
+#[test]
+fn bidirectional_samples_are_the_light_of_the_picture() {
+    let settings = both(Settings::default());
+    let scene = prepared(TABLE, &settings);
+    let job = job(&scene, settings, 19, 3);
+    let Some(samples) = samples(&job) else { return };
+    let brought: f64 = samples.iter().map(|s| s.device.radiance[1]).sum();
+    let film = outcome(&job, &Target::CpuF32).film;
+    let seen: f64 = film.rgb.iter().map(|rgb| f64::from(rgb[1]) * 19.0).sum();
+    // The film's sums keep 48 bits; what remains is the rounding of means to f32.
+    assert!(
+        (brought - seen).abs() <= 2f64.powi(-23) * seen,
+        "{brought} and {seen}"
+    );
+}
+
 /// Larger ones: each scene is shown to part less often than it may, with the same α.
 #[test]
 #[ignore = "two minutes"]
@@ -98,6 +135,11 @@ fn every_scene_is_shown_to_stay_together() {
         let p = at_most(parted, paths);
         assert!(p < alpha, "{}: p = {p:.1e}", path.display());
     }
+}
+
+fn both(mut settings: Settings) -> Settings {
+    settings.estimator.integrator = Integrator::Bidirectional;
+    settings
 }
 
 /// Connections that never are, paths that end otherwise, two lights to choose from: the signatures are the same.

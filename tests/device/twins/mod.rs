@@ -132,6 +132,7 @@ const EXCUSED: &[(&str, &str)] = &[
     ("path/medium/segment", READS_THE_SCENE),
     ("path/medium/term", READS_THE_SCENE),
     ("integrator/path/record/", READS_THE_SCENE),
+    ("integrator/bidirectional/record/", READS_THE_SCENE),
     ("path/self_distance/", READS_THE_SCENE),
     ("integrator/path/shade", READS_THE_SCENE),
     ("integrator/path/weigh", "a function of fewer arguments"),

@@ -6,6 +6,7 @@ mod chain;
 mod emission;
 mod pictures;
 mod stability;
+mod trace;
 mod weights;
 
 use vkpt::prepared::Prepared;

@@ -3,6 +3,7 @@
 //! A way of density p brings F p/Σp² ≤ F/(2 q), half of what a connection to the light, of density q, would bring for the
 //! same path by itself. From a diffuse vertex that is ρ L cos θ Ω/π at most, Ω the solid angle of a ball of light.
 
+use vkpt::reference::integrator::bidirectional::record::Silent;
 use vkpt::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
 use vkpt::reference::math::Vec3;
 use vkpt::reference::world::World;
@@ -55,8 +56,9 @@ fn largest(text: &str, ways: Ways) -> f64 {
             assert!(value.x.is_finite());
             most = f64::max(most, value.x.into());
         };
-        let (radiance, _) =
-            trace_bidirectional(transport, window, id, &mut |splat| largest(splat.value));
+        let (radiance, _) = trace_bidirectional(transport, window, id, &mut Silent, &mut |splat| {
+            largest(splat.value)
+        });
         radiance.into_iter().for_each(largest);
     }
     most

@@ -7,14 +7,15 @@ use vkpt::reference::integrator::bidirectional::partial::{
     scatter_delta, splat_weight, vertex_weight,
 };
 use vkpt::reference::world::World;
+use vkpt::render::chain::{Chain, Node};
 use vkpt::settings::Settings;
 
-use super::chain::{Chain, Node, chain};
+use super::chain::chain;
 use super::samples;
 use crate::common::meshes::cube;
 use crate::common::render::prepared;
-use crate::common::scenes::{MANY, SMOOTH, TABLE, WIDE};
-use crate::light_tracing::{INSIDE, lamps};
+use crate::common::scenes::{INSIDE, MANY, SMOOTH, TABLE, WIDE};
+use crate::light_tracing::lamps;
 
 /// Mistakes that must be noticed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,7 +72,7 @@ fn towards_eye(node: &Node) -> Junction<f64> {
 /// The weight of each number of eye vertices, from 1 on, as the two subpaths' recursions have it.
 fn by_recursion(c: &Chain, planted: Planted) -> Vec<f64> {
     let (n, k) = (&c.nodes, c.nodes.len());
-    let emission = c.p_a / std::f64::consts::PI;
+    let (p_n, emission) = (c.source.connection, c.source.start * c.source.leaving);
     let mut eye = vec![from_eye(c.importance, n[0].to_eye)];
     for i in 1..k {
         let along = left(
@@ -88,7 +89,7 @@ fn by_recursion(c: &Chain, planted: Planted) -> Vec<f64> {
         towards_light(&n[k - 1]),
         planted,
     );
-    let mut light = vec![from_light_point(c.p_n, emission, n[k - 1].to_light)];
+    let mut light = vec![from_light_point(p_n, emission, n[k - 1].to_light)];
     for i in (0..k - 1).rev() {
         let from = &n[i + 1];
         let along = left(light[0], from.delta, towards_eye(from), planted);
@@ -115,10 +116,10 @@ fn by_recursion(c: &Chain, planted: Planted) -> Vec<f64> {
     weights.push(light_weight(
         eye[k - 1],
         towards_light(&n[k - 1]),
-        c.p_n,
+        p_n,
         emission,
     ));
-    weights.push(hit_weight(last, c.p_n, emission));
+    weights.push(hit_weight(last, p_n, emission));
     weights
 }
 
@@ -147,10 +148,9 @@ fn paths(text: &str, mut f: impl FnMut(&Chain)) -> usize {
     let settings = Settings::default();
     let prepared = prepared(text, &settings);
     let world = World::<f64>::new(&prepared);
-    let pixels = prepared.camera.width * prepared.camera.height;
     let mut count = 0;
     for id in samples(&prepared, 64, 5) {
-        if let Some(c) = chain(&world, &settings, id, pixels).filter(|c| c.nodes.len() <= 8) {
+        if let Some(c) = chain(&world, &settings, id).filter(|c| c.nodes.len() <= 8) {
             count += 1;
             f(&c);
         }

@@ -8,7 +8,7 @@ use super::arguments::PairedArguments;
 use crate::cli::command;
 use crate::cli::destination::all_written;
 use crate::cli::exit::{Ending, Failure, warn};
-use crate::cli::integrator::only_path;
+use crate::cli::integrator::needs_eye_paths;
 use crate::cli::interrupt::stop_flag;
 use crate::cli::job::{Ready, Request};
 use crate::cli::progress::Display;
@@ -23,21 +23,21 @@ pub fn paired(arguments: &PairedArguments) -> Result<Ending, Failure> {
     let request = arguments
         .request()
         .ok_or_else(|| Failure::Usage("a scene file is missing".to_owned()))?;
-    let request = Request {
-        // Paths from the eye are compared, whichever the scene would choose.
-        auto: false,
-        ..request
-    };
-    only_path(&request.settings, "--paired")?;
+    needs_eye_paths(&request.settings, "--paired")?;
     let ready = Ready::new(&request)?;
     let job = ready.job(&request)?;
     let device = Device::open(&arguments.device()).map_err(|e| Failure::Render(e.into()))?;
     let (pairs, interrupted) = compare(&job, &device, arguments.quiet)?;
+    let shown = Request {
+        settings: ready.settings,
+        auto: false,
+        ..request
+    };
     let findings = Findings {
         pairs,
         correctly_rounded: device.info().kind == DeviceKind::Cpu,
         show: [Target::Vulkan(arguments.device().clone()), Target::CpuF64]
-            .map(|target| command::show(&request, &target)),
+            .map(|target| command::show(&shown, &target)),
     };
     if !arguments.quiet {
         let text = head(&request.scene.name(), &job, &device) + &table::text(&findings);

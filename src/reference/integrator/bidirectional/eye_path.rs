@@ -5,13 +5,15 @@ use super::bend::left_partial;
 use super::join::{Connection, join};
 use super::joint::Joint;
 use super::partial::{Partial, arrive, from_eye, hit_weight};
+use super::record::{Far, Recorder};
 use super::reservoir::Reservoir;
 use super::to_light::{emission_density, join_light};
 use crate::prepared::MaterialKind;
+use crate::reference::bsdf::LOBE_NONE;
 use crate::reference::camera::eye_sample;
 use crate::reference::integrator::light::LightCounts;
-use crate::reference::integrator::path::begin_path;
 use crate::reference::integrator::path::pick::{pick_normal, pick_probability};
+use crate::reference::integrator::path::{PathState, begin_path};
 use crate::reference::light::background_light_pdf;
 use crate::reference::math::finite::is_black;
 use crate::reference::math::{Real, Vec3, dot3};
@@ -28,6 +30,7 @@ pub fn eye_path<F: Real>(
     light: &Reservoir<F>,
     id: SampleId,
     counts: &mut LightCounts,
+    recorder: &mut impl Recorder<F>,
 ) -> Vec3<F> {
     let mut s = begin_path(t.world, t.settings, id);
     let mut partial = None;
@@ -37,27 +40,19 @@ pub fn eye_path<F: Real>(
         let (hit, distance) = extend_ray(t.world, t.settings, &mut s.path, &mut s.rays);
         let Some(hit) = hit else {
             let seen = background_seen(t, &s.path, partial, s.pick_normal, origin);
-            s.radiance += s.path.throughput * seen;
+            let seen = s.path.throughput * seen;
+            recorder.emission(None, &s.path, seen);
+            s.radiance += seen;
+            recorder.escape(Origin::Eye, &s.path);
             break;
         };
         let v = path_vertex(t.world, t.settings, s.path.ray, hit, distance, Vec3::one());
         let wo = -s.path.ray.d;
-        let n = s.pick_normal;
-        let seen = emission_seen(t, &s.path, partial, n, &v, origin, distance);
-        s.radiance += s.path.throughput * seen;
         let cosine = dot3(wo, v.ng).abs();
         let here = match partial {
             None => from_eye(eye_sample(&t.world.camera, v.p).importance, cosine),
             Some(partial) => arrive(partial, distance, cosine),
         };
-        let black = v.interaction.material.kind == MaterialKind::Black;
-        s.underflow = is_black(s.path.throughput);
-        if black || depth_reached(t.settings, s.path.bounce) || s.underflow {
-            break;
-        }
-        let shadow = join_light(t, &s.path, &v, here, id);
-        let arrived = shadow.and_then(|c| shadow_ray(t.world, t.settings, c, &mut s.rays));
-        s.radiance += arrived.unwrap_or(Vec3::zero());
         let x = Joint {
             v,
             wo,
@@ -66,11 +61,19 @@ pub fn eye_path<F: Real>(
             partial: here,
             count: s.path.bounce + 2,
         };
-        for (y, share) in light.vertices() {
-            let joined = join(t, &x, y, share);
-            let arrived = joined.and_then(|c| arrives(t, c, &mut s.rays));
-            s.radiance += arrived.unwrap_or(Vec3::zero());
+        recorder.hit(Origin::Eye, &x);
+        let n = s.pick_normal;
+        let seen = emission_seen(t, &s.path, partial, n, &v, origin, distance);
+        let seen = s.path.throughput * seen;
+        recorder.emission(Some(&x), &s.path, seen);
+        s.radiance += seen;
+        let black = v.interaction.material.kind == MaterialKind::Black;
+        s.underflow = is_black(s.path.throughput);
+        if black || depth_reached(t.settings, s.path.bounce) || s.underflow {
+            recorder.scattered(Origin::Eye, &s.path, LOBE_NONE);
+            break;
         }
+        connections(t, &mut s, &x, light, id, recorder);
         s.pick_normal = pick_normal(t.world, t.settings, &v);
         let e = extend(t.settings, Origin::Eye, &mut s.path, &v, id);
         s.underflow = e.underflow;
@@ -78,6 +81,7 @@ pub fn eye_path<F: Real>(
         if e.broken {
             s.radiance += s.path.throughput;
         }
+        recorder.scattered(Origin::Eye, &s.path, e.lobe);
         if e.alive {
             partial = Some(left_partial(t.settings, &s.path, &v, wo, here));
         }
@@ -87,6 +91,30 @@ pub fn eye_path<F: Real>(
     counts.long_paths += u64::from(s.path.bounce >= LONG_PATH);
     counts.underflows += u64::from(s.underflow);
     s.radiance
+}
+
+/// Adds what connections of a vertex to a light and to the kept vertices of the light path bring.
+fn connections<F: Real>(
+    t: Transport<F>,
+    s: &mut PathState<F>,
+    x: &Joint<F>,
+    light: &Reservoir<F>,
+    id: SampleId,
+    recorder: &mut impl Recorder<F>,
+) {
+    if let Some((candidate, shadow)) = join_light(t, &s.path, &x.v, x.partial, id) {
+        recorder.light(candidate.light as u32, candidate.contribution);
+        let arrived = shadow_ray(t.world, t.settings, shadow, &mut s.rays);
+        recorder.connection(Far::Light(&candidate), arrived);
+        s.radiance += arrived.unwrap_or(Vec3::zero());
+    }
+    for (y, share) in light.vertices() {
+        if let Some(c) = join(t, x, y, share) {
+            let arrived = arrives(t, c, &mut s.rays);
+            recorder.connection(Far::Vertex(y), arrived);
+            s.radiance += arrived.unwrap_or(Vec3::zero());
+        }
+    }
 }
 
 /// What arrives over a connection of two vertices: nothing where it ends in another medium than it must.

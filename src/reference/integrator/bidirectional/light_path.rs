@@ -5,8 +5,10 @@ use super::aim::{aimed_density, aimed_direction};
 use super::bend::{bend, left_partial};
 use super::joint::Joint;
 use super::partial::{Partial, arrive, from_light_point, splat_weight};
+use super::record::{Far, Recorder};
 use super::reservoir::{Reservoir, has_density};
 use crate::prepared::MaterialKind;
+use crate::reference::bsdf::LOBE_NONE;
 use crate::reference::camera::eye_sample;
 use crate::reference::integrator::light::begin::{LightStart, leaving_path, light_start};
 use crate::reference::integrator::light::splat::{SplatRay, Window, in_film, splat_ray};
@@ -29,6 +31,7 @@ pub fn light_path<F: Real>(
     window: Window,
     id: SampleId,
     counts: &mut LightCounts,
+    recorder: &mut impl Recorder<F>,
     take: &mut impl FnMut(Splat<F>),
 ) -> Reservoir<F> {
     let mut reservoir = Reservoir::empty();
@@ -41,9 +44,15 @@ pub fn light_path<F: Real>(
     let mut partial = None;
     // Half the cone of an aim may be behind the light.
     let mut alive = dot3(path.ray.d, start.point.n) > F::zero();
+    if alive {
+        recorder.start(&start, &path, power);
+    }
     while alive {
         let (hit, distance) = extend_ray(t.world, t.adjoint, &mut path, &mut counts.rays);
-        let Some(hit) = hit else { break };
+        let Some(hit) = hit else {
+            recorder.escape(Origin::Light, &path);
+            break;
+        };
         let v = path_vertex(t.world, t.adjoint, path.ray, hit, distance, Vec3::one());
         let wo = -path.ray.d;
         let cosine = dot3(wo, v.ng).abs();
@@ -51,12 +60,6 @@ pub fn light_path<F: Real>(
             None => first_partial(t, &start, density, &v, wo, distance),
             Some(partial) => arrive(partial, distance, cosine),
         };
-        let absorbed = is_black(path.throughput);
-        counts.underflows += u64::from(absorbed);
-        let black = v.interaction.material.kind == MaterialKind::Black;
-        if black || depth_reached(t.adjoint, path.bounce) || absorbed {
-            break;
-        }
         let y = Joint {
             v,
             wo,
@@ -65,6 +68,14 @@ pub fn light_path<F: Real>(
             partial: here,
             count: path.bounce + 2,
         };
+        recorder.hit(Origin::Light, &y);
+        let absorbed = is_black(path.throughput);
+        counts.underflows += u64::from(absorbed);
+        let black = v.interaction.material.kind == MaterialKind::Black;
+        if black || depth_reached(t.adjoint, path.bounce) || absorbed {
+            recorder.scattered(Origin::Light, &path, LOBE_NONE);
+            break;
+        }
         let material = &v.interaction.material;
         if has_density(material.kind, material.kd) {
             let [.., u] = id.words(
@@ -80,11 +91,14 @@ pub fn light_path<F: Real>(
             partial = Some(left_partial(t.adjoint, &path, &v, wo, here));
         }
         alive = e.alive;
-        if let Some(SplatRay { shadow, pixel, .. }) = splat
-            && let Some(value) = shadow_ray(t.world, t.adjoint, shadow, &mut counts.rays)
-        {
-            take(Splat { value, pixel });
+        if let Some(SplatRay { shadow, pixel, .. }) = splat {
+            let arrived = shadow_ray(t.world, t.adjoint, shadow, &mut counts.rays);
+            recorder.connection(Far::Eye(pixel), arrived);
+            arrived
+                .into_iter()
+                .for_each(|value| take(Splat { value, pixel }));
         }
+        recorder.scattered(Origin::Light, &path, e.lobe);
     }
     reservoir
 }

@@ -11,7 +11,9 @@ pub mod join;
 pub mod joint;
 pub mod light_path;
 pub mod partial;
+pub mod record;
 pub mod reservoir;
+pub mod signature;
 pub mod to_light;
 
 use super::light::splat::Window;
@@ -22,6 +24,7 @@ use crate::reference::world::World;
 use crate::settings::Settings;
 use eye_path::eye_path;
 use light_path::light_path;
+use record::Recorder;
 
 /// Which ways to find a path count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,15 +64,16 @@ pub fn trace_bidirectional<F: Real>(
     transport: Transport<F>,
     window: Window,
     id: SampleId,
+    recorder: &mut impl Recorder<F>,
     take: &mut impl FnMut(Splat<F>),
 ) -> (Option<Vec3<F>>, LightCounts) {
     let mut counts = LightCounts::default();
-    let light = light_path(transport, window, id, &mut counts, take);
+    let light = light_path(transport, window, id, &mut counts, recorder, take);
     let (x, y) = (
         id.column.wrapping_sub(window.x),
         id.row.wrapping_sub(window.y),
     );
     let rendered = x < window.width && y < window.height;
-    let radiance = rendered.then(|| eye_path(transport, &light, id, &mut counts));
+    let radiance = rendered.then(|| eye_path(transport, &light, id, &mut counts, recorder));
     (radiance, counts)
 }

@@ -5,7 +5,7 @@ use super::aim::aimed_density;
 use super::bend::reverse_pdf;
 use super::partial::{Junction, Partial, light_weight};
 use crate::reference::integrator::path::direct::shadow_to_light;
-use crate::reference::integrator::path::pick::candidate::Weigh;
+use crate::reference::integrator::path::pick::candidate::{Candidate, Weigh};
 use crate::reference::integrator::path::pick::pick;
 use crate::reference::light::LightSample;
 use crate::reference::math::{Real, Vec3, dot3};
@@ -66,7 +66,7 @@ pub fn join_light<F: Real>(
     v: &Vertex<F>,
     partial: Partial<F>,
     id: SampleId,
-) -> Option<ShadowRay<F>> {
+) -> Option<(Candidate<F>, ShadowRay<F>)> {
     if t.world.lights.is_empty() {
         return None;
     }
@@ -78,5 +78,6 @@ pub fn join_light<F: Real>(
     };
     let u = id.words(t.settings, light_block(path.bounce));
     let picked = pick(t.world, t.settings, path, v, u, &weigh)?;
-    shadow_to_light(t.world, path, v, picked)
+    let shadow = shadow_to_light(t.world, path, v, picked)?;
+    Some((picked, shadow))
 }

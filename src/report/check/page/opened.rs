@@ -9,7 +9,9 @@ use super::colours::band;
 use crate::film::Film;
 use crate::image::EncodeError;
 use crate::report::human::{plural, thousands};
+use crate::report::names::Named;
 use crate::report::page::image;
+use crate::settings::Integrator;
 
 /// Lines of a scene that are shown; a battery has some of ten thousand lights.
 const LINES: usize = 40;
@@ -117,6 +119,9 @@ fn scene(shown: &Shown) -> Markup {
             pre.wrap { (text) }
             @if lines.len() > LINES { p.note { "the first " (LINES) " of " (thousands(lines.len() as u64)) " lines" } }
             @if let Some(n) = shown.triangles { p.note { "and a mesh of " (plural(n as u64, "triangle")) " in the last material" } }
+            @if shown.settings.integrator != Integrator::Path.name() {
+                p.note { "A pixel shows what its samples bring, their splats with it, wherever in the picture these go." }
+            }
             p.note {
                 (width) "×" (height) " pixels"
                 @if let Some([x0, y0, x1, y1]) = shown.crop { ", crop " (x0) "," (y0) "," (x1) "," (y1) }

@@ -1,0 +1,48 @@
+//! The battery by bidirectional paths.
+
+use super::case::{Case, Expectation, Stiffness};
+use crate::settings::{Absorption, Connect, Integrator};
+
+/// Paths of a sample: what one brings may have come over the vertices of both.
+const PATHS: f64 = 2.0;
+/// Decisions at a vertex over those of a path tracer: two more connections, beside shape, light, lobe and roulette.
+const DECISIONS: f64 = 6.0 / 4.0;
+
+/// The cases that bidirectional paths can render, with bounds that hold for them.
+pub fn bidirectional(battery: Vec<Case>) -> Vec<Case> {
+    battery.into_iter().filter_map(of_both_ends).collect()
+}
+
+/// `None` where the settings are refused.
+fn of_both_ends(mut case: Case) -> Option<Case> {
+    let weighs = case.settings.estimator.connect == Connect::Mis;
+    let along = case.settings.model.absorption == Absorption::Segment;
+    if !weighs || !along {
+        return None;
+    }
+    case.settings.estimator.integrator = Integrator::Bidirectional;
+    let Stiffness {
+        vertices,
+        decisions,
+        light,
+        why,
+    } = case.stiffness;
+    let why = format!("{why}; two paths a sample, and two connections more a vertex");
+    case.stiffness = Stiffness::new(PATHS * vertices, DECISIONS * decisions, light, why);
+    // A light path's splat has the weight that its pixel, a part of the picture, gives it: no bound of the model's.
+    case.weight = None;
+    let cropped = case.crop.is_some();
+    case.expectations
+        .retain(|expected| !(cropped && is_of_pixels(expected)));
+    Some(case)
+}
+
+/// Whether what is expected is that of some pixels: splats of their samples go to others.
+fn is_of_pixels(expected: &Expectation) -> bool {
+    match expected {
+        Expectation::Mean { .. } | Expectation::AtMost { .. } | Expectation::SameMean { .. } => {
+            true
+        }
+        Expectation::SameBits { .. } | Expectation::Warning(_) => false,
+    }
+}
