@@ -10,7 +10,7 @@ use vkpt::metrics::StandardErrors;
 use vkpt::metrics::blocks::{ALPHA, Block, BlockTest, Estimate, Stderr, z_test};
 use vkpt::prepared::Prepared;
 use vkpt::render::{Job, Outcome, Target, freedom};
-use vkpt::settings::Settings;
+use vkpt::settings::{Integrator, Settings};
 
 use crate::common;
 use crate::common::data::data;
@@ -134,6 +134,19 @@ fn the_device_agrees_with_mitsuba() {
 fn the_reference_agrees_with_mitsuba() {
     let oracle = oracle();
     oracle.judge(&outcome(&oracle.job(2), &Target::CpuF64));
+}
+
+/// Light through the ball of glass found by connections and splats.
+#[test]
+fn bidirectional_paths_agree_with_mitsuba() {
+    let oracle = oracle();
+    let mut settings = Settings::default();
+    settings.estimator.integrator = Integrator::Bidirectional;
+    let job = Job {
+        settings,
+        ..oracle.job(4)
+    };
+    oracle.judge(&outcome(&job, &Target::CpuF32));
 }
 
 /// A swapped lobe: the glass ball reflects what it should transmit.
