@@ -6,6 +6,7 @@ use super::job::Request;
 use crate::gpu::Selector;
 use crate::render::Target;
 use crate::report::SettingsRecord;
+use crate::report::names::Named;
 use crate::settings::Settings;
 
 /// The words of a command line as a shell takes them.
@@ -20,6 +21,8 @@ pub fn show(request: &Request, target: &Target) -> String {
     words.extend(request.size.map(|[w, h]| format!("--size {w}x{h}")));
     words.extend((request.seed != 0).then(|| format!("--seed {}", request.seed)));
     words.extend(settings(&request.settings));
+    let integrator = request.settings.estimator.integrator.name();
+    words.extend((!request.auto).then(|| format!("--integrator {integrator}")));
     let device = match target {
         Target::Vulkan(Selector::Best) => None,
         Target::Vulkan(Selector::Index(i)) => Some(i.to_string()),
@@ -43,7 +46,6 @@ fn settings(settings: &Settings) -> Vec<String> {
             ("absorption", s.absorption.to_owned()),
             ("radiance-scaling", switch(s.radiance_scaling)),
             ("max-depth", depth(s.max_depth)),
-            ("integrator", s.integrator.to_owned()),
             ("lobe", s.lobe.to_owned()),
             ("normals", s.normals.to_owned()),
             ("roulette", s.roulette),
@@ -91,12 +93,13 @@ mod tests {
         let device = show(&request, &Target::Vulkan(Selector::Index(1)));
         let references = show(&request, &Target::CpuF64);
         let common = "vkpt 'it'\\''s a.txt' --size 40x30 --seed 7 --absorption term --radiance-scaling off \
-             --max-depth 3 --lobe norms --normals distribution --roulette 0.8 --sampler random";
+             --max-depth 3 --lobe norms --normals distribution --roulette 0.8 --sampler random --integrator path";
         assert_eq!(device, format!("{common} --device 1"));
         assert_eq!(references, format!("{common} --device cpu-f64"));
         request = Request {
             scene: &Source::Stdin,
             settings: Settings::default(),
+            auto: true,
             size: None,
             seed: 0,
             ..request

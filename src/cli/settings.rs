@@ -46,7 +46,7 @@ pub struct SettingArguments {
 
     /// Which paths find the light: those from the eye; those from the lights, each vertex joined to
     /// the eye, which see neither mirrors nor through smooth glass; or both, joined to each other: path,
-    /// light, bidirectional, or auto: what suits the scene [default: path]
+    /// light, bidirectional, or auto: what suits the scene [default: auto]
     #[arg(long, value_name = "PATHS", help_heading = ESTIMATOR)]
     #[arg(value_parser = values::integrator(), hide_possible_values = true)]
     pub integrator: Option<IntegratorRule>,
@@ -98,7 +98,7 @@ impl SettingArguments {
 
     /// Whether the scene is to choose its integrator.
     pub fn auto(&self) -> bool {
-        self.integrator == Some(IntegratorRule::Auto)
+        matches!(self.integrator, None | Some(IntegratorRule::Auto))
     }
 
     /// The preset's values, or the defaults, with what the flags say put over them.

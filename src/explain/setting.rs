@@ -52,7 +52,7 @@ fn estimator(subject: &Subject) -> [Setting; 9] {
     let names = SettingsRecord::from(&subject.job.settings);
     let connect = by(subject, "connect", |s| s.connect.to_owned());
     let integrator = match subject.auto {
-        Some(why) => format!("--integrator auto: {why}"),
+        Some(why) => format!("auto: {why}"),
         None => by(subject, "integrator", |s| s.integrator.to_owned()),
     };
     [

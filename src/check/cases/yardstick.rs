@@ -1,5 +1,6 @@
-//! The furnace that other renderers are known by: a ball of glass, GGX of width .1, and of Beckmann. At a scale of 1e-5 Mitsuba 3.9 falls
-//! from .945 to .480, and refuses an index of 1; at an index of 10 LuxCore 2.11 returns up to 4.5, and pixels of 213.
+//! The furnace that other renderers are known by: a ball of glass, GGX of width .1, and of Beckmann. At a scale of 1e-5
+//! Mitsuba 3.9 falls from .945 to .480, and refuses an index of 1; at an index of 10 LuxCore 2.11 returns up to 4.5, and
+//! pixels of 213.
 
 use crate::check::case::{Case, Expectation, Stiffness};
 use crate::settings::{Connect, Settings};

@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::arguments::ConvergeArguments;
 use super::kept::Kept;
 use crate::cli::exit::{Failure, warn};
+use crate::cli::integrator::{Settled, settled};
 use crate::cli::progress::Display;
 use crate::cli::stderr::standard_errors;
 use crate::converge::{ConvergeError, Halves, Plan, halves};
@@ -107,8 +108,8 @@ fn from_file(path: &Path, size: [u32; 2]) -> Result<Named, Failure> {
     Ok(Named { name, reference })
 }
 
-/// Two halves by the model of `job`, rendered as long as the plan samples. By the default estimator, whatever
-/// estimators are measured: none of them judges itself. `None` if ctrl-c came first.
+/// Two halves by the model of `job`, rendered as long as the plan samples. By the default estimator and the integrator that the
+/// scene chooses, whatever estimators are measured: none of them judges itself. `None` if ctrl-c came first.
 fn own(
     job: &Job,
     engine: &Engine,
@@ -120,6 +121,7 @@ fn own(
         model: job.settings.model,
         ..Settings::default()
     };
+    let Settled { settings, .. } = settled(job.prepared, settings);
     let job = Job { settings, ..*job };
     let kept = Kept::new(&job);
     if let Some(halves) = kept.read(job.size(), plan.seconds) {

@@ -7,7 +7,7 @@ use crate::cli::integrator::settled;
 use crate::cli::job::{Loaded, Request};
 use crate::prepared::Prepared;
 use crate::render::{Job, KernelChoice, Until};
-use crate::settings::Model;
+use crate::settings::{Integrator, Model};
 
 /// What is rendered, with every setting.
 pub struct Variants {
@@ -16,6 +16,23 @@ pub struct Variants {
     pub models: Vec<(Model, Prepared)>,
     /// The text of the scene file.
     pub text: String,
+}
+
+/// Lets the scene choose the integrator of the combinations that leave it to the scene: the same for all of them, so that they
+/// differ in what is varied alone. Paths from the eye are there for all.
+fn settle(combinations: &mut [Combination], models: &[(Model, Prepared)]) {
+    let chosen = |c: &Combination| {
+        let (_, prepared) = models
+            .iter()
+            .find(|(model, _)| *model == c.settings.model)?;
+        Some(settled(prepared, c.settings).settings.estimator.integrator)
+    };
+    let auto = || combinations.iter().filter(|c| c.auto);
+    let first = auto().next().and_then(chosen);
+    let one = first.filter(|_| auto().all(|c| chosen(c) == first));
+    for combination in combinations.iter_mut().filter(|c| c.auto) {
+        combination.settings.estimator.integrator = one.unwrap_or(Integrator::Path);
+    }
 }
 
 impl Variants {
@@ -43,13 +60,7 @@ impl Variants {
             };
             models.push((settings.model, prepared));
         }
-        for combination in &mut combinations {
-            let mut models = models.iter();
-            let model = models.find(|(model, _)| *model == combination.settings.model);
-            if let Some((_, prepared)) = model.filter(|_| combination.auto) {
-                combination.settings = settled(prepared, combination.settings).settings;
-            }
-        }
+        settle(&mut combinations, &models);
         Ok(Self {
             combinations,
             models,

@@ -127,23 +127,54 @@ fn a_scene_chooses_its_integrator() {
     for (text, flags, integrator, why) in rows {
         let folder = folder(text);
         let base = ["scene.scn", "--spp", "4", "--device", "cpu-f32"];
-        let of = |integrator, out| {
-            let more = ["--integrator", integrator, "-o", out];
-            let run = run(folder.path(), &[&base[..], flags, &more].concat());
+        let of = |asked: &[&str], out| {
+            let run = run(
+                folder.path(),
+                &[&base[..], flags, asked, &["-o", out]].concat(),
+            );
             assert_eq!(run.code, Some(0), "{}", run.err);
             (
                 run.out,
                 std::fs::read(folder.path().join(out)).expect("a picture"),
             )
         };
-        let (said, auto) = of("auto", "auto.png");
-        assert!(
-            said.trim_end()
-                .ends_with(&format!("{integrator} by auto: {why}")),
-            "{said}"
-        );
-        let (said, asked) = of(integrator, "asked.png");
+        let (said, default) = of(&[], "default.png");
+        let why = format!("{integrator} by auto: {why}");
+        assert!(said.trim_end().ends_with(&why), "{said}");
+        let (said, auto) = of(&["--integrator", "auto"], "auto.png");
+        assert!(said.trim_end().ends_with(&why), "{said}");
+        let (said, asked) = of(&["--integrator", integrator], "asked.png");
         assert!(!said.contains("by auto"), "{said}");
-        assert!(auto == asked, "{integrator}");
+        assert!(auto == asked && default == asked, "{integrator}");
+    }
+}
+
+/// Variants differ in what is varied alone: all have the integrator that suits each of them.
+#[test]
+fn variants_share_the_integrator_that_the_scene_chooses() {
+    let rows: [(&str, [&str; 2]); 3] = [
+        ("connect=mis,light", ["path", "path"]),
+        ("lights=power,contribution", ["bidirectional"; 2]),
+        ("integrator=path,auto", ["path", "bidirectional"]),
+    ];
+    for (vary, expected) in rows {
+        let folder = folder(GLASS);
+        let base = [
+            "converge",
+            "scene.scn",
+            "--device",
+            "cpu-f32",
+            "--time",
+            "0.2",
+        ];
+        let more = ["--replicates", "2", "--json", "c.json", "--vary", vary];
+        let run = run(folder.path(), &[&base[..], &more].concat());
+        assert_eq!(run.code, Some(0), "{}", run.err);
+        let text = std::fs::read_to_string(folder.path().join("c.json")).expect("a report");
+        let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        let variants = json["variants"].as_array().expect("variants");
+        let of = |v: &serde_json::Value| v["settings"]["integrator"].as_str().map(str::to_owned);
+        let found: Vec<String> = variants.iter().filter_map(of).collect();
+        assert_eq!(found, expected, "{vary}");
     }
 }

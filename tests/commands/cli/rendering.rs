@@ -206,6 +206,8 @@ fn a_lottery_is_told_with_its_pixel_and_its_sample() {
         &[
             "-o",
             "a.png",
+            "--integrator",
+            "path",
             "--connect",
             "bsdf",
             "--crop",

@@ -10,7 +10,7 @@ use crate::cli::destination::all_written;
 use crate::cli::exit::{Ending, Failure, warn};
 use crate::cli::integrator::needs_eye_paths;
 use crate::cli::interrupt::stop_flag;
-use crate::cli::job::{Ready, Request};
+use crate::cli::job::Ready;
 use crate::cli::progress::Display;
 use crate::cli::streams::put;
 use crate::gpu::{Device, DeviceKind};
@@ -28,16 +28,11 @@ pub fn paired(arguments: &PairedArguments) -> Result<Ending, Failure> {
     let job = ready.job(&request)?;
     let device = Device::open(&arguments.device()).map_err(|e| Failure::Render(e.into()))?;
     let (pairs, interrupted) = compare(&job, &device, arguments.quiet)?;
-    let shown = Request {
-        settings: ready.settings,
-        auto: false,
-        ..request
-    };
     let findings = Findings {
         pairs,
         correctly_rounded: device.info().kind == DeviceKind::Cpu,
         show: [Target::Vulkan(arguments.device().clone()), Target::CpuF64]
-            .map(|target| command::show(&shown, &target)),
+            .map(|target| command::show(&request, &target)),
     };
     if !arguments.quiet {
         let text = head(&request.scene.name(), &job, &device) + &table::text(&findings);
