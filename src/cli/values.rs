@@ -139,6 +139,9 @@ pub fn crop(text: &str) -> Result<[u32; 4], String> {
 /// `X,Y,I`.
 pub fn sample_path(text: &str) -> Result<SamplePath, String> {
     let [x, y, index] = numbers(text, ',').ok_or("must be three whole numbers, such as 10,20,0")?;
+    if index == u32::MAX {
+        return Err(format!("the last sample has the index {}", u32::MAX - 1));
+    }
     Ok(SamplePath {
         pixel: [x, y],
         index,
@@ -232,6 +235,7 @@ mod tests {
             })
         );
         assert!(sample_path("3,4").is_err());
+        assert!(sample_path("3,4,4294967294").is_ok() && sample_path("3,4,4294967295").is_err());
     }
 
     #[test]

@@ -46,7 +46,7 @@ fn brings(m: &Material, member: Member) -> bool {
         Member::DiffuseBeside => is_specular(m.kind) && m.kd_mean > 0.0,
         Member::Distribution(distribution) => is_rough(m.kind) && m.distribution == distribution,
         Member::Fresnel(form) => is_specular(m.kind) && m.fresnel == form,
-        Member::Aims => m.kind.gathers(),
+        Member::Aims => m.gathers(),
         Member::Absorption(_) => Prepared::is_transmissive(m) && m.sigma != DVec3::ZERO,
         _ => false,
     }

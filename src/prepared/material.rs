@@ -168,7 +168,21 @@ pub fn extinction_in(sigma: DVec3, space: &Space) -> DVec3 {
     DVec3::select(sigma.cmpeq(opaque), opaque, scaled)
 }
 
+/// The least mean of Ks, and the largest width, with which an opaque surface gathers light: a wall with a sheen does not.
+const LEAST_GLOSS: f64 = 0.1;
+const WIDEST_GLOSS: f64 = 0.3;
+
 impl Material {
+    /// Whether it mirrors or refracts into few directions, so that light gathers behind it.
+    pub fn gathers(&self) -> bool {
+        use MaterialKind::{Glossy, Mirror, RoughDielectric, SmoothDielectric};
+        match self.kind {
+            Mirror | RoughDielectric | SmoothDielectric => true,
+            Glossy => self.f0.element_sum() >= 3.0 * LEAST_GLOSS && self.width <= WIDEST_GLOSS,
+            _ => false,
+        }
+    }
+
     /// Kt per unit length of the scene, as its file has it.
     pub fn transmittance(&self, space: &Space) -> DVec3 {
         let scaled = self.sigma.map(|sigma| (-sigma / space.unit).exp());

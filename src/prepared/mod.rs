@@ -67,6 +67,8 @@ pub struct Prepared {
     pub triangle_cdf: Vec<u32>,
     /// What light paths of bidirectional path tracing are aimed at.
     pub aims: Vec<Aim>,
+    /// The least share of all directions that a light fills, seen from what light paths are aimed at.
+    pub light_share: Option<f64>,
     /// Radiance of everything outside.
     pub background: DVec3,
     /// The scene file's line, 0 where none says so.

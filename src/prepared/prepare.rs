@@ -79,6 +79,7 @@ pub fn prepare(
         })
         .collect();
     let aims = super::aims::aims(&placed, &materials);
+    let light_share = super::aims::light_share(&placed, &lights.lights, &aims);
     let light_tree = LightTree::new(&placed, &lights.lights);
     let mut shapes = placed.shapes;
     for (i, light) in lights.lights.iter().enumerate() {
@@ -97,6 +98,7 @@ pub fn prepare(
         light_tree,
         light_media,
         aims,
+        light_share,
         triangle_cdf: lights.triangle_cdf,
         background: scene.background,
         background_line: scene.background_line,

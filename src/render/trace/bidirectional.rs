@@ -4,6 +4,7 @@ use super::chain::{Bounce, Chain, End};
 use super::event::{Event, Names, lobe_name, xyz};
 use super::paths::{Paths, Step};
 use super::techniques::Technique;
+use crate::prepared::NONE;
 use crate::reference::bsdf::LOBE_NONE;
 use crate::reference::integrator::bidirectional::joint::Joint;
 use crate::reference::integrator::bidirectional::record::{Far, Recorder};
@@ -155,7 +156,7 @@ impl<F: Real> Recorder<F> for Events<'_, F> {
         // The light itself is the last vertex that was hit.
         let count = self.paths.eye.len() - usize::from(on.is_some());
         let bounces = self.paths.eye_bounces(count, path.ray.d);
-        let shape = on.map_or(u32::MAX, |x| x.v.shape);
+        let shape = on.map_or(NONE, |x| x.v.shape);
         let to = format!("the eye path comes to {}", self.names.of(shape));
         self.found([0, path.bounce + 2], &to, Some(seen), (bounces, end));
     }

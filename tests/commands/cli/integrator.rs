@@ -97,12 +97,19 @@ sphere 0 0 .8 .8
 fn a_scene_chooses_its_integrator() {
     let skies = format!("{GLASS}background .1 .1 .1\n");
     let plaster = GLASS.replace("brdf 0 0 0 .04 .04 .04 .2 .9 .9 .9 1.5\n", "");
-    let rows: [(&str, &[&str], &str, &str); 5] = [
+    let lamp = GLASS.replace("sphere -2 0 3 .3", "sphere -2 0 3 1.5");
+    let rows: [(&str, &[&str], &str, &str); 6] = [
+        (
+            &lamp,
+            &[],
+            "path",
+            "the lights are large, and hit by paths from the eye",
+        ),
         (
             GLASS,
             &[],
             "bidirectional",
-            "lights shine on what mirrors or refracts",
+            "small lights shine on what mirrors or refracts",
         ),
         (
             GLASS,
