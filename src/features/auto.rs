@@ -1,6 +1,6 @@
 //! Which integrator suits a scene, by what it has alone.
 
-use crate::prepared::{LightKind, Prepared};
+use crate::prepared::{Light, LightKind, Prepared};
 use crate::settings::{Absorption, Connect, Integrator, Settings};
 
 /// An integrator, and why it was chosen: words that complete "it was chosen: …".
@@ -30,8 +30,8 @@ pub fn chosen(prepared: &Prepared, settings: &Settings) -> Chosen {
             path("--connect weighs paths from the eye alone")
         }
         () if !prepared.lights.iter().any(|l| shine(l.kind)) => path("no shape shines"),
-        () if !prepared.lights.iter().all(|l| shine(l.kind)) => {
-            path("the background shines, which paths from the eye find by themselves")
+        () if background_share(prepared) > 0.5 => {
+            path("most light is the background's, which paths from the eye find by themselves")
         }
         () if prepared.aims.is_empty() => path("nothing mirrors or refracts"),
         () if prepared.light_share.is_some_and(|share| share >= SMALL) => {
@@ -42,4 +42,14 @@ pub fn chosen(prepared: &Prepared, settings: &Settings) -> Chosen {
             why: "small lights shine on what mirrors or refracts",
         },
     }
+}
+
+/// The background's part of the power of all lights, as they are drawn by it.
+fn background_share(prepared: &Prepared) -> f64 {
+    let of = |(i, light): (usize, &Light)| match light.kind {
+        LightKind::Background => prepared.light_cdf[i + 1] - prepared.light_cdf[i],
+        _ => 0,
+    };
+    let drawn: u32 = prepared.lights.iter().enumerate().map(of).sum();
+    f64::from(drawn) / f64::from(1 << 24)
 }

@@ -127,7 +127,7 @@ fn a_scene_chooses_its_integrator() {
             &skies,
             &[],
             "path",
-            "the background shines, which paths from the eye find by themselves",
+            "most light is the background's, which paths from the eye find by themselves",
         ),
         (&plaster, &[], "path", "nothing mirrors or refracts"),
     ];
