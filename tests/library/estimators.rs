@@ -38,7 +38,7 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// Of the slow tests: means of whole pictures are known to about a thousandth (`relative_error`), in less than an hour.
+    /// Of the slow tests: means of whole pictures are known to some thousandths (`relative_error`), in less than an hour.
     pub const LONG: Effort = Effort {
         seeds: 24,
         spp: 512,

@@ -25,8 +25,8 @@ pub use side_by_side::Trace;
 const REFERENCES_APART: f64 = 1e-3;
 
 /// What the letters of a bidirectional trace are.
-const LEGEND: &str = "s vertices of the light path meet t of the eye path; below each way that found light all ways that could \
-     have found its path, the weight of each p²/Σp² of the densities p, * the way that did";
+const LEGEND: &str = "s: vertices of the light path; t: of the eye path. Below a connection that found light stand all ways to \
+     find its path, each with its density p and its weight p²/Σp²; * marks the one taken.";
 
 /// The path of sample `index` of the pixel at column and row `pixel`.
 ///

@@ -31,6 +31,7 @@ impl Builder {
             materials: Vec::new(),
             lights: Vec::new(),
             aims: Vec::new(),
+            light_share: None,
             light_media: Vec::new(),
             light_cdf: Vec::new(),
             light_tree: Default::default(),
