@@ -26,7 +26,8 @@ fn the_page_is_narrow_and_names_lines_buffers_and_memory() {
         "the scene has no mesh",
         "bytes of SPIR-V",
         "no hierarchy",
-        "PathState",
+        "LightState",
+        "EyeState",
         "on the device",
     ] {
         assert!(run.out.contains(words), "{words} is missing:\n{}", run.out);
