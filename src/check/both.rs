@@ -1,7 +1,7 @@
 //! The battery by bidirectional paths.
 
 use super::case::{Case, Expectation, Stiffness};
-use crate::settings::{Absorption, Connect, Integrator};
+use crate::settings::{Absorption, Connect, Integrator, Settings};
 
 /// Paths of a sample: what one brings may have come over the vertices of both.
 const PATHS: f64 = 2.0;
@@ -13,14 +13,16 @@ pub fn bidirectional(battery: Vec<Case>) -> Vec<Case> {
     battery.into_iter().filter_map(of_both_ends).collect()
 }
 
-/// `None` where the settings are refused.
+/// These settings with paths from both ends; `None` where these cannot be had.
+pub fn both_ends(mut settings: Settings) -> Option<Settings> {
+    let weighs = settings.estimator.connect == Connect::Mis;
+    let along = settings.model.absorption == Absorption::Segment;
+    settings.estimator.integrator = Integrator::Bidirectional;
+    (weighs && along).then_some(settings)
+}
+
 fn of_both_ends(mut case: Case) -> Option<Case> {
-    let weighs = case.settings.estimator.connect == Connect::Mis;
-    let along = case.settings.model.absorption == Absorption::Segment;
-    if !weighs || !along {
-        return None;
-    }
-    case.settings.estimator.integrator = Integrator::Bidirectional;
+    case.settings = both_ends(case.settings)?;
     let Stiffness {
         vertices,
         decisions,

@@ -1,5 +1,6 @@
 //! Which integrator suits a scene, by what it has alone.
 
+use crate::prepared::cdf::CDF_TOTAL;
 use crate::prepared::{Light, LightKind, Prepared};
 use crate::settings::{Absorption, Connect, Integrator, Settings};
 
@@ -10,8 +11,8 @@ pub struct Chosen {
     pub why: &'static str,
 }
 
-/// A light that fills less of all directions than this, as what gathers its light sees it, is hit by few paths from the eye. Rooms
-/// with lights of .7 % gain by paths from both ends, the course's with 3 % loses.
+/// A light that fills less of all directions than this, as what gathers its light sees it, is hit by few paths from the eye. A room
+/// whose light fills .7 % gains by paths from both ends; the course's, with 3 %, loses.
 const SMALL: f64 = 0.01;
 
 /// Paths from both ends where small lights shine on what gathers light, and from the eye elsewhere
@@ -51,5 +52,5 @@ fn background_share(prepared: &Prepared) -> f64 {
         _ => 0,
     };
     let drawn: u32 = prepared.lights.iter().enumerate().map(of).sum();
-    f64::from(drawn) / f64::from(1 << 24)
+    f64::from(drawn) / f64::from(CDF_TOTAL)
 }

@@ -1,9 +1,16 @@
 //! Settings that depart from the default in one word each.
 
 use vkpt::settings::{
-    Absorption, Connect, Distribution, DistributionRule, Estimator, Fresnel, Lights, LobeChoice,
-    Model, Normals, Roulette, Sampler, Settings,
+    Absorption, Connect, Distribution, DistributionRule, Estimator, Fresnel, Integrator, Lights,
+    LobeChoice, Model, Normals, Roulette, Sampler, Settings,
 };
+
+/// The defaults with another integrator.
+pub fn by(integrator: Integrator) -> Settings {
+    let mut settings = Settings::default();
+    settings.estimator.integrator = integrator;
+    settings
+}
 
 /// Each estimator setting alone, and all that the hand-out has, with the default model.
 pub fn estimators() -> Vec<(&'static str, Settings)> {

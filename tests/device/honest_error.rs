@@ -13,6 +13,7 @@ use vkpt::render::{Job, Outcome, Target};
 use vkpt::settings::{Integrator, Sampler, Settings};
 
 use crate::common::render::{job, on_device, outcome, prepared_file};
+use crate::common::settings::by;
 use crate::common::stats::sidak;
 
 const SIZE: [u32; 2] = [48, 36];
@@ -39,15 +40,14 @@ struct Told {
 }
 
 fn reference(scene: &Prepared, integrator: Integrator) -> Reference {
-    let settings = by(integrator, Sampler::Sobol);
+    let settings = drawn(integrator, Sampler::Sobol);
     let half = |seed| rendered(&job(scene, settings, REFERENCE_SPP, seed)).film;
     let [a, b]: [Film; 2] = [1_000_001, 1_000_002].map(half);
     Reference::halves(a, b, &Viewing::default()).expect("two halves")
 }
 
-fn by(integrator: Integrator, sampler: Sampler) -> Settings {
-    let mut settings = Settings::default();
-    settings.estimator.integrator = integrator;
+fn drawn(integrator: Integrator, sampler: Sampler) -> Settings {
+    let mut settings = by(integrator);
     settings.estimator.sampler = sampler;
     settings
 }
@@ -92,7 +92,7 @@ fn check(scenes: &[&str], integrator: Integrator, pictures: u32) {
         let settings = Settings::default();
         let scene = prepared_file(Path::new(&path), &settings, Some(SIZE));
         for sampler in [Sampler::Random, Sampler::Sobol] {
-            let all = told(&scene, by(integrator, sampler), pictures);
+            let all = told(&scene, drawn(integrator, sampler), pictures);
             let count = misses(&all, 1.0);
             let [given, missed] = count;
             let mean = |of: fn(&Told) -> f64| all.iter().map(of).sum::<f64>() / all.len() as f64;

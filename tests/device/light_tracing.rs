@@ -12,14 +12,9 @@ use vkpt::settings::{Integrator, Sampler, Settings};
 use crate::common;
 use crate::common::render::{job, on_device, outcome, pixel_means, prepared};
 use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE};
+use crate::common::settings::by;
 use crate::common::stats::p_of_difference;
 use crate::same_bits::{crops_are_pieces, limits_leave_no_trace, same};
-
-fn by(integrator: Integrator) -> Settings {
-    let mut settings = Settings::default();
-    settings.estimator.integrator = integrator;
-    settings
-}
 
 fn light() -> Settings {
     by(Integrator::Light)

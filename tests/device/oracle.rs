@@ -15,6 +15,7 @@ use vkpt::settings::{Integrator, Settings};
 use crate::common;
 use crate::common::data::data;
 use crate::common::render::{job, on_device, outcome, prepared_file};
+use crate::common::settings::by;
 
 /// Means of blocks then have errors near .4 %: 1 % is seen, if not in every block.
 const SPP: u32 = 256;
@@ -140,10 +141,8 @@ fn the_reference_agrees_with_mitsuba() {
 #[test]
 fn bidirectional_paths_agree_with_mitsuba() {
     let oracle = oracle();
-    let mut settings = Settings::default();
-    settings.estimator.integrator = Integrator::Bidirectional;
     let job = Job {
-        settings,
+        settings: by(Integrator::Bidirectional),
         ..oracle.job(4)
     };
     oracle.judge(&outcome(&job, &Target::CpuF32));

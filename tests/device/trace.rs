@@ -6,6 +6,7 @@ use vkpt::settings::{Integrator, Settings};
 use crate::common;
 use crate::common::render::{job, prepared};
 use crate::common::scenes::{SMOOTH, TABLE, WIDE};
+use crate::common::settings::by;
 
 #[test]
 fn the_device_tells_the_same_story_as_the_reference() {
@@ -122,8 +123,7 @@ fn the_two_references_are_told_side_by_side() {
 /// Devices write no events of bidirectional paths down: what a sample brings, and the hash of its decisions, are compared.
 #[test]
 fn both_paths_are_told_with_every_way_to_find_light() {
-    let mut settings = Settings::default();
-    settings.estimator.integrator = Integrator::Bidirectional;
+    let settings = by(Integrator::Bidirectional);
     if common::cpu_driver().is_some() {
         let scene = prepared(SMOOTH, &settings);
         let job = job(&scene, settings, 32, 1);

@@ -10,9 +10,9 @@ use crate::reference::integrator::bidirectional::record::Silent;
 use crate::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
 use crate::reference::integrator::light::{LightCounts, Splat, trace_light};
 use crate::reference::math::Real;
-use crate::reference::path::SampleId;
 use crate::reference::world::World;
 use crate::render::{Job, LightFilm};
+use crate::sample::Address;
 use crate::settings::Integrator;
 
 /// Rows under way at once, of several sample indices where a picture has fewer.
@@ -48,13 +48,10 @@ impl<F: Real> Render<F> for LightFilm<F> {
                 counts: Vec::new(),
             };
             for column in 0..job.prepared.camera.width {
-                let id = SampleId {
-                    column,
-                    row,
-                    pixel: row * world.width + column,
-                    sample,
-                    seed: job.seed,
-                };
+                let id = job.sample(Address {
+                    pixel: [column, row],
+                    index: sample,
+                });
                 let mut take = |splat| arrived.splats.push(splat);
                 let (radiance, counts) = match both {
                     true => trace_bidirectional(transport, window, id, &mut Silent, &mut take),

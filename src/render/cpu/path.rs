@@ -6,9 +6,9 @@ use super::Render;
 use crate::reference::integrator::path::record::Silent;
 use crate::reference::integrator::path::trace_path;
 use crate::reference::math::Real;
-use crate::reference::path::SampleId;
 use crate::reference::world::World;
 use crate::render::{Job, Pixels};
+use crate::sample::Address;
 
 impl<F: Real> Render<F> for Pixels<F> {
     fn new(job: &Job) -> Self {
@@ -18,15 +18,12 @@ impl<F: Real> Render<F> for Pixels<F> {
     fn advance(&mut self, job: &Job, world: &World<F>, samples: Range<u32>) {
         let area = self.area;
         self.each(|i, mut pixel| {
-            let [column, row] = area.pixel(i as u32);
+            let at = area.pixel(i as u32);
             for sample in samples.clone() {
-                let id = SampleId {
-                    column,
-                    row,
-                    pixel: row * world.width + column,
-                    sample,
-                    seed: job.seed,
-                };
+                let id = job.sample(Address {
+                    pixel: at,
+                    index: sample,
+                });
                 let path = trace_path(world, &job.settings, id, &mut Silent);
                 pixel.add(path.radiance, sample);
                 pixel.film.rays += path.rays;

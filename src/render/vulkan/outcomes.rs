@@ -19,7 +19,6 @@ use crate::settings::Integrator;
 /// Kernels that report each sample, and room for the samples of one tile.
 pub struct Outcomes<'a> {
     run: Run<'a>,
-    tiles: Vec<Tile>,
     /// Samples a pixel that there is room for.
     room: u32,
 }
@@ -46,10 +45,9 @@ impl<'a> Outcomes<'a> {
             ..limits
         };
         let recording = Recording::Outcomes(room);
-        let tiles = tiles(area, limits.tile_pixels.max(1));
         let run = match features.integrator {
             Integrator::Bidirectional => {
-                let tiles = tiles.clone();
+                let tiles = tiles(area, limits.tile_pixels.max(1));
                 let run = LightRun::recording(job, device, &features, limits, tiles, recording)?;
                 Run::Bidirectional(Box::new(run))
             }
@@ -58,11 +56,14 @@ impl<'a> Outcomes<'a> {
                 Run::Path(Box::new(run))
             }
         };
-        Ok(Self { run, tiles, room })
+        Ok(Self { run, room })
     }
 
     pub fn tiles(&self) -> Vec<Tile> {
-        self.tiles.clone()
+        match &self.run {
+            Run::Path(run) => run.host.tiles.iter().map(|t| t.tile).collect(),
+            Run::Bidirectional(run) => run.tiles.clone(),
+        }
     }
 
     /// The samples from `first` on of each pixel of a tile, row by row: `count` ≤ `room` of them, one after the other.

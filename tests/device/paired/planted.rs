@@ -10,6 +10,7 @@ use super::{compared, samples};
 use crate::common::cpu_driver;
 use crate::common::render::{job, prepared};
 use crate::common::scenes::{INSIDE, SMOOTH, TABLE};
+use crate::common::settings::by;
 use crate::common::stats::{p_of_mean, sidak};
 
 fn table(seed: u32) -> Option<Vec<PairedSample>> {
@@ -148,8 +149,7 @@ fn mistakes_of_bidirectional_kernels_are_noticed() {
 /// How much more the device brings than cpu-f32, sample index by sample index.
 fn differences(scene: &str, files: &[OwnFile]) -> Option<Vec<f64>> {
     const SPP: u32 = 24;
-    let mut settings = Settings::default();
-    settings.estimator.integrator = Integrator::Bidirectional;
+    let settings = by(Integrator::Bidirectional);
     let prepared = prepared(scene, &settings);
     let job = Job {
         kernel: KernelChoice::Own(files),

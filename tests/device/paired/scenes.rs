@@ -9,7 +9,7 @@ use vkpt::settings::{Integrator, Settings};
 use super::{compared, samples};
 use crate::common::render::{job, outcome, prepared, prepared_file};
 use crate::common::scenes::{SMOOTH, TABLE, WIDE, scene_files};
-use crate::common::settings::{estimators, models};
+use crate::common::settings::{by, estimators, models};
 use crate::common::{self, cpu_driver};
 
 /// The share of paths that may part.
@@ -93,7 +93,7 @@ fn bidirectional_paths_stay_together() {
     let names = ["glass-mesh", "many-lights", "rough-pane", "room"];
     let alpha = 1.0 - (1.0 - 1e-3f64).powf(1.0 / names.len() as f64);
     for name in names {
-        let settings = both(Settings::default());
+        let settings = by(Integrator::Bidirectional);
         let path = format!("scenes/{name}.txt");
         let scene = prepared_file(Path::new(&path), &settings, Some([40, 30]));
         let (parted, paths) = parted(&job(&scene, settings, 4, 1), name);
@@ -105,7 +105,7 @@ fn bidirectional_paths_stay_together() {
 /// What bidirectional samples bring, wherever it goes, is the picture.
 #[test]
 fn bidirectional_samples_are_the_light_of_the_picture() {
-    let settings = both(Settings::default());
+    let settings = by(Integrator::Bidirectional);
     let scene = prepared(TABLE, &settings);
     let job = job(&scene, settings, 19, 3);
     let Some(samples) = samples(&job) else { return };
@@ -135,11 +135,6 @@ fn every_scene_is_shown_to_stay_together() {
         let p = at_most(parted, paths);
         assert!(p < alpha, "{}: p = {p:.1e}", path.display());
     }
-}
-
-fn both(mut settings: Settings) -> Settings {
-    settings.estimator.integrator = Integrator::Bidirectional;
-    settings
 }
 
 /// Connections that never are, paths that end otherwise, two lights to choose from: the signatures are the same.

@@ -1,11 +1,12 @@
 //! The battery of stiff and extreme cases with bidirectional paths: no sample is lost, and the mean is the closed form's, or that of
 //! paths from the eye.
 
+use vkpt::check::both::both_ends;
 use vkpt::check::{Case, Expectation, battery};
 use vkpt::film::Film;
 use vkpt::prepared::{Prepared, prepare};
 use vkpt::render::{Job, Outcome, Target};
-use vkpt::settings::{Absorption, Connect, Integrator, Settings};
+use vkpt::settings::Settings;
 
 use crate::common::render::{job, outcome};
 use crate::common::stats::{p_of_difference, p_of_mean, sidak};
@@ -18,15 +19,6 @@ const LARGEST: u32 = 1 << 16;
 const ROUNDING: f64 = 1e-5;
 /// What f32 has no normal number for.
 const LEAST: f64 = f32::MIN_POSITIVE as f64;
-
-/// A case's settings with paths from both ends; `None` where these cannot be had.
-fn both_ends(case: &Case) -> Option<Settings> {
-    let mut settings = case.settings;
-    let weighs = settings.estimator.connect == Connect::Mis;
-    let along = settings.model.absorption == Absorption::Segment;
-    settings.estimator.integrator = Integrator::Bidirectional;
-    (weighs && along).then_some(settings)
-}
 
 fn mean(film: &Film) -> f64 {
     let sum: f64 = film.rgb.iter().flatten().map(|&x| f64::from(x)).sum();
@@ -85,7 +77,7 @@ fn every_case_has_the_mean_of_its_closed_form_or_of_paths() {
     let all = battery();
     let cases: Vec<_> = (all.iter())
         .filter(|case| !case.slow)
-        .filter_map(|case| Some((case, both_ends(case)?)))
+        .filter_map(|case| Some((case, both_ends(case.settings)?)))
         .collect();
     assert!(cases.len() > 80, "{}", cases.len());
     let level = sidak(ALPHA, cases.len());

@@ -9,11 +9,12 @@ use vkpt::reference::math::Vec3;
 use vkpt::reference::path::blocks::Origin;
 use vkpt::reference::world::World;
 use vkpt::render::{Target, trace};
-use vkpt::settings::{Integrator, Lights, Settings};
+use vkpt::settings::{Integrator, Lights};
 
 use super::{samples, whole};
 use crate::common::render::{job, prepared};
 use crate::common::scenes::{INSIDE, SMOOTH, TABLE, WIDE};
+use crate::common::settings::by;
 
 /// What arrived over each connection, by the numbers of vertices from the light and from the eye.
 #[derive(Default)]
@@ -70,8 +71,7 @@ fn told(text: &str) -> Vec<((u32, u32), f64, f64)> {
 
 /// How far the weights of the text are off, at most, and how many there were; they are those that the text has, times `factor`.
 fn compared(factor: f64) -> (f64, usize) {
-    let mut settings = Settings::default();
-    settings.estimator.integrator = Integrator::Bidirectional;
+    let mut settings = by(Integrator::Bidirectional);
     // By contribution, weights decide which light is chosen.
     settings.estimator.lights = Lights::Power;
     let adjoint = settings.adjoint();
