@@ -52,13 +52,19 @@ impl<F: Real> Primitives<F> {
     }
 
     /// The box about each, taken exactly from its numbers.
-    pub fn extents(&self) -> Vec<Bounds> {
+    pub fn extents(&self) -> impl Iterator<Item = Bounds> {
         let spheres = self.spheres.iter().map(|s| s.widened(F::f64).extent());
         let boxes = self.boxes.iter().map(|b| b.widened(F::f64).extent());
         let cylinders = self.cylinders.iter().map(|c| c.widened(F::f64).extent());
         let triangles = self.triangles.iter().map(|t| t.map(Vec3::f64).extent());
         let solids = spheres.chain(boxes).chain(cylinders);
-        solids.chain(triangles).collect()
+        solids.chain(triangles)
+    }
+
+    /// Primitive `number`, if it is a triangle.
+    pub fn triangle(&self, number: usize) -> Option<&Triangle<F>> {
+        let solids = self.len() - self.triangles.len();
+        self.triangles.get(number.checked_sub(solids)?)
     }
 
     /// How many there are.

@@ -12,7 +12,7 @@ use super::primitives::Primitives;
 use super::shape::cover::{is_covered_at, touching};
 use super::shape::{Hit, Ray, Surface, Target, no_hit};
 pub use crate::prepared::record::aim::scalar::Aim;
-use crate::prepared::{LightKind, NONE, Prepared, Shape};
+use crate::prepared::{LightKind, MaterialKind, NONE, Prepared, Shape};
 
 /// The scene that paths travel in.
 pub struct World<F> {
@@ -35,6 +35,8 @@ pub struct World<F> {
     pub light_trails: Vec<u32>,
     triangle_cdf: Vec<u32>,
     /// Over all primitives, where a loop over them would be slower.
+    /// Whether any surface is one.
+    null_interfaces: bool,
     accel: Option<Accel<F>>,
 }
 
@@ -64,6 +66,8 @@ impl<F: Real> World<F> {
             light_nodes: nodes.map(|n| LightNode::rounded(n, F::new)).collect(),
             light_trails: prepared.light_tree.trails.clone(),
             triangle_cdf: prepared.triangle_cdf.clone(),
+            null_interfaces: (prepared.materials.iter())
+                .any(|m| m.kind == MaterialKind::NullInterface),
             accel: (primitives.len() > LINEAR_PRIMITIVES).then(|| Accel::build(&primitives)),
             primitives,
         }
@@ -77,6 +81,17 @@ impl<F: Real> World<F> {
             None => self.primitives.nearest(ray, skip, best),
         };
         touching(&self.primitives, ray, best)
+    }
+
+    /// What a shadow ray meets: the nearest hit where the scene has null interfaces, which let it pass; else any will do.
+    pub fn obstacle(&self, ray: Ray<F>, skip: Target) -> Hit<F> {
+        match &self.accel {
+            Some(accel) if !self.null_interfaces => {
+                let any = accel.any(&self.primitives, ray, skip, no_hit(ray.t_max));
+                touching(&self.primitives, ray, any)
+            }
+            _ => self.nearest(ray, skip),
+        }
     }
 
     /// Whether a face that comes first is at the point `p` of this one.

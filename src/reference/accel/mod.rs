@@ -1,6 +1,10 @@
 //! The reference's own acceleration structure: the nearest hit without trying every primitive, the same hit
 //! to the last bit.
 
+mod build;
+mod extent;
+mod leaf;
+mod node;
 mod slabs;
 mod split;
 mod tree;
@@ -9,6 +13,7 @@ use super::math::Real;
 use super::primitives::Primitives;
 use super::shape::cover::{Cover, NoCover};
 use super::shape::{Hit, Ray, Target, ray_shear};
+use crate::prepared::NONE;
 use tree::Tree;
 
 /// A hierarchy over the primitives of a scene, numbered through.
@@ -20,7 +25,7 @@ impl<F: Real> Accel<F> {
     /// The hierarchy over all primitives; the same for the same primitives.
     pub fn build(primitives: &Primitives<F>) -> Self {
         Self {
-            tree: Tree::new(&primitives.extents()),
+            tree: Tree::new(primitives),
         }
     }
 
@@ -34,13 +39,34 @@ impl<F: Real> Accel<F> {
         skip: Target,
         best: Hit<F>,
     ) -> Hit<F> {
+        self.find::<false>(primitives, ray, skip, best)
+    }
+
+    /// Any hit before `none`, which is [`no_hit`](super::shape::no_hit), or `none`.
+    pub fn any(
+        &self,
+        primitives: &Primitives<F>,
+        ray: Ray<F>,
+        skip: Target,
+        none: Hit<F>,
+    ) -> Hit<F> {
+        self.find::<true>(primitives, ray, skip, none)
+    }
+
+    fn find<const ANY: bool>(
+        &self,
+        primitives: &Primitives<F>,
+        ray: Ray<F>,
+        skip: Target,
+        best: Hit<F>,
+    ) -> Hit<F> {
         match primitives.coincident.is_empty() {
-            true => self.search(primitives, ray, skip, best, &NoCover),
-            false => self.search(primitives, ray, skip, best, primitives),
+            true => self.search::<ANY>(primitives, ray, skip, best, &NoCover),
+            false => self.search::<ANY>(primitives, ray, skip, best, primitives),
         }
     }
 
-    fn search(
+    fn search<const ANY: bool>(
         &self,
         primitives: &Primitives<F>,
         ray: Ray<F>,
@@ -49,11 +75,15 @@ impl<F: Real> Accel<F> {
         cover: &impl Cover<F>,
     ) -> Hit<F> {
         let shear = ray_shear(ray.d);
-        let t_max = best.t;
-        self.tree.traverse(ray.o, ray.d, t_max, |number| {
-            best = primitives.nearer(number as usize, ray, shear, skip, best, cover);
-            best.t
-        });
+        let mut walk = self.tree.walk(ray);
+        while let Some(leaf) = walk.next(best.t) {
+            for number in leaf.candidates(ray.o, shear) {
+                best = primitives.nearer(number, ray, shear, skip, best, cover);
+                if ANY && best.shape != NONE {
+                    return best;
+                }
+            }
+        }
         best
     }
 }

@@ -2,29 +2,29 @@
 //!
 //! Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, IRT 2007.
 
-use glam::DVec3;
-
-use crate::shape::Bounds;
+use super::extent::Extent;
 
 const BINS: usize = 16;
 
 /// A primitive for the builder.
 #[derive(Clone, Copy, Debug)]
 pub struct Item {
-    pub bounds: Bounds,
+    pub extent: Extent,
     pub primitive: u32,
 }
 
 /// Reorders `items` (two at least) and returns how many come first; never none, never all.
 pub fn split(items: &mut [Item]) -> usize {
-    let centres = Bounds::around(items.iter().map(|item| item.bounds.centre()));
-    let half = items.len() / 2;
-    let Some((axis, plane)) = cheapest_plane(items, centres) else {
-        return half;
+    let centres = items.iter().fold(Extent::EMPTY, |all, item| {
+        all.union(Extent::point(item.extent.twice_centre()))
+    });
+    let bins = Bins::of(centres);
+    let Some((axis, plane)) = bins.cheapest_plane(items) else {
+        return items.len() / 2;
     };
     let mut first = 0;
     for i in 0..items.len() {
-        if bin(items[i].bounds.centre(), centres, axis) < plane {
+        if bins.bin(items[i].extent.twice_centre(), axis) < plane {
             items.swap(first, i);
             first += 1;
         }
@@ -32,45 +32,67 @@ pub fn split(items: &mut [Item]) -> usize {
     first
 }
 
-/// The axis and the first bin of the second part, at the least Σ area·count; `None` if all centres coincide.
-fn cheapest_plane(items: &[Item], centres: Bounds) -> Option<(usize, usize)> {
-    let mut best = None;
-    let mut least = f64::MAX;
-    for axis in 0..3 {
-        let mut bins = [(Bounds::EMPTY, 0); BINS];
-        for item in items {
-            let (bounds, count) = &mut bins[bin(item.bounds.centre(), centres, axis)];
-            *bounds = bounds.union(item.bounds);
-            *count += 1;
-        }
-        let upper = costs(bins.iter().rev());
-        let lower = costs(bins.iter());
-        for plane in 1..BINS {
-            let ((cost_lower, below), (cost_upper, above)) =
-                (lower[plane - 1], upper[BINS - 1 - plane]);
-            if below > 0 && above > 0 && cost_lower + cost_upper < least {
-                least = cost_lower + cost_upper;
-                best = Some((axis, plane));
-            }
+/// The bins between the least and the largest centre.
+struct Bins {
+    lo: [f32; 3],
+    /// Bins per length; 0 where an axis has no extent, which puts all into bin 0.
+    scale: [f32; 3],
+}
+
+impl Bins {
+    fn of(centres: Extent) -> Self {
+        let scale = |axis: usize| {
+            let scale = BINS as f32 / (centres.hi[axis] - centres.lo[axis]);
+            if scale.is_finite() { scale } else { 0.0 }
+        };
+        Self {
+            lo: centres.lo,
+            scale: [scale(0), scale(1), scale(2)],
         }
     }
-    best
+
+    /// 0 … BINS − 1
+    fn bin(&self, centre: [f32; 3], axis: usize) -> usize {
+        let place = (centre[axis] - self.lo[axis]) * self.scale[axis];
+        (place as usize).min(BINS - 1)
+    }
+
+    /// The axis and the first bin of the second part, at the least Σ area·count; `None` if all centres coincide.
+    fn cheapest_plane(&self, items: &[Item]) -> Option<(usize, usize)> {
+        let mut bins = [[(Extent::EMPTY, 0); BINS]; 3];
+        for item in items {
+            let centre = item.extent.twice_centre();
+            for (axis, bins) in bins.iter_mut().enumerate() {
+                let (extent, count) = &mut bins[self.bin(centre, axis)];
+                *extent = extent.union(item.extent);
+                *count += 1;
+            }
+        }
+        let mut best = None;
+        let mut least = f32::MAX;
+        for (axis, bins) in bins.iter().enumerate() {
+            let upper = costs(bins.iter().rev());
+            let lower = costs(bins.iter());
+            for plane in 1..BINS {
+                let ((cost_lower, below), (cost_upper, above)) =
+                    (lower[plane - 1], upper[BINS - 1 - plane]);
+                if below > 0 && above > 0 && cost_lower + cost_upper < least {
+                    least = cost_lower + cost_upper;
+                    best = Some((axis, plane));
+                }
+            }
+        }
+        best
+    }
 }
 
 /// area·count and count of the first bins up to each.
-fn costs<'a>(bins: impl Iterator<Item = &'a (Bounds, u32)>) -> [(f64, u32); BINS] {
+fn costs<'a>(bins: impl Iterator<Item = &'a (Extent, u32)>) -> [(f32, u32); BINS] {
     let mut sums = [(0.0, 0); BINS];
-    let mut all = (Bounds::EMPTY, 0);
+    let mut all = (Extent::EMPTY, 0);
     for (sum, bin) in sums.iter_mut().zip(bins) {
         all = (all.0.union(bin.0), all.1 + bin.1);
-        *sum = (all.0.half_area() * f64::from(all.1), all.1);
+        *sum = (all.0.half_area() * all.1 as f32, all.1);
     }
     sums
-}
-
-/// The bin of a centre among `centres`, 0 … BINS − 1; all in bin 0 where the axis has no extent.
-fn bin(centre: DVec3, centres: Bounds, axis: usize) -> usize {
-    let extent = centres.hi[axis] - centres.lo[axis];
-    let share = (centre[axis] - centres.lo[axis]) / extent.max(f64::MIN_POSITIVE);
-    ((share * BINS as f64) as usize).min(BINS - 1)
 }

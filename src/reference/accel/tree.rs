@@ -1,159 +1,143 @@
-//! A binary tree of boxes over numbered primitives, read-only once built.
+//! A hierarchy of boxes, eight under each node, and the search of a ray through it.
 
-use glam::DVec3;
+use arrayvec::ArrayVec;
 
+use super::build::{Built, DEPTH, items};
+use super::extent::Extent;
+use super::leaf::Leaf;
+use super::node::{Boxes, Child, Node};
 use super::slabs::Slabs;
-use super::split::{Item, split};
-use crate::reference::math::{Real, Vec3};
-use crate::shape::Bounds;
+use super::split::Item;
+use crate::reference::math::Real;
+use crate::reference::math::lanes::{Bits, WIDTH};
+use crate::reference::primitives::Primitives;
+use crate::reference::shape::Ray;
 
-/// Primitives that a leaf may hold.
-const LEAF: usize = 4;
-/// From this depth on sets are halved by count, which ends within 32 more levels.
-const HALVING_DEPTH: usize = 40;
-/// One waiting sibling a level.
-const STACK: usize = HALVING_DEPTH + 32;
+/// Children that wait: all but one of a level's.
+const STACK: usize = DEPTH * (WIDTH - 1) + 1;
 
 /// A bounding volume hierarchy.
+///
+/// Wald, Benthin, Boulos, Getting Rid of Packets: Efficient SIMD Single-Ray Traversal using Multi-branching BVHs, RT 2008.
 pub struct Tree<F> {
-    nodes: Vec<Node<F>>,
-    /// Primitives in the order of leaves.
-    order: Vec<u32>,
+    nodes: Vec<Node>,
+    leaves: Vec<Leaf<F>>,
+    /// `None` over no primitives.
+    top: Option<Child>,
     /// The largest absolute coordinate.
-    reach: F,
+    reach: f32,
 }
 
-#[derive(Clone, Copy, Debug)]
-struct Node<F> {
-    lo_hi: [Vec3<F>; 2],
-    /// Its first place in `order`, or the first of its two neighbouring children.
-    first: u32,
-    /// Primitives of a leaf; 0: an inner node.
-    count: u32,
+/// A child whose box a ray enters, and where.
+#[derive(Clone, Copy)]
+struct Met {
+    child: Child,
+    entry: f32,
 }
 
 impl<F: Real> Tree<F> {
-    /// The tree over primitives 0 … n − 1 within `bounds`. One thread, no randomness: always the same tree.
-    pub fn new(bounds: &[Bounds]) -> Self {
-        let mut items: Vec<Item> = (0..)
-            .zip(bounds)
-            .map(|(primitive, &bounds)| Item { bounds, primitive })
-            .collect();
-        let nodes = if items.is_empty() {
-            Vec::new()
-        } else {
-            nodes(&mut items)
-        };
-        let all = bounds
-            .iter()
-            .copied()
-            .fold(Bounds::point(DVec3::ZERO), Bounds::union);
+    /// The tree over all primitives: the same however many threads build it.
+    pub fn new(primitives: &Primitives<F>) -> Self {
+        let mut items = items(primitives);
+        let mut built = Built::new();
+        let top = (!items.is_empty()).then(|| built.add(primitives, &mut items, 0));
+        let all = |all: Extent, item: &Item| all.union(item.extent);
         Self {
-            nodes,
-            order: items.iter().map(|item| item.primitive).collect(),
-            reach: F::new((-all.lo).max(all.hi).max_element()),
+            nodes: built.nodes,
+            leaves: built.leaves,
+            top,
+            reach: items.iter().fold(Extent::point([0.0; 3]), all).reach(),
         }
     }
 
-    /// Visits every primitive whose hit could be at `t_max` or nearer on the ray o + t d, |d| = 1; nearer boxes
-    /// first. `visit` gets the primitive and returns the new `t_max`, the distance of the nearest hit so far.
-    pub fn traverse(&self, o: Vec3<F>, d: Vec3<F>, mut t_max: F, mut visit: impl FnMut(u32) -> F) {
-        let slabs = Slabs::new(o, d, self.reach);
-        let mut stack = [Met {
-            node: 0,
-            entry: t_max,
-        }; STACK];
-        let mut waiting = 0;
-        let mut next = self.meet(0, &slabs, t_max);
-        while let Some(met) = next {
-            let node = &self.nodes[met.node as usize];
-            next = if node.count > 0 {
-                for place in node.first..node.first + node.count {
-                    t_max = visit(self.order[place as usize]);
-                }
-                None
-            } else {
-                let (near, far) = self.children(node.first, &slabs, t_max);
-                if let Some(far) = far {
-                    stack[waiting] = far;
-                    waiting += 1;
-                }
-                near
-            };
-            while next.is_none() && waiting > 0 {
-                waiting -= 1;
-                next = (stack[waiting].entry <= t_max).then_some(stack[waiting]);
+    /// A way through the tree for `ray`.
+    #[inline(always)]
+    pub fn walk(&self, ray: Ray<F>) -> Walk<'_, F> {
+        let (o, d) = (ray.o, ray.d);
+        let f32s = |x: F, y: F, z: F| [x.f64() as f32, y.f64() as f32, z.f64() as f32];
+        let mut waiting = ArrayVec::new();
+        waiting.extend(self.top.map(|child| Met { child, entry: 0.0 }));
+        Walk {
+            tree: self,
+            slabs: Slabs::new(f32s(o.x, o.y, o.z), f32s(d.x, d.y, d.z), self.reach),
+            waiting,
+        }
+    }
+}
+
+/// The leaves that a ray comes to, the nearer first.
+pub struct Walk<'a, F> {
+    tree: &'a Tree<F>,
+    slabs: Slabs,
+    waiting: ArrayVec<Met, STACK>,
+}
+
+impl<'a, F: Real> Walk<'a, F> {
+    /// The next leaf with a primitive whose hit could be at `t_max`, the distance of the nearest hit so far, or nearer.
+    #[inline(always)]
+    pub fn next(&mut self, t_max: F) -> Option<&'a Leaf<F>> {
+        let t_max = above(t_max);
+        while let Some(met) = self.waiting.pop() {
+            let mut child = (met.entry <= t_max).then_some(met.child);
+            while let Some(Child::Node(k)) = child {
+                child = self.enter(&self.tree.nodes[k as usize], t_max);
+            }
+            if let Some(Child::Leaf(k)) = child {
+                return Some(&self.tree.leaves[k as usize]);
             }
         }
+        None
     }
 
-    /// The box of a node, if the ray enters it before or at `t_max`.
-    #[inline]
-    fn meet(&self, node: u32, slabs: &Slabs<F>, t_max: F) -> Option<Met<F>> {
-        let entry = slabs.entry(&self.nodes.get(node as usize)?.lo_hi, t_max)?;
-        Some(Met { node, entry })
-    }
-
-    /// Of the two children from `first` on those that are met, the nearer one first.
-    fn children(&self, first: u32, slabs: &Slabs<F>, t_max: F) -> (Option<Met<F>>, Option<Met<F>>) {
-        let (a, b) = (
-            self.meet(first, slabs, t_max),
-            self.meet(first + 1, slabs, t_max),
-        );
-        match (a, b) {
-            (Some(a), Some(b)) if b.entry < a.entry => (Some(b), Some(a)),
-            (None, b) => (b, None),
-            both => both,
-        }
-    }
-}
-
-/// A node whose box a ray enters, and where.
-#[derive(Clone, Copy)]
-struct Met<F> {
-    node: u32,
-    entry: F,
-}
-
-impl<F: Real> Node<F> {
-    /// A leaf of `items`, which begin at place `first`.
-    fn over(items: &[Item], first: usize) -> Self {
-        let bounds = items
-            .iter()
-            .fold(Bounds::EMPTY, |all, item| all.union(item.bounds));
-        Self {
-            lo_hi: [bounds.lo, bounds.hi].map(Vec3::new),
-            first: first as u32,
-            count: items.len() as u32,
-        }
-    }
-}
-
-/// The nodes over `items`, the root first, and `items` in the order of leaves.
-fn nodes<F: Real>(items: &mut [Item]) -> Vec<Node<F>> {
-    let mut nodes = vec![Node::over(items, 0)];
-    // (node, its range of items, its depth)
-    let mut open = vec![(0, 0..items.len(), 0)];
-    while let Some((node, range, depth)) = open.pop() {
-        if range.len() <= LEAF {
-            continue;
-        }
-        let part = &mut items[range.clone()];
-        let count = if depth < HALVING_DEPTH {
-            split(part)
-        } else {
-            part.len() / 2
+    /// The child of `node` that the ray enters first; the others wait.
+    #[inline(always)]
+    fn enter(&mut self, node: &Node, t_max: f32) -> Option<Child> {
+        let Boxes { mask, entry } = node.meet(&self.slabs, t_max);
+        let mut mask = Bits(mask);
+        let met = |i: usize| Met {
+            child: node.child(i),
+            entry: entry[i & (WIDTH - 1)],
         };
-        let middle = range.start + count;
-        let children = nodes.len();
-        (nodes[node].first, nodes[node].count) = (children as u32, 0);
-        for (i, half) in [range.start..middle, middle..range.end]
-            .into_iter()
-            .enumerate()
-        {
-            nodes.push(Node::over(&items[half.clone()], half.start));
-            open.push((children + i, half, depth + 1));
+        let first = met(mask.next()?);
+        let Some(second) = mask.next().map(met) else {
+            return Some(first.child);
+        };
+        let (near, far) = match first.entry <= second.entry {
+            true => (first, second),
+            false => (second, first),
+        };
+        let from = self.waiting.len();
+        self.waiting.push(far);
+        if mask.0 == 0 {
+            return Some(near.child);
         }
+        self.waiting.push(near);
+        for i in mask {
+            insert(&mut self.waiting, from, met(i));
+        }
+        self.waiting.pop().map(|met| met.child)
     }
-    nodes
+}
+
+/// The least `f32` that is not below `t`.
+#[inline(always)]
+fn above<F: Real>(t: F) -> f32 {
+    let near = t.f64() as f32;
+    if f64::from(near) < t.f64() {
+        near.next_up()
+    } else {
+        near
+    }
+}
+
+/// Puts `met` where those from `first` on stay in order, the nearest last.
+#[inline(always)]
+fn insert(waiting: &mut ArrayVec<Met, STACK>, first: usize, met: Met) {
+    let mut i = waiting.len();
+    waiting.push(met);
+    while i > first && waiting[i - 1].entry < met.entry {
+        waiting[i] = waiting[i - 1];
+        i -= 1;
+    }
+    waiting[i] = met;
 }

@@ -3,6 +3,7 @@
 pub mod elementary;
 pub mod finite;
 pub mod frame;
+pub mod lanes;
 pub mod products;
 pub mod real;
 mod ulps;

@@ -7,8 +7,10 @@ use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use statrs::function::erf;
+use wide::{f32x8, f64x8};
 
 use super::elementary::{self, ErfcGauss};
+use super::lanes::Lanes;
 
 /// A floating-point scalar with the operations that the kernels use and no others.
 ///
@@ -31,6 +33,8 @@ pub trait Real:
     + SubAssign
     + MulAssign
 {
+    /// Eight side by side.
+    type Lanes: Lanes<Self> + Debug + Send + Sync + 'static;
     /// Half the distance from 1 to the next larger number: 2⁻²⁴ or 2⁻⁵³.
     const ULP: Self;
     /// The least number of full precision, 2⁻¹²⁶ or 2⁻¹⁰²².
@@ -115,6 +119,7 @@ macro_rules! common {
 }
 
 impl Real for f32 {
+    type Lanes = f32x8;
     const ULP: Self = f32::EPSILON / 2.0;
     const LEAST_NORMAL: Self = f32::MIN_POSITIVE;
     const SUMMABLE: Self = 79_228_162_514_264_337_593_543_950_336.0;
@@ -144,6 +149,7 @@ impl Real for f32 {
 }
 
 impl Real for f64 {
+    type Lanes = f64x8;
     const ULP: Self = f64::EPSILON / 2.0;
     const LEAST_NORMAL: Self = f64::MIN_POSITIVE;
     const SUMMABLE: Self = f64::MAX / 4_294_967_296.0;

@@ -66,7 +66,7 @@ pub fn shadow_ray_into<F: Real>(
 ) -> Option<(Vec3<F>, u32)> {
     let absorption = settings.model.absorption;
     loop {
-        let hit = world.nearest(c.ray, c.target);
+        let hit = world.obstacle(c.ray, c.target);
         *rays += 1;
         let transmittance = stretch_transmittance(world, absorption, c.ray.medium, hit.t);
         if hit.shape == NONE {
