@@ -141,7 +141,6 @@ mod tests {
                 spared += u32::from(sure);
             }
         }
-        println!("{hits} hits, {misses} misses, {spared} of them certain");
         assert!(hits > 10_000, "{hits}");
         // The others lie behind the ray, or nearly on an edge.
         assert!(
