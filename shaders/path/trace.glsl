@@ -37,7 +37,7 @@ Traced trace_rays(inout Subpath path, inout ShadowRay shadow) {
             ray = shadow.ray;
             skip = Target(shadow.target_shape, shadow.target_prim);
         }
-        Hit hit = nearest(ray, skip);
+        Hit hit = nearest(ray, skip, phase == PHASE_SHADOW && !SHADOW_RAYS_PASS);
         vec3 transmittance = stretch_transmittance(ray.medium, hit.t);
         if (is_null_interface(hit)) {
             Skipped skipped = skip_intersection(ray, hit);

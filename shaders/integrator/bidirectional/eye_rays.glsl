@@ -52,7 +52,7 @@ EyeTraced trace_eye_rays(inout EyeState s, inout Subpath path, inout ShadowRay t
             ray = shadow.ray;
             skip = Target(shadow.target_shape, shadow.target_prim);
         }
-        Hit hit = nearest(ray, skip);
+        Hit hit = nearest(ray, skip, !extends && !SHADOW_RAYS_PASS);
         vec3 transmittance = stretch_transmittance(ray.medium, hit.t);
         if (is_null_interface(hit)) {
             Skipped skipped = skip_intersection(ray, hit);

@@ -1,5 +1,8 @@
 // Every surface of this scene is there.
 
+// Whether a shadow ray may go on beyond a hit: if not, any hit ends it.
+const bool SHADOW_RAYS_PASS = false;
+
 struct Skipped {
     Ray ray;
     vec3 factor;

@@ -2,6 +2,9 @@
 // "The null interface"). No bounce is counted and no random number drawn.
 // uses: constants/material_kind, constants/none, constants/ray, shape/ray, math/vec, <surface>, <self_distance>, <medium>
 
+// Whether a shadow ray may go on beyond a hit: if not, any hit ends it.
+const bool SHADOW_RAYS_PASS = true;
+
 // The ray beyond the surface, and what `term` takes off on leaving.
 struct Skipped {
     Ray ray;

@@ -10,14 +10,15 @@
 // The composer declares the words of nodes, uvec4 bvh_words[], and uint bvh_references[]; STACK, the entries that the
 // build has found to suffice; REACH, the largest coordinate.
 
-// uses: math/steps, shape/ray, shape/bvh/bits, shape/bvh/slabs, <leaf>
+// uses: constants/none, math/steps, shape/ray, shape/bvh/bits, shape/bvh/slabs, <leaf>
 
 const uint WAITING = 0xff000000u;
 
 uvec2 bvh_stack[STACK];
 
-// The lesser of `best` and the nearest hit with any primitive in the hierarchy but `skip`, by (t, shape, prim).
-Hit nearest_bvh(Ray ray, Target skip, Hit best) {
+// The lesser of `best` and the nearest hit with any primitive in the hierarchy but `skip`, by (t, shape, prim); where `any`
+// hit will do, the first that is found.
+Hit nearest_bvh(Ray ray, Target skip, Hit best, bool any) {
     Hit nearest = best;
     Slabs slabs = slabs_of(ray.o, ray.d, REACH);
     begin_leaves(ray);
@@ -45,10 +46,15 @@ Hit nearest_bvh(Ray ray, Target skip, Hit best) {
                 uint i = highest_bit(leaves);
                 leaves ^= 1u << i;
                 nearest = nearer_leaf(bvh_references[children.y + i], ray, skip, nearest);
+                leaves = any && nearest.shape != NONE ? 0u : leaves;
             } while (leaves != 0u);
         }
         loop_failed = loop_failed || leaves != 0u;
         group = uvec2(children.x, (hits & WAITING) | (head.w >> 24u));
+        if (any && nearest.shape != NONE) {
+            group.y = 0u;
+            depth = 0u;
+        }
         if ((group.y & WAITING) == 0u && depth != 0u) {
             depth -= 1u;
             group = bvh_stack[depth];

@@ -1,6 +1,6 @@
 //! Brute force over all primitives, and what two hits have to agree in.
 
-use vkpt::prepared::Prepared;
+use vkpt::prepared::{NONE, Prepared};
 use vkpt::reference::math::Real;
 use vkpt::reference::primitives::Primitives;
 use vkpt::reference::shape::{
@@ -42,4 +42,12 @@ pub fn bits<F: Real>(hit: Hit<F>) -> [u64; 5] {
         u.f64().to_bits(),
         v.f64().to_bits(),
     ]
+}
+
+/// Whether `any` hit is one where there is a nearest, and none where there is none.
+pub fn is_some_hit<F: Real>(any: Hit<F>, nearest: Hit<F>) -> bool {
+    match nearest.shape == NONE {
+        true => bits(any) == bits(nearest),
+        false => any.shape != NONE && any.t >= nearest.t,
+    }
 }

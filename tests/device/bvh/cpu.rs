@@ -8,7 +8,7 @@ use vkpt::reference::accel::Accel;
 use vkpt::reference::math::Real;
 use vkpt::reference::shape::no_hit;
 
-use super::brute::{World, bits};
+use super::brute::{World, bits, is_some_hit};
 use super::rays::{Query, Rays};
 use super::scenes;
 use super::tree::ALL_KINDS;
@@ -30,6 +30,8 @@ fn check<F: Real>(rays: u32) {
                 bits(expected),
                 "{name}, query {i}: {q:?}\n{found:?}\n{expected:?}"
             );
+            let any = accel.any(primitives, q.ray, q.skip, no_hit(q.t_max));
+            assert!(is_some_hit(any, expected), "{name}, query {i}: {any:?}");
             hits += u32::from(expected.shape != NONE);
         }
         println!("{name}: {hits} of {rays} hit");

@@ -9,7 +9,7 @@ use vkpt::layout::{self, GpuStruct};
 use vkpt::prepared::{NONE, Prepared, device};
 use vkpt::reference::shape::Hit;
 
-use super::brute::{World, bits};
+use super::brute::{World, bits, is_some_hit};
 use super::rays::{Query, Rays};
 use super::scenes;
 use super::tree::ALL_KINDS;
@@ -29,7 +29,8 @@ void main() {
     uvec4 c = queries[4u * i + 2u];
     Ray ray = Ray(uintBitsToFloat(a.xyz), FAR, uintBitsToFloat(uvec3(a.w, b.x, b.y)), b.z, b.w, c.x, uintBitsToFloat(c.y),
                   NONE);
-    Hit hit = nearest_bvh(ray, Target(c.w, queries[4u * i + 3u].x), no_hit(uintBitsToFloat(c.z)));
+    uvec4 d = queries[4u * i + 3u];
+    Hit hit = nearest_bvh(ray, Target(c.w, d.x), no_hit(uintBitsToFloat(c.z)), d.y != 0u);
     hits[2u * i] = uvec4(floatBitsToUint(hit.t), hit.shape, hit.prim, loop_failed ? 1u : 0u);
     hits[2u * i + 1u] = uvec4(floatBitsToUint(hit.uv), loop_steps, 0u);
 }
@@ -113,7 +114,17 @@ impl<'a> Search<'a> {
 
     /// The hits of at most [`BATCH`] queries, in order.
     pub fn nearest(&self, queries: &[Query<f32>]) -> Vec<Hit<f32>> {
-        let mut words: Vec<[u32; QUERY_WORDS]> = queries.iter().map(query_words).collect();
+        self.search(queries, false)
+    }
+
+    /// Any hit of each, where there is one.
+    pub fn any(&self, queries: &[Query<f32>]) -> Vec<Hit<f32>> {
+        self.search(queries, true)
+    }
+
+    fn search(&self, queries: &[Query<f32>], any: bool) -> Vec<Hit<f32>> {
+        let words = |q| query_words(q, any);
+        let mut words: Vec<[u32; QUERY_WORDS]> = queries.iter().map(words).collect();
         // The rest of the batch repeats the last query.
         words.resize(BATCH, words[words.len() - 1]);
         self.queries
@@ -178,13 +189,13 @@ fn compose(
     compile(&composed).unwrap_or_else(|e| panic!("{e:?}"))
 }
 
-fn query_words(q: &Query<f32>) -> [u32; QUERY_WORDS] {
+fn query_words(q: &Query<f32>, any: bool) -> [u32; QUERY_WORDS] {
     let (o, d) = (q.ray.o, q.ray.d);
     let mut words = [0; QUERY_WORDS];
     words[..6].copy_from_slice(&[o.x, o.y, o.z, d.x, d.y, d.z].map(f32::to_bits));
     words[6..9].copy_from_slice(&[q.ray.shape, q.ray.prim, q.ray.start]);
     words[9..11].copy_from_slice(&[q.ray.t_self, q.t_max].map(f32::to_bits));
-    words[11..13].copy_from_slice(&[q.skip.shape, q.skip.prim]);
+    words[11..14].copy_from_slice(&[q.skip.shape, q.skip.prim, u32::from(any)]);
     words
 }
 
@@ -253,6 +264,30 @@ fn check(count: usize) {
 #[test]
 fn gpu_equals_brute_force() {
     check(16_384);
+}
+
+#[test]
+fn any_hit_is_found_where_there_is_one() {
+    let Some(device) = common::device() else {
+        return;
+    };
+    let mut further = 0;
+    for (name, prepared) in scenes::all() {
+        let bvh = bvh::build(&prepared, &ALL_KINDS);
+        let search = Search::new(device, &prepared, &bvh, |_, text| text.to_owned());
+        let world = World::<f32>::new(&prepared);
+        let mut source = Rays::new(&prepared, 24);
+        let queries: Vec<Query<f32>> = (0..8192).map(|_| source.next()).collect();
+        for (q, any) in queries.iter().zip(search.any(&queries)) {
+            let nearest = world.nearest(q);
+            assert!(
+                is_some_hit(any, nearest),
+                "{name}: {q:?}\n{any:?}\n{nearest:?}"
+            );
+            further += u32::from(any.t > nearest.t);
+        }
+    }
+    assert!(further > 0, "no search ended early");
 }
 
 #[test]

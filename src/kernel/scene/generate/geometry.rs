@@ -8,7 +8,7 @@ use crate::kernel::scene::dispatch::Dispatch;
 use crate::shape::{ShapeKind, filled};
 
 /// One test after the other of the kinds of which there are few, then the hierarchy: the least (t, shape, prim) in any
-/// order. `read_primitives()` is to be called once, before.
+/// order. Where `any` hit will do, the search may end at the first. `read_primitives()` is to be called once, before.
 pub fn nearest(features: &Features, parameters: &Parameters) -> String {
     let mut head = String::from("// uses: shape/ray, <cover>\n");
     let mut copies = String::new();
@@ -24,11 +24,11 @@ pub fn nearest(features: &Features, parameters: &Parameters) -> String {
     }
     if !features.in_bvh.is_empty() {
         head += "// uses: shape/bvh/nearest\n";
-        test += "    best = nearest_bvh(ray, skip, best);\n";
+        test += "    best = nearest_bvh(ray, skip, best, any);\n";
     }
     format!(
         "{head}{copies}void read_primitives() {{\n{read}}}\n\
-         Hit nearest(Ray ray, Target skip) {{\n    Hit best = no_hit(ray.t_max);\n{test}    return touching(ray, best);\n}}\n"
+         Hit nearest(Ray ray, Target skip, bool any) {{\n    Hit best = no_hit(ray.t_max);\n{test}    return touching(ray, best);\n}}\n"
     )
 }
 
