@@ -1,5 +1,6 @@
 //! Rendering: a prepared scene, a device, and the film that comes out.
 
+mod best;
 mod both;
 mod course;
 mod cpu;
@@ -26,6 +27,7 @@ use crate::prepared::Prepared;
 use crate::reference::path::SampleId;
 use crate::sample::{Address, Largest};
 use crate::settings::Settings;
+pub use best::{Best, best, best_of};
 pub use course::{End, ErrorAt, Until};
 pub use host_film::{Counts, HostFilm, freedom, standard_errors};
 use light_film::LightFilm;

@@ -16,6 +16,8 @@ pub fn bought(record: &Record) -> String {
     parts.extend(record.error.last().map(rel_mse));
     let integrator = record.job.settings.integrator;
     parts.extend((record.job.auto).map(|why| format!("{integrator} by auto: {why}")));
+    let device = &record.machine.device;
+    parts.extend((record.machine.device_auto).map(|why| format!("on {device}, {why}")));
     parts.join(" · ")
 }
 

@@ -51,6 +51,8 @@ pub struct Job {
 #[derive(Clone, Debug, Serialize)]
 pub struct Machine {
     pub device: String,
+    /// Why it was chosen, as words after its name, where nobody said which and there is no GPU.
+    pub device_auto: Option<&'static str>,
     pub driver: String,
     /// `None` for the reference, which has none.
     pub kernel: Option<Kernel>,

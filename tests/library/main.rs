@@ -6,6 +6,7 @@ mod bodies;
 mod common;
 
 mod architecture;
+mod best_device;
 mod bidirectional;
 mod bsdf;
 mod caustic;

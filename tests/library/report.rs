@@ -40,6 +40,7 @@ fn record() -> Record {
         },
         machine: Machine {
             device: "llvmpipe".to_owned(),
+            device_auto: None,
             driver: "Mesa 22.3.6".to_owned(),
             kernel: Some(Kernel {
                 choice: "composed",
@@ -107,6 +108,7 @@ fn json_holds_every_field_by_name() {
             "connect": "mis", "lights": "contribution", "sampler": "sobol",
         },
         "device": "llvmpipe",
+        "device_auto": null,
         "driver": "Mesa 22.3.6",
         "kernel": {
             "choice": "composed",

@@ -10,8 +10,7 @@ use crate::cli::view::ViewArguments;
 use crate::film::Aov;
 use crate::gpu::Selector;
 use crate::image::Format;
-use crate::render::{KernelChoice, Target, Until};
-use crate::report::names::Named;
+use crate::render::{self, Best, Job, KernelChoice, Target, Until};
 
 /// What one rendering needs to know.
 #[derive(clap::Args, Debug)]
@@ -75,7 +74,8 @@ pub struct RenderArguments {
     pub seed: u32,
 
     /// A Vulkan device by its index or part of its name (`vkpt devices` lists them), or the
-    /// reference renderer: cpu-f64, cpu-f32 [default: the best Vulkan device]
+    /// reference renderer: cpu-f64, cpu-f32 [default: a GPU; without one, the faster of a CPU's
+    /// Vulkan driver and cpu-f32, whose pictures are the same to the bit]
     #[arg(long, value_name = "DEVICE", help_heading = "Rendering", value_parser = values::device)]
     device: Option<Target>,
 
@@ -136,15 +136,21 @@ impl RenderArguments {
             .ok_or_else(|| Failure::Usage("a scene file is missing".to_owned()))
     }
 
-    /// What shall render.
+    /// What follows one path: whatever is fast, the device that is asked for or the best Vulkan device.
     pub fn target(&self) -> Target {
         self.device
             .clone()
             .unwrap_or(Target::Vulkan(Selector::Best))
     }
 
-    /// Which kernel renders; `None` for the reference.
-    pub fn kernel_name(&self) -> Option<&'static str> {
-        matches!(self.target(), Target::Vulkan(_)).then(|| self.kernel.name())
+    /// What renders the job, and why where the job decides.
+    pub fn best(&self, job: &Job) -> Best {
+        match self.device.is_none() && self.kernel == KernelChoice::Composed {
+            true => render::best(job),
+            false => Best {
+                target: self.target(),
+                why: None,
+            },
+        }
     }
 }

@@ -20,7 +20,7 @@ use crate::cli::progress::Display;
 use crate::film::Film;
 use crate::image::file::FileError;
 use crate::image::{Frame, Labels};
-use crate::render::{self, End, Outcome};
+use crate::render::{self, Best, End, Outcome};
 use crate::report::{self, Record, SOFTWARE};
 pub use arguments::RenderArguments;
 
@@ -31,12 +31,12 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     }
     let outputs = Outputs::check(arguments)?;
     let ready = Ready::new(&arguments.request()?)?;
-    let outcome = develop(arguments, &ready)?;
+    let (best, outcome) = develop(arguments, &ready)?;
     if outcome.spp == 0 {
         warn("interrupted before the first sample was done: nothing is written");
         return Ok(Ending::Interrupted);
     }
-    let mut record = record(arguments, &ready, &outcome)?;
+    let mut record = record(arguments, &ready, &best, &outcome)?;
     let mut errors = write(arguments, &outputs, &outcome, &mut record);
     report::concerns(&record)
         .iter()
@@ -52,20 +52,21 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     }
 }
 
-fn develop(arguments: &RenderArguments, ready: &Ready) -> Result<Outcome, Failure> {
+fn develop(arguments: &RenderArguments, ready: &Ready) -> Result<(Best, Outcome), Failure> {
     let job = render::Job {
         aovs: &arguments.aov,
         kernel: arguments.kernel,
         until: arguments.until(),
         ..ready.job(&arguments.request()?)?
     };
+    let best = arguments.best(&job);
     let stop = stop_flag();
     let mut display = Display::new(arguments.quiet);
-    let outcome = render::render(&job, &arguments.target(), &stop, &mut |progress| {
+    let outcome = render::render(&job, &best.target, &stop, &mut |progress| {
         display.update(progress)
     });
     display.finish();
-    outcome.map_err(Failure::Render)
+    Ok((best, outcome.map_err(Failure::Render)?))
 }
 
 /// Writes pictures, what goes beside them and the JSON; notes in the record what was written and how long it took.

@@ -3,7 +3,8 @@
 use super::arguments::RenderArguments;
 use crate::cli::exit::Failure;
 use crate::cli::job::Ready;
-use crate::render::{self, End, Outcome, Stats};
+use crate::render::{self, Best, End, Outcome, Stats, Target};
+use crate::report::names::Named;
 use crate::report::{
     Dropped, ErrorAt, Job, Kernel, Largest, Machine, Memory, Record, Seconds, Work,
 };
@@ -11,6 +12,7 @@ use crate::report::{
 pub fn record(
     arguments: &RenderArguments,
     ready: &Ready,
+    best: &Best,
     outcome: &Outcome,
 ) -> Result<Record, Failure> {
     let stats = &outcome.stats;
@@ -60,7 +62,8 @@ pub fn record(
         machine: Machine {
             device: stats.device.clone(),
             driver: stats.driver.clone(),
-            kernel: kernel(arguments, stats),
+            device_auto: best.why,
+            kernel: kernel(arguments, &best.target, stats),
             memory: Memory {
                 device: stats.buffers.iter().map(|b| b.1).sum(),
                 peak: peak_memory(),
@@ -109,10 +112,9 @@ fn largest(outcome: &Outcome) -> Option<Largest> {
 }
 
 /// The kernel of a Vulkan device; the reference has none.
-fn kernel(arguments: &RenderArguments, stats: &Stats) -> Option<Kernel> {
-    let choice = arguments.kernel_name()?;
-    Some(Kernel {
-        choice,
+fn kernel(arguments: &RenderArguments, target: &Target, stats: &Stats) -> Option<Kernel> {
+    matches!(target, Target::Vulkan(_)).then(|| Kernel {
+        choice: arguments.kernel.name(),
         features: stats.features.clone(),
         spirv_bytes: stats.spirv_bytes,
     })

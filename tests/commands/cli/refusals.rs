@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::Output;
 
 use super::program::{SCENE, command, folder, names, run, without_vulkan};
 
@@ -141,12 +142,8 @@ fn no_such_device_is_4() {
 #[test]
 fn no_vulkan_is_4_and_says_what_to_do() {
     let folder = folder(SCENE);
-    for arguments in [&["scene.scn"][..], &["devices"][..]] {
-        let mut command = command(folder.path(), arguments);
-        command
-            .env("VK_ICD_FILENAMES", "/none")
-            .env("VK_DRIVER_FILES", "/none");
-        let output = command.output().expect("the program runs");
+    for arguments in [&["scene.scn", "--device", "0"][..], &["devices"][..]] {
+        let output = blind(folder.path(), arguments);
         let said = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(4), "{said}");
         assert!(
@@ -155,6 +152,30 @@ fn no_vulkan_is_4_and_says_what_to_do() {
         );
         assert_eq!(names(folder.path()), ["scene.scn"]);
     }
+}
+
+#[test]
+fn without_vulkan_the_reference_renders_and_says_so() {
+    let folder = folder(SCENE);
+    let output = blind(folder.path(), &["scene.scn", "-o", "blind.exr"]);
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    let last = "on cpu-f32, for want of a usable Vulkan device";
+    assert!(said.trim_end().ends_with(last), "{said}");
+    let reference = ["scene.scn", "--device", "cpu-f32", "-o", "asked.exr"];
+    let asked = run(folder.path(), &reference);
+    assert!(!asked.out.contains("on cpu-f32,"), "{}", asked.out);
+    let bytes = |name| fs::read(folder.path().join(name)).expect("a picture");
+    assert!(bytes("blind.exr") == bytes("asked.exr"));
+}
+
+/// The program where the loader finds no driver.
+fn blind(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = command(folder, arguments);
+    command
+        .env("VK_ICD_FILENAMES", "/none")
+        .env("VK_DRIVER_FILES", "/none");
+    command.output().expect("the program runs")
 }
 
 #[test]

@@ -1,0 +1,74 @@
+//! Which device is the fastest for a job, where nobody says which.
+
+use super::{Job, Target};
+use crate::gpu::{self, DeviceInfo, DeviceKind, Selector};
+use crate::settings::Integrator;
+
+/// A device, and why it was chosen, as words after its name; `None` where it is the one best Vulkan device, a GPU.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Best {
+    pub target: Target,
+    pub why: Option<&'static str>,
+}
+
+/// How the two compare in scenes of few primitives, as measured.
+struct Measured {
+    /// Samples a second and thread of the reference; up to twice as many or half as many by the scene.
+    rate: f64,
+    /// A CPU's Vulkan driver pays in renderings that take the reference longer than so many seconds. It is two to four
+    /// times as fast by paths from the eye and compiles for .5 (Mesa 22) to 4 seconds (Mesa 25); by paths of light it is
+    /// 1.2 times as fast, and compiles two kernels.
+    worth: f64,
+}
+
+const EYE: Measured = Measured {
+    rate: 5e5,
+    worth: 5.0,
+};
+const LIGHT: Measured = Measured {
+    rate: 2e5,
+    worth: 60.0,
+};
+
+/// The best of this machine. A GPU where there is one; elsewhere the bits are the same on a CPU driver and on the reference, and a rule says which is
+/// faster (`benches/2026-11-29-best-device.md`).
+pub fn best(job: &Job) -> Best {
+    let usable = |d: DeviceInfo| d.unusable.is_none().then_some(d.kind);
+    let kinds = gpu::devices().map(|all| all.into_iter().filter_map(usable).collect());
+    // Without a loader or a driver there are none.
+    let kinds: Vec<DeviceKind> = kinds.unwrap_or_default();
+    best_of(job, &kinds, rayon::current_num_threads())
+}
+
+/// Among usable Vulkan devices of these kinds, and the reference on so many threads.
+pub fn best_of(job: &Job, kinds: &[DeviceKind], threads: usize) -> Best {
+    let vulkan = |why| Best {
+        target: Target::Vulkan(Selector::Best),
+        why,
+    };
+    let reference = |why| Best {
+        target: Target::CpuF32,
+        why: Some(why),
+    };
+    let measured = match job.settings.estimator.integrator {
+        Integrator::Path => EYE,
+        Integrator::Light | Integrator::Bidirectional => LIGHT,
+    };
+    let seconds = reference_seconds(job, measured.rate * threads as f64);
+    match () {
+        () if kinds.iter().any(|&kind| kind != DeviceKind::Cpu) => vulkan(None),
+        () if kinds.is_empty() => reference("for want of a usable Vulkan device"),
+        () if !job.features().in_bvh.is_empty() => {
+            reference("which is faster with so many primitives")
+        }
+        () if seconds < measured.worth => reference("which need not compile"),
+        () => vulkan(Some("worth compiling for so many samples")),
+    }
+}
+
+/// About how long the reference takes at so many samples a second; until an error is reached, long.
+fn reference_seconds(job: &Job, rate: f64) -> f64 {
+    let [width, height] = job.size();
+    let all = f64::from(width) * f64::from(height) * f64::from(job.spp) / rate;
+    job.until.seconds.map_or(all, |limit| all.min(limit))
+}
