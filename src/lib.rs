@@ -6,6 +6,7 @@ pub mod cli;
 pub mod converge;
 pub mod doctor;
 pub mod explain;
+pub mod export;
 pub mod features;
 pub mod film;
 pub mod flat;

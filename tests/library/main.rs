@@ -16,6 +16,7 @@ mod convergence_report;
 mod corpus;
 mod energy;
 mod estimators;
+mod export;
 mod icosphere;
 mod image;
 mod index_matched;

@@ -1,0 +1,59 @@
+//! The camera, its film and its samples.
+
+use glam::DMat4;
+
+use super::Subject;
+use super::document::Node;
+use super::surface::{absorbs, medium_id};
+
+/// Mitsuba leaves out what is nearer than one plane or farther than another. In units of rendering space, where no shape is
+/// farther than 4 from the eye: before the one is what single precision does not tell from the eye.
+const NEAR: f64 = 1.0 / 65536.0;
+const FAR: f64 = 1024.0;
+
+/// The sensor. Uniform points in a pixel, counted alike, make the box filter that vkpt has.
+pub fn node(subject: &Subject) -> Node {
+    let Subject {
+        scene, prepared, ..
+    } = subject;
+    let camera = &scene.camera;
+    // No material where the eye is in air.
+    let (unit, medium) = (prepared.space.unit, prepared.eye_medium);
+    let sensor = Node::plugin("sensor", "perspective")
+        .string("fov_axis", "y")
+        .float("fov", 2.0 * camera.ry.atan().to_degrees())
+        .float("near_clip", NEAR * unit)
+        .float("far_clip", FAR * unit)
+        // It looks along +Z with X to its left, vkpt along −Z with X to its right.
+        .placed(
+            DMat4::from_rotation_translation(camera.orientation, camera.eye)
+                * DMat4::from_scale((-1.0, 1.0, -1.0).into()),
+        )
+        .with(film(subject))
+        .with(Node::plugin("sampler", "independent").integer("sample_count", SAMPLES));
+    match prepared.materials.get(medium as usize) {
+        Some(glass) if absorbs(glass) => sensor.named_reference("medium", &medium_id(glass)),
+        _ => sensor,
+    }
+}
+
+/// As many as vkpt takes where nobody says.
+const SAMPLES: i64 = 64;
+
+fn film(subject: &Subject) -> Node {
+    let camera = &subject.prepared.camera;
+    let film = Node::plugin("film", "hdrfilm")
+        .integer("width", camera.width)
+        .integer("height", camera.height)
+        .string("pixel_format", "rgb")
+        .string("component_format", "float32")
+        .with(Node::plugin("rfilter", "box"));
+    match subject.crop {
+        None => film,
+        Some([x0, y0, x1, y1]) => film
+            .integer("crop_offset_x", x0)
+            .integer("crop_offset_y", y0)
+            .integer("crop_width", x1 - x0)
+            .integer("crop_height", y1 - y0),
+    }
+}
