@@ -21,6 +21,7 @@ fn main() -> ExitCode {
         Ok(Task::Converge(arguments)) => cli::converge(&arguments),
         Ok(Task::Check(arguments)) => cli::check(&arguments),
         Ok(Task::Explain(arguments)) => cli::explain(&arguments),
+        Ok(Task::Export(arguments)) => cli::export(&arguments),
         Ok(Task::Doctor(arguments)) => cli::doctor(&arguments),
         Ok(Task::Devices) => cli::devices(),
         Err(failure) => Err(failure),

@@ -8,6 +8,7 @@ use super::converge::ConvergeArguments;
 use super::doctor::DoctorArguments;
 use super::exit::Failure;
 use super::explain::ExplainArguments;
+use super::export::ExportArguments;
 use super::render::RenderArguments;
 
 const EXIT_CODES: &str = "\
@@ -50,6 +51,8 @@ enum Command {
     Doctor(DoctorArguments),
     /// Tell what the kernel of a scene holds and why, without rendering
     Explain(Box<ExplainArguments>),
+    /// Write a scene for another renderer, or tell what that has no equal of
+    Export(Box<ExportArguments>),
 }
 
 /// What the command line asks for.
@@ -60,6 +63,7 @@ pub enum Task {
     Converge(Box<ConvergeArguments>),
     Check(Box<CheckArguments>),
     Explain(Box<ExplainArguments>),
+    Export(Box<ExportArguments>),
     Doctor(DoctorArguments),
     Devices,
 }
@@ -82,5 +86,6 @@ pub fn task() -> Result<Task, Failure> {
         Some(Command::Check(arguments)) => Task::Check(arguments),
         Some(Command::Doctor(arguments)) => Task::Doctor(arguments),
         Some(Command::Explain(arguments)) => Task::Explain(arguments),
+        Some(Command::Export(arguments)) => Task::Export(arguments),
     })
 }

@@ -26,6 +26,8 @@ pub enum Failure {
     Usage(String),
     Scene(Errors),
     Prepare(PrepareError),
+    /// What a scene says and another renderer cannot.
+    Untranslatable(Vec<String>),
     /// Warnings that `--strict` makes errors.
     Strict(Vec<String>),
     Render(RenderError),
@@ -68,7 +70,11 @@ impl Failure {
             Self::Render(error) if error.is_no_device() => 4,
             Self::Render(_) | Self::Comparison(_) | Self::Unhealthy(_) => 1,
             Self::Usage(_) => 2,
-            Self::Scene(_) | Self::Prepare(_) | Self::Strict(_) | Self::Pictures(_) => 3,
+            Self::Scene(_)
+            | Self::Prepare(_)
+            | Self::Untranslatable(_)
+            | Self::Strict(_)
+            | Self::Pictures(_) => 3,
             Self::NoDevice(_) => 4,
             Self::Files(_) => 5,
         }
@@ -94,7 +100,9 @@ impl Failure {
             Self::Comparison(differences) => differences.iter().for_each(|d| error(d)),
             Self::NoDevice(message) => error(&message),
             Self::Unhealthy(device) => error(&format!("{device} is not healthy")),
-            Self::Pictures(messages) => messages.iter().for_each(|message| error(message)),
+            Self::Untranslatable(messages) | Self::Pictures(messages) => {
+                messages.iter().for_each(|message| error(message))
+            }
             Self::Files(errors) => {
                 errors
                     .iter()

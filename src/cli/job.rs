@@ -25,7 +25,7 @@ pub struct Request<'a> {
 
 /// A scene read, its warnings told.
 pub struct Loaded {
-    scene: Scene,
+    pub scene: Scene,
     /// What was read, line by line.
     pub text: String,
     warnings: Vec<String>,

@@ -18,6 +18,12 @@ pub enum Preset {
     Handout,
 }
 
+/// Another renderer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Peer {
+    Mitsuba,
+}
+
 /// One sample of one pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SamplePath {
@@ -28,6 +34,10 @@ pub struct SamplePath {
 
 impl Named for Preset {
     const ALL: &'static [(Self, &'static str)] = &[(Self::Handout, "handout")];
+}
+
+impl Named for Peer {
+    const ALL: &'static [(Self, &'static str)] = &[(Self::Mitsuba, "mitsuba")];
 }
 
 impl Named for KernelChoice<'static> {

@@ -7,6 +7,7 @@ mod converge_refusals;
 mod doctor;
 mod ends;
 mod explain;
+mod export;
 mod help;
 mod integrator;
 mod interrupt;

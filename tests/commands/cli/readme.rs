@@ -10,7 +10,9 @@ const README: &str = include_str!("../../../README.md");
 fn readme_and_help_name_the_same_flags() {
     let folder = folder("");
     let help_of = |arguments: &[&str]| run(folder.path(), arguments).out;
-    let commands = ["check", "compare", "converge", "doctor", "explain"];
+    let commands = [
+        "check", "compare", "converge", "doctor", "explain", "export",
+    ];
     let help = commands.iter().fold(help_of(&["--help"]), |help, c| {
         help + &help_of(&[c, "--help"])
     });

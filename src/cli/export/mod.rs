@@ -1,0 +1,75 @@
+//! `vkpt export SCENE`: a scene as another renderer reads it.
+
+mod arguments;
+
+use std::path::Path;
+
+use super::destination::{self, Destination, all_written};
+use super::exit::{Ending, Failure};
+use super::job::Loaded;
+use super::values::Peer;
+use crate::export::{Subject, mitsuba, setting};
+pub use arguments::ExportArguments;
+
+/// Writes the scene and its meshes, all that is said of it or nothing.
+pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
+    let to = output(arguments)?;
+    let request = arguments.request();
+    if let Some(message) = setting(&request.settings.model) {
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    let loaded = Loaded::new(&request)?;
+    let ready = loaded.prepare(&request)?;
+    let stem = to.path().and_then(Path::file_stem).unwrap_or_default();
+    let subject = Subject {
+        scene: &loaded.scene,
+        prepared: &ready.prepared,
+        model: &ready.settings.model,
+        crop: ready.job(&request)?.crop,
+        stem: &stem.to_string_lossy(),
+    };
+    let exported = match arguments.to {
+        Peer::Mitsuba => mitsuba(&subject),
+    };
+    let export = exported.map_err(|refusals| {
+        let file = arguments.scene.name();
+        let told = refusals.iter().map(|r| format!("{file}:{}: {r}", r.line));
+        Failure::Untranslatable(told.collect())
+    })?;
+    let places = (export.meshes.iter())
+        .map(|mesh| beside(&to, &mesh.name))
+        .collect::<Result<Vec<_>, _>>()?;
+    destination::check(places.iter().chain([&to]))?;
+    let written = (places.iter().zip(&export.meshes))
+        .map(|(to, mesh)| to.write(|out| out.write_all(&mesh.bytes)));
+    // The scene last: where it is, its meshes are.
+    all_written(written)?;
+    all_written([to.write(|out| export.write(out))])?;
+    Ok(Ending::Complete)
+}
+
+/// The file of `-o`, else one named after the scene.
+fn output(arguments: &ExportArguments) -> Result<Destination, Failure> {
+    if let Some(to) = &arguments.output {
+        return Ok(to.clone());
+    }
+    let Some(stem) = arguments.scene.stem() else {
+        return Err(Failure::Usage(
+            "the scene has no file name to call the export by: use -o".to_owned(),
+        ));
+    };
+    let mut name = stem.to_os_string();
+    name.push(".xml");
+    Ok(Destination::File(name.into()))
+}
+
+/// Where a mesh goes.
+fn beside(to: &Destination, name: &str) -> Result<Destination, Failure> {
+    match to.path() {
+        Some(path) => Ok(Destination::File(path.with_file_name(name))),
+        None => Err(Failure::Usage(
+            "meshes are written beside the scene, and stdout has no place beside it: use -o FILE"
+                .to_owned(),
+        )),
+    }
+}
