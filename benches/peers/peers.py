@@ -1,0 +1,76 @@
+"""Renders scenes by vkpt and by Mitsuba in alternation: do they agree, and how fast is each?"""
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+
+from blocks import bound, z_scores
+from planted import errors
+from renderers import Mitsuba, Vkpt
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+SCENES = [ROOT / f"scenes/{name}.txt" for name in ("diffuse", "furnace", "slab", "room", "absorption")]
+SCENES += sorted((HERE / "scenes").glob("*.txt"))
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("scenes", nargs="*", type=Path, default=SCENES)
+    parser.add_argument("--vkpt", default=ROOT / "target/release/vkpt")
+    parser.add_argument("--replicates", type=int, default=16, help="pictures by either program")
+    parser.add_argument("--spp", type=int, default=64, help="samples per pixel of each")
+    parser.add_argument("--shrink", type=int, default=2, help="divide width and height by this")
+    return parser.parse_args()
+
+
+def size_of(text, shrink):
+    """The scene's width and height, smaller."""
+    line = next(line for line in text.splitlines() if line.startswith("screen"))
+    return [int(side) // shrink for side in line.split()[1:3]]
+
+
+def speed(pixels, seconds):
+    """Million samples a second: the median, and the range."""
+    rates = np.sort(pixels / np.array(seconds)) / 1e6
+    return f"{np.median(rates):.2f} ({rates[0]:.2f}–{rates[-1]:.2f})"
+
+
+def compare(scene, options):
+    """Prints the scene's row; whether the programs agree and every planted error is noticed."""
+    text = scene.read_text()
+    width, height = size_of(text, options.shrink)
+    size, samples = f"{width}x{height}", width * height * options.spp
+    theirs = Mitsuba(options.vkpt, scene, size, options.spp)
+    # Mitsuba's roulette is right where there are no media (README.md), and then the same as vkpt's.
+    roulette = "off" if theirs.has_media else "throughput"
+    ours = Vkpt(options.vkpt, scene, text, size, roulette)
+    turns = [(ours.render(options.spp, seed), theirs.render(options.spp, seed)) for seed in range(options.replicates)]
+    pictures = [[turn[side][0] for turn in turns] for side in (0, 1)]
+    seconds = [[turn[side][1] for turn in turns] for side in (0, 1)]
+    z = z_scores(*pictures)
+    agrees = np.abs(z).max() < bound()
+    row = [scene.stem, f"{np.abs(z).max():.2f}", f"{z.std():.2f}", "agree" if agrees else "DIFFER"]
+    noticed = {}
+    for name, wrong in errors(text).items():
+        vkpt = Vkpt(options.vkpt, scene, wrong, size, roulette)
+        planted = [vkpt.render(options.spp, seed)[0] for seed in range(options.replicates)]
+        noticed[name] = np.abs(z_scores(planted, pictures[1])).max()
+    row += [", ".join(f"{name}: {worst:.1f}" for name, worst in noticed.items())]
+    row += [speed(samples, seconds[0]), speed(samples, seconds[1]), roulette]
+    print("| " + " | ".join(row) + " |", flush=True)
+    return agrees and all(worst > bound() for worst in noticed.values())
+
+
+def main():
+    options = arguments()
+    print(f"largest |z| of 10×10 blocks in three channels, below {bound():.2f} by chance with probability 0.999\n")
+    print("| scene | largest z | deviation of z | verdict | planted errors | vkpt M samples/s | Mitsuba | roulette |")
+    print("|" + "---|" * 8)
+    results = [compare(scene, options) for scene in options.scenes]
+    return 0 if all(results) else 1
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
