@@ -18,6 +18,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use run::{Kind, Run, run};
+use vkpt::gpu::{Device, Selector};
 
 #[derive(Parser)]
 struct Arguments {
@@ -47,7 +48,12 @@ struct Arguments {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let arguments = Arguments::parse();
+    let mut arguments = Arguments::parse();
+    // The program itself may take cpu-f32, which has no kernel.
+    if arguments.device.is_none() {
+        let best = Device::open(&Selector::Best)?;
+        arguments.device = Some(best.info().index.to_string());
+    }
     std::fs::create_dir_all(&arguments.out)?;
     let scenes = scenes(&arguments)?;
     if arguments.count {
