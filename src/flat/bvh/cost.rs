@@ -2,7 +2,7 @@
 
 use obvhs::cwbvh::node::CwBvhNode;
 
-use super::bounds::Bounds;
+use crate::shape::Extent;
 
 /// What a line meets on its way through the whole scene, on average over all lines that meet the scene's box.
 ///
@@ -20,12 +20,12 @@ impl Cost {
     /// Of `nodes` with the exact `boxes`; `children` gives the boxes of a node's children by slot.
     pub(super) fn of(
         nodes: &[CwBvhNode],
-        boxes: &[Bounds],
-        children: impl Fn(&CwBvhNode) -> [Option<Bounds>; 8],
+        boxes: &[Extent],
+        children: impl Fn(&CwBvhNode) -> [Option<Extent>; 8],
     ) -> Self {
         let root = boxes[0].area();
         // A scene without extent: whatever meets it meets everything.
-        let share = |b: Bounds| if root > 0.0 { b.area() / root } else { 1.0 };
+        let share = |b: Extent| if root > 0.0 { b.area() / root } else { 1.0 };
         let mut cost = Self::default();
         for (node, &bounds) in nodes.iter().zip(boxes) {
             cost.nodes += share(bounds);

@@ -3,7 +3,6 @@
 //! Ylitie, Karras, Laine, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, HPG 2017.
 //! Twin: `shaders/shape/bvh/`, which reads these words.
 
-pub mod bounds;
 mod cost;
 mod leaf;
 mod quantise;
@@ -13,7 +12,7 @@ mod topology;
 use obvhs::cwbvh::node::CwBvhNode;
 
 use crate::prepared::{Prepared, ShapeKind};
-use bounds::Bounds;
+use crate::shape::Extent;
 pub use cost::Cost;
 pub use leaf::leaf_text;
 use quantise::{Grid, Planes};
@@ -42,18 +41,18 @@ pub struct Bvh {
 /// The hierarchy of all primitives of the given kinds. The same bits every time.
 pub fn build(prepared: &Prepared, kinds: &[ShapeKind]) -> Bvh {
     let references = reference::references(prepared, kinds);
-    let bounds: Vec<Bounds> = references
+    let bounds: Vec<Extent> = references
         .iter()
         .map(|&r| {
             let (kind, i) = reference::decode(r);
-            Bounds::of(prepared.primitives.get(kind, i))
+            Extent::around(prepared.primitives.get(kind, i).extent_in_f32())
         })
         .collect();
     over(&references, &bounds)
 }
 
 /// The hierarchy of `references`, each within the box of the same index.
-fn over(references: &[u32], bounds: &[Bounds]) -> Bvh {
+fn over(references: &[u32], bounds: &[Extent]) -> Bvh {
     if references.is_empty() {
         // One node without children: a traversal ends at once.
         return Bvh {
@@ -66,7 +65,7 @@ fn over(references: &[u32], bounds: &[Bounds]) -> Bvh {
     }
     let tree = topology::topology(bounds);
     let order = &tree.primitive_indices;
-    let bounds: Vec<Bounds> = order.iter().map(|&i| bounds[i as usize]).collect();
+    let bounds: Vec<Extent> = order.iter().map(|&i| bounds[i as usize]).collect();
     let boxes = node_bounds(&tree.nodes, &bounds);
     let node = |(i, node): (usize, &CwBvhNode)| {
         words(node, boxes[i], &child_bounds(node, &boxes, &bounds))
@@ -76,7 +75,7 @@ fn over(references: &[u32], bounds: &[Bounds]) -> Bvh {
         nodes: tree.nodes.iter().enumerate().map(node).collect(),
         references: order.iter().map(|&i| references[i as usize]).collect(),
         stack: stack_bound(&tree.nodes).max(1),
-        reach: (root.lo.iter().chain(&root.hi)).fold(0.0, |most, x| x.abs().max(most)),
+        reach: root.reach(),
         cost: Cost::of(&tree.nodes, &boxes, |node| {
             child_bounds(node, &boxes, &bounds)
         }),
@@ -84,19 +83,19 @@ fn over(references: &[u32], bounds: &[Bounds]) -> Bvh {
 }
 
 /// The exact box of every node. Children stand behind their parents, so one pass from the end will do.
-fn node_bounds(nodes: &[CwBvhNode], primitives: &[Bounds]) -> Vec<Bounds> {
-    let mut boxes = vec![Bounds::EMPTY; nodes.len()];
+fn node_bounds(nodes: &[CwBvhNode], primitives: &[Extent]) -> Vec<Extent> {
+    let mut boxes = vec![Extent::EMPTY; nodes.len()];
     for (i, node) in nodes.iter().enumerate().rev() {
         boxes[i] = child_bounds(node, &boxes, primitives)
             .into_iter()
             .flatten()
-            .fold(Bounds::EMPTY, Bounds::union);
+            .fold(Extent::EMPTY, Extent::union);
     }
     boxes
 }
 
 /// The boxes of a node's children by slot.
-fn child_bounds(node: &CwBvhNode, boxes: &[Bounds], primitives: &[Bounds]) -> [Option<Bounds>; 8] {
+fn child_bounds(node: &CwBvhNode, boxes: &[Extent], primitives: &[Extent]) -> [Option<Extent>; 8] {
     std::array::from_fn(|slot| {
         if node.is_child_empty(slot) {
             None
@@ -107,7 +106,7 @@ fn child_bounds(node: &CwBvhNode, boxes: &[Bounds], primitives: &[Bounds]) -> [O
                 primitives[range]
                     .iter()
                     .copied()
-                    .fold(Bounds::EMPTY, Bounds::union),
+                    .fold(Extent::EMPTY, Extent::union),
             )
         } else {
             Some(boxes[node.child_node_index(slot) as usize])
@@ -116,7 +115,7 @@ fn child_bounds(node: &CwBvhNode, boxes: &[Bounds], primitives: &[Bounds]) -> [O
 }
 
 /// A node's words: shape and order from `node`, planes from its children's exact boxes.
-fn words(node: &CwBvhNode, bounds: Bounds, children: &[Option<Bounds>; 8]) -> [u32; NODE_WORDS] {
+fn words(node: &CwBvhNode, bounds: Extent, children: &[Option<Extent>; 8]) -> [u32; NODE_WORDS] {
     let grid = Grid::covering(bounds);
     let planes = children.map(|c| c.map_or(Planes::default(), |b| grid.planes(b)));
     let [ex, ey, ez] = grid.exponent;

@@ -3,7 +3,7 @@
 //! `obvhs` quantises too, but takes the exponent from a rounded `log2` and cuts at 255, so that a box can
 //! lose a few ulps; here the arithmetic is that of `f64`, exact but for coordinates of very different size.
 
-use super::bounds::Bounds;
+use crate::shape::Extent;
 
 /// A grid: plane q of axis k stands at origin[k] + q·2^(exponent[k] − 127), q in 0 … 255.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub struct Planes {
 
 impl Grid {
     /// The finest grid that covers `bounds`.
-    pub fn covering(bounds: Bounds) -> Self {
+    pub fn covering(bounds: Extent) -> Self {
         Self {
             origin: bounds.lo,
             exponent: std::array::from_fn(|k| {
@@ -35,7 +35,7 @@ impl Grid {
     ///
     /// The differences are exact in `f64` unless the two coordinates lie 2²⁹ apart in size; then they are
     /// wrong by 2⁻⁵³ of the larger one, far below the padding of every ray.
-    pub fn planes(self, bounds: Bounds) -> Planes {
+    pub fn planes(self, bounds: Extent) -> Planes {
         let cells = |x: f32, k: usize| (f64::from(x) - f64::from(self.origin[k])) / self.step(k);
         Planes {
             lo: std::array::from_fn(|k| cells(bounds.lo[k], k).floor() as u8),
@@ -80,7 +80,7 @@ mod tests {
         for scale in [1e-30f32, 1e-5, 1.0, 3e4] {
             for origin in [-1.0f32, 0.0, 0.3, 1000.0] {
                 let lo = origin * scale;
-                let whole = Bounds {
+                let whole = Extent {
                     lo: [lo; 3],
                     hi: [lo + scale; 3],
                 };
@@ -89,7 +89,7 @@ mod tests {
                     let plane = (f64::from(lo) + f64::from(q) * grid.step(0)) as f32;
                     for x in [plane.next_down(), plane, plane.next_up()] {
                         let x = x.clamp(whole.lo[0], whole.hi[0]);
-                        let planes = grid.planes(Bounds {
+                        let planes = grid.planes(Extent {
                             lo: [x; 3],
                             hi: [x; 3],
                         });

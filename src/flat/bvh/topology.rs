@@ -12,7 +12,7 @@ use obvhs::cwbvh::CwBvh;
 use obvhs::cwbvh::bvh2_to_cwbvh::bvh2_to_cwbvh;
 use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 
-use super::bounds::Bounds;
+use crate::shape::Extent;
 
 /// The paper's limit for leaves, given by the unary count of three bits.
 const PRIMITIVES_PER_LEAF: u32 = 3;
@@ -23,7 +23,7 @@ const REINSERTED: f32 = 0.05;
 
 /// The tree over `bounds`, which holds at least one box. Only its shape is of use: the boxes within it are
 /// not those of `bounds` but those of [`scattered`].
-pub fn topology(bounds: &[Bounds]) -> CwBvh {
+pub fn topology(bounds: &[Extent]) -> CwBvh {
     let boxes = scattered(bounds);
     let indices = (0..boxes.len() as u32).collect();
     let mut binary = PlocBuilder::with_capacity(boxes.len()).build(
@@ -44,14 +44,14 @@ pub fn topology(bounds: &[Bounds]) -> CwBvh {
 /// Where all are equal (a regular grid, coincident triangles) only one pair would merge a pass: quadratic
 /// time and, for coincident ones, a tree as deep as it has leaves. (50,000 coincident triangles: .07 s, a
 /// stack of 12; unscattered a minute, then an overflow of the builder's own stack.)
-fn scattered(bounds: &[Bounds]) -> Vec<Aabb> {
-    let all = bounds.iter().copied().fold(Bounds::EMPTY, Bounds::union);
+fn scattered(bounds: &[Extent]) -> Vec<Aabb> {
+    let all = bounds.iter().copied().fold(Extent::EMPTY, Extent::union);
     let lo = all.lo.map(f64::from);
     let extent = (0..3)
         .map(|k| f64::from(all.hi[k]) - lo[k])
         .fold(f64::MIN_POSITIVE, f64::max);
     let unit = |x: f32, k: usize| (f64::from(x) - lo[k]) / extent * 2.0 - 1.0;
-    let scatter = |(i, b): (usize, &Bounds)| {
+    let scatter = |(i, b): (usize, &Extent)| {
         let min: [f64; 3] = std::array::from_fn(|k| unit(b.lo[k], k));
         let max: [f64; 3] = std::array::from_fn(|k| unit(b.hi[k], k));
         let length = (0..3).map(|k| max[k] - min[k]).fold(0.0, f64::max);

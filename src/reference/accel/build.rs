@@ -2,13 +2,13 @@
 
 use rayon::prelude::*;
 
-use super::extent::Extent;
 use super::leaf::Leaf;
 use super::node::{Child, Node};
 use super::split::{Item, split};
 use crate::reference::math::Real;
 use crate::reference::math::lanes::WIDTH;
 use crate::reference::primitives::Primitives;
+use crate::shape::Extent;
 
 /// Primitives that a leaf has at most.
 const LEAF: usize = WIDTH;
@@ -108,8 +108,8 @@ fn sets(items: &mut [Item], depth: usize) -> Vec<Set<'_>> {
     let mut sets = vec![Set::new(items)];
     while sets.len() < WIDTH {
         let size = |set: &Set| match depth < HALVING_DEPTH {
-            true => set.extent.half_area(),
-            false => set.items.len() as f32,
+            true => set.extent.area(),
+            false => set.items.len() as f64,
         };
         let divisible = (0..sets.len()).filter(|&i| sets[i].items.len() > LEAF);
         let Some(i) = divisible.max_by(|&a, &b| size(&sets[a]).total_cmp(&size(&sets[b]))) else {
@@ -155,10 +155,9 @@ mod tests {
             }
             Child::Node(k) => &built.nodes[k as usize],
         };
-        let within = |a: Extent| a.union(outer) == outer;
         let children = (0..WIDTH).filter_map(|i| Some((node.extent(i)?, node.child(i))));
         let depths = children.map(|(extent, child)| {
-            assert!(within(extent));
+            assert!(outer.contains(extent));
             1 + walk(built, child, extent, seen)
         });
         depths.max().unwrap_or(0)

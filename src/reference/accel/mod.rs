@@ -2,7 +2,6 @@
 //! to the last bit.
 
 mod build;
-mod extent;
 mod leaf;
 mod node;
 mod slabs;

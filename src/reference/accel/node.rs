@@ -2,9 +2,9 @@
 
 use wide::f32x8;
 
-use super::extent::Extent;
 use super::slabs::Slabs;
 use crate::reference::math::lanes::WIDTH;
+use crate::shape::Extent;
 
 /// What a node leads to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,10 +83,10 @@ impl Node {
         let (near, far) = ([near(0), near(1), near(2)], [far(0), far(1), far(2)]);
         let entry = near[0]
             .fast_max(near[1])
-            .fast_max(near[2].fast_max(f32x8::ZERO));
+            .fast_max(f32x8::ZERO.fast_max(near[2]));
         let exit = far[0]
             .fast_min(far[1])
-            .fast_min(far[2].fast_min(f32x8::splat(t_max)));
+            .fast_min(f32x8::splat(t_max).fast_min(far[2]));
         Boxes {
             mask: entry.simd_le(exit).to_bitmask(),
             entry: entry.to_array(),
@@ -128,5 +128,6 @@ mod tests {
         assert_eq!(entry([0.0; 3], [0.6, 0.0, 0.8], 10.0), Some(0.0));
         assert!(entry([-3.0, 0.0, 0.0], [1.0, 0.0, 0.0], 2.0).is_some());
         assert_eq!(entry([-3.0, 0.0, 0.0], [1.0, 0.0, 0.0], 1.9), None);
+        assert_eq!(entry([-3.0, 0.0, 0.0], [f32::NAN; 3], 10.0), None);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, IRT 2007.
 
-use super::extent::Extent;
+use crate::shape::Extent;
 
 const BINS: usize = 16;
 
@@ -69,7 +69,7 @@ impl Bins {
             }
         }
         let mut best = None;
-        let mut least = f32::MAX;
+        let mut least = f64::MAX;
         for (axis, bins) in bins.iter().enumerate() {
             let upper = costs(bins.iter().rev());
             let lower = costs(bins.iter());
@@ -87,12 +87,12 @@ impl Bins {
 }
 
 /// area·count and count of the first bins up to each.
-fn costs<'a>(bins: impl Iterator<Item = &'a (Extent, u32)>) -> [(f32, u32); BINS] {
+fn costs<'a>(bins: impl Iterator<Item = &'a (Extent, u32)>) -> [(f64, u32); BINS] {
     let mut sums = [(0.0, 0); BINS];
     let mut all = (Extent::EMPTY, 0);
     for (sum, bin) in sums.iter_mut().zip(bins) {
         all = (all.0.union(bin.0), all.1 + bin.1);
-        *sum = (all.0.half_area() * all.1 as f32, all.1);
+        *sum = (all.0.area() * f64::from(all.1), all.1);
     }
     sums
 }

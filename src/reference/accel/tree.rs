@@ -3,7 +3,6 @@
 use arrayvec::ArrayVec;
 
 use super::build::{Built, DEPTH, items};
-use super::extent::Extent;
 use super::leaf::Leaf;
 use super::node::{Boxes, Child, Node};
 use super::slabs::Slabs;
@@ -12,6 +11,7 @@ use crate::reference::math::Real;
 use crate::reference::math::lanes::{Bits, WIDTH};
 use crate::reference::primitives::Primitives;
 use crate::reference::shape::Ray;
+use crate::shape::Extent;
 
 /// Children that wait: all but one of a level's.
 const STACK: usize = DEPTH * (WIDTH - 1) + 1;

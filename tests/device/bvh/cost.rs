@@ -1,9 +1,9 @@
 //! The cost that a hierarchy is told to have, against lines that are drawn at random.
 
 use glam::DVec3;
-use vkpt::flat::bvh::bounds::Bounds;
 use vkpt::flat::bvh::{self, Bvh};
 use vkpt::prepared::Prepared;
+use vkpt::shape::Extent;
 
 use super::random::Random;
 use super::scenes::{self, Builder};
@@ -12,15 +12,15 @@ use crate::common::stats::p_of_mean;
 
 /// What a line meets: an inner node, or a leaf of so many primitives.
 struct Body {
-    bounds: Bounds,
+    bounds: Extent,
     /// `None`: a node.
     leaf: Option<u32>,
 }
 
 /// All nodes and leaves below `node`, its own box last.
-fn bodies(bvh: &Bvh, prepared: &Prepared, node: usize, all: &mut Vec<Body>) -> Bounds {
+fn bodies(bvh: &Bvh, prepared: &Prepared, node: usize, all: &mut Vec<Body>) -> Extent {
     let words = &bvh.nodes[node];
-    let mut whole = Bounds::EMPTY;
+    let mut whole = Extent::EMPTY;
     let mut inner = 0;
     for slot in 0..8 {
         let meta = u32::from(words[6 + slot / 4].to_le_bytes()[slot % 4]);
@@ -31,7 +31,7 @@ fn bodies(bvh: &Bvh, prepared: &Prepared, node: usize, all: &mut Vec<Body>) -> B
             let (first, count) = (words[5] + (meta & 31), (meta >> 5).count_ones());
             let leaf = (first..first + count)
                 .map(|i| bounds(prepared, bvh.references[i as usize]))
-                .fold(Bounds::EMPTY, Bounds::union);
+                .fold(Extent::EMPTY, Extent::union);
             whole = whole.union(leaf);
             all.push(Body {
                 bounds: leaf,
@@ -47,7 +47,7 @@ fn bodies(bvh: &Bvh, prepared: &Prepared, node: usize, all: &mut Vec<Body>) -> B
 }
 
 /// Whether the line through `o` along `d` meets the box, by the slabs' common interval.
-fn meets(b: Bounds, o: DVec3, d: DVec3) -> bool {
+fn meets(b: Extent, o: DVec3, d: DVec3) -> bool {
     let [lo, hi] = [b.lo, b.hi].map(|v| (DVec3::from_array(v.map(f64::from)) - o) / d);
     lo.min(hi).max_element() <= lo.max(hi).min_element()
 }

@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 use vkpt::flat::bvh;
-use vkpt::flat::bvh::bounds::Bounds;
 use vkpt::prepared::{NONE, Prepared, ShapeKind};
 use vkpt::reference::accel::Accel;
 use vkpt::reference::math::Real;
 use vkpt::reference::shape::no_hit;
+use vkpt::shape::Extent;
 
 use super::brute::{World, bits, is_some_hit};
 use super::rays::{Query, Rays};
@@ -69,13 +69,13 @@ fn hits_lie_in_the_boxes_of_their_primitives() {
     }
 }
 
-fn primitive_bounds(prepared: &Prepared, shape: u32, prim: u32) -> Bounds {
+fn primitive_bounds(prepared: &Prepared, shape: u32, prim: u32) -> Extent {
     let s = &prepared.shapes[shape as usize];
     let i = match s.kind {
         ShapeKind::Mesh => prim,
         _ => s.first,
     };
-    Bounds::of(prepared.primitives.get(s.kind, i as usize))
+    Extent::around(prepared.primitives.get(s.kind, i as usize).extent_in_f32())
 }
 
 #[test]

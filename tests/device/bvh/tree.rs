@@ -1,10 +1,10 @@
 //! The kernels' hierarchy as a data structure: decoded here anew from its words, held against exact boxes.
 
 use glam::DVec3;
-use vkpt::flat::bvh::bounds::Bounds;
 use vkpt::flat::bvh::reference::decode;
 use vkpt::flat::bvh::{self, Bvh};
 use vkpt::prepared::{Prepared, ShapeKind};
+use vkpt::shape::Extent;
 
 use super::scenes::{self, Builder};
 
@@ -76,9 +76,9 @@ fn walk(
     }
 }
 
-pub fn bounds(prepared: &Prepared, reference: u32) -> Bounds {
+pub fn bounds(prepared: &Prepared, reference: u32) -> Extent {
     let (kind, i) = decode(reference);
-    Bounds::of(prepared.primitives.get(kind, i))
+    Extent::around(prepared.primitives.get(kind, i).extent_in_f32())
 }
 
 fn walked(bvh: &Bvh, prepared: &Prepared) -> Walk {

@@ -1,6 +1,6 @@
-//! Boxes of the builder, in `f32` whatever the scalar: half the memory, and none is smaller than what it stands for.
+//! Axis-aligned boxes in `f32`, as hierarchies have them: none is smaller than what it stands for.
 
-use crate::shape::Bounds;
+use super::Bounds;
 
 /// The box { x : lo ≤ x ≤ hi }; empty where `lo` > `hi`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,11 +16,11 @@ impl Extent {
         hi: [f32::NEG_INFINITY; 3],
     };
 
-    /// The smallest box of `f32` that contains `bounds`.
+    /// The smallest box of `f32` that contains `bounds`: each side is rounded outwards.
     pub fn around(bounds: Bounds) -> Self {
         Self {
-            lo: bounds.lo.to_array().map(below),
-            hi: bounds.hi.to_array().map(|x| -below(-x)),
+            lo: bounds.lo.to_array().map(round_down),
+            hi: bounds.hi.to_array().map(round_up),
         }
     }
 
@@ -46,10 +46,15 @@ impl Extent {
         [0, 1, 2].map(|k| self.lo[k] + self.hi[k])
     }
 
-    /// Half the surface; 0 if empty.
-    pub fn half_area(self) -> f32 {
-        let [x, y, z] = [0, 1, 2].map(|k| (self.hi[k] - self.lo[k]).max(0.0));
-        x * y + y * z + z * x
+    /// Whether `other` lies within.
+    pub fn contains(self, other: Self) -> bool {
+        (0..3).all(|k| self.lo[k] <= other.lo[k] && other.hi[k] <= self.hi[k])
+    }
+
+    /// Of its surface; 0 where it is empty.
+    pub fn area(self) -> f64 {
+        let [x, y, z] = [0, 1, 2].map(|k| (f64::from(self.hi[k]) - f64::from(self.lo[k])).max(0.0));
+        2.0 * (x * y + y * z + z * x)
     }
 
     /// The largest absolute coordinate.
@@ -60,11 +65,25 @@ impl Extent {
 }
 
 /// The largest `f32` that is not above `x`.
-fn below(x: f64) -> f32 {
-    let near = x as f32;
-    if f64::from(near) > x {
-        near.next_down()
-    } else {
-        near
+fn round_down(x: f64) -> f32 {
+    let y = x as f32;
+    if f64::from(y) > x { y.next_down() } else { y }
+}
+
+/// The smallest `f32` that is not below `x`.
+fn round_up(x: f64) -> f32 {
+    -round_down(-x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_round_outwards() {
+        let x = 1.0 + 2f64.powi(-30);
+        assert_eq!((round_down(x), round_up(x)), (1.0, 1.0 + f32::EPSILON));
+        assert_eq!((round_down(-x), round_up(-x)), (-1.0 - f32::EPSILON, -1.0));
+        assert_eq!((round_down(0.5), round_up(0.5)), (0.5, 0.5));
     }
 }
