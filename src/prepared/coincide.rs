@@ -1,13 +1,12 @@
 //! Which faces of a scene coincide, and which of them comes first.
 
 use rayon::prelude::*;
-use rstar::primitives::{GeomWithData, Rectangle};
-use rstar::{AABB, RTree};
 
+use super::meeting::meeting_pairs;
 use super::patch::{Orientation, Patch};
 use super::placed::Placed;
 use super::{Material, Prepared, Shape};
-use crate::shape::{Coincidence, Coincidences, ShapeKind};
+use crate::shape::{Bounds, Coincidence, Coincidences, Extent, ShapeKind};
 
 /// A face, and what it is a face of.
 struct Face {
@@ -63,7 +62,7 @@ fn faces(placed: &Placed, materials: &[Material], number: u32, shape: &Shape) ->
         ShapeKind::Cylinder => Patch::cylinder(&p.cylinders[first]).map(Some).into(),
         ShapeKind::Mesh => {
             let triangles = &p.triangles[first..first + shape.count as usize];
-            triangles.iter().map(Patch::triangle).collect()
+            triangles.par_iter().map(Patch::triangle).collect()
         }
     };
     let material = &materials[shape.material as usize];
@@ -81,35 +80,26 @@ fn faces(placed: &Placed, materials: &[Material], number: u32, shape: &Shape) ->
             patch: patch.filter(Patch::is_finite)?,
         })
     };
-    shape.faces().zip(patches).filter_map(face).collect()
+    let numbered = shape.faces().into_par_iter().zip(patches);
+    numbered.filter_map(face).collect()
 }
 
 /// The entries of all pairs of faces but those of one solid, in no order of meaning.
 fn entries_of_all(faces: &[Face]) -> Vec<(u32, u32, Coincidence)> {
-    let bounds = |face: &Face| {
-        let (bounds, near) = (face.patch.bounds(), face.patch.near());
-        [bounds.lo - near, bounds.hi + near].map(|v| v.to_array())
+    let extent = |face: &Face| {
+        let (Bounds { lo, hi }, near) = (face.patch.bounds(), face.patch.near());
+        Extent::around(Bounds {
+            lo: lo - near,
+            hi: hi + near,
+        })
     };
-    let node = |(i, face): (usize, &Face)| {
-        let [lo, hi] = bounds(face);
-        GeomWithData::new(Rectangle::from_corners(lo, hi), i)
-    };
-    let tree = RTree::bulk_load(faces.iter().enumerate().map(node).collect());
-    let with_later_ones = |(i, face): (usize, &Face)| {
-        let [lo, hi] = bounds(face);
-        let others = tree.locate_in_envelope_intersecting(AABB::from_corners(lo, hi));
-        let later = others.map(|node| node.data).filter(|j| i < *j);
-        let others = later.map(|j| &faces[j]);
-        let others = others.filter(|other| other.shape != face.shape || face.is_mesh());
-        others
-            .flat_map(|other| entries(face, other))
-            .collect::<Vec<_>>()
-    };
-    faces
-        .par_iter()
-        .enumerate()
-        .flat_map_iter(with_later_ones)
-        .collect()
+    let extents: Vec<Extent> = faces.par_iter().map(extent).collect();
+    meeting_pairs(&extents, |i, j, found| {
+        let (face, other) = (&faces[i], &faces[j]);
+        if other.shape != face.shape || face.is_mesh() {
+            found.extend(entries(face, other));
+        }
+    })
 }
 
 /// What a pair that coincides adds to the lists of either: (shape, prim) of the list, and the entry.

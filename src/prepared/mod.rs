@@ -12,6 +12,7 @@ mod light_tree;
 mod lights;
 pub mod material;
 mod medium;
+pub mod meeting;
 pub mod patch;
 mod placed;
 mod prepare;

@@ -51,6 +51,12 @@ impl Extent {
         (0..3).all(|k| self.lo[k] <= other.lo[k] && other.hi[k] <= self.hi[k])
     }
 
+    /// Whether the two have a point in common.
+    #[inline]
+    pub fn meets(self, other: Self) -> bool {
+        (0..3).all(|k| self.lo[k] <= other.hi[k] && other.lo[k] <= self.hi[k])
+    }
+
     /// Of its surface; 0 where it is empty.
     pub fn area(self) -> f64 {
         let [x, y, z] = [0, 1, 2].map(|k| (f64::from(self.hi[k]) - f64::from(self.lo[k])).max(0.0));

@@ -86,10 +86,12 @@ fn sides(a: &Patch, b: &Patch, near: f64) -> bool {
 
 /// Whether all of `b` lies in the plane of `a`, whose normal is n.
 fn in_plane(a: &Patch, n: DVec3, b: &Patch, near: f64) -> bool {
-    let Some(&p) = a.outline().first() else {
-        return false;
-    };
-    b.outline().iter().all(|q| n.dot(*q - p).abs() <= near)
+    let lie = |p: DVec3, points: &[DVec3]| points.iter().all(|q| n.dot(*q - p).abs() <= near);
+    match (a, b) {
+        // Neighbours in a mesh come here most often: no outline is made of them.
+        (Patch::Triangle { v: [p, ..], .. }, Patch::Triangle { v, .. }) => lie(*p, v),
+        _ => a.outline().first().is_some_and(|p| lie(*p, &b.outline())),
+    }
 }
 
 /// Whether two flat patches of one plane have more in common than an edge: no edge of either has all of the other beyond it.
