@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::{Cuboid, Cylinder, Material, NONE, Prepared, Shape, Sphere, Triangle};
 use crate::scene::{self, Edges, Geometry, Mesh, Scene, edges, flip, signed_volume};
@@ -111,16 +112,18 @@ impl Placed {
 
 /// Adds the triangles of a mesh, moved to their place: p' = T·S·R·p.
 fn add_mesh(all: &mut Primitives, mesh: &Mesh, shape: u32) {
+    let before = all.triangles.len();
     let place = |p: DVec3| mesh.translate + mesh.scale * (mesh.rotate * p);
-    for t in &mesh.triangles {
-        let v = t.map(|k| place(mesh.positions[k as usize]));
-        all.triangles.push(Triangle { v, shape });
-        if let Some(normals) = &mesh.normals {
-            let n = t.map(|k| (mesh.rotate * normals[k as usize]).normalize_or_zero());
-            all.normals
-                .resize(all.triangles.len() - 1, [DVec3::ZERO; 3]);
-            all.normals.push(n);
-        }
+    let triangle = |t: &[u32; 3]| Triangle {
+        v: t.map(|k| place(mesh.positions[k as usize])),
+        shape,
+    };
+    let triangles = mesh.triangles.par_iter();
+    all.triangles.par_extend(triangles.clone().map(triangle));
+    if let Some(normals) = &mesh.normals {
+        let turned = |k: u32| (mesh.rotate * normals[k as usize]).normalize_or_zero();
+        all.normals.resize(before, [DVec3::ZERO; 3]);
+        all.normals.par_extend(triangles.map(|t| t.map(turned)));
     }
     if !all.normals.is_empty() {
         all.normals.resize(all.triangles.len(), [DVec3::ZERO; 3]);

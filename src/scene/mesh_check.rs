@@ -1,8 +1,7 @@
 //! Whether a mesh bounds a solid: what a transmissive material asks of it (model.md, "Media").
 
-use std::collections::HashMap;
-
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::Mesh;
 
@@ -21,34 +20,46 @@ pub struct Edges {
 /// with two corners at one place have no inside and are left out. With no open and no torn edge the triangles'
 /// boundary is zero as a chain, so a ray that comes from outside enters as often as it leaves.
 pub fn edges(mesh: &Mesh) -> Edges {
-    // Adding 0 turns −0 into +0.
-    let key = |p: DVec3| (p + DVec3::ZERO).to_array().map(f64::to_bits);
-    let mut ids = HashMap::new();
-    let vertices: Vec<usize> = mesh
-        .positions
-        .iter()
-        .map(|p| {
-            let fresh = ids.len();
-            *ids.entry(key(*p)).or_insert(fresh)
-        })
-        .collect();
-    // Lower vertex, higher vertex → uses upwards, uses downwards.
-    let mut uses: HashMap<(usize, usize), [usize; 2]> = HashMap::new();
-    for triangle in &mesh.triangles {
-        let [a, b, c] = triangle.map(|i| vertices[i as usize]);
-        if a == b || b == c || c == a {
-            continue;
-        }
-        for (from, to) in [(a, b), (b, c), (c, a)] {
-            uses.entry((from.min(to), from.max(to))).or_default()[usize::from(from > to)] += 1;
-        }
-    }
+    let places = places(&mesh.positions);
+    // Lower place, higher place, whether it is used upwards: sorted, the uses of an edge stand side by side.
+    let uses_of = |triangle: &[u32; 3]| {
+        let [a, b, c] = triangle.map(|i| places[i as usize]);
+        let flat = a == b || b == c || c == a;
+        let sides = if flat {
+            None
+        } else {
+            Some([(a, b), (b, c), (c, a)])
+        };
+        let ordered = |(from, to): (u32, u32)| (from.min(to), from.max(to), from < to);
+        sides.into_iter().flatten().map(ordered)
+    };
+    let mut uses: Vec<(u32, u32, bool)> =
+        mesh.triangles.par_iter().flat_map_iter(uses_of).collect();
+    uses.par_sort_unstable();
     let mut edges = Edges::default();
-    for [up, down] in uses.into_values() {
-        edges.open += usize::from(up + down == 1);
-        edges.torn += usize::from(up + down > 1 && up != down);
+    for edge in uses.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+        let up = edge.iter().filter(|side| side.2).count();
+        edges.open += usize::from(edge.len() == 1);
+        edges.torn += usize::from(edge.len() > 1 && 2 * up != edge.len());
     }
     edges
+}
+
+/// Of each vertex the number of its place: vertices at exactly the same place have the same.
+fn places(positions: &[DVec3]) -> Vec<u32> {
+    // Adding 0 turns −0 into +0.
+    let key = |i: u32| {
+        (positions[i as usize] + DVec3::ZERO)
+            .to_array()
+            .map(f64::to_bits)
+    };
+    let mut order: Vec<u32> = (0..positions.len() as u32).collect();
+    order.par_sort_unstable_by_key(|&i| key(i));
+    let mut places = vec![0; positions.len()];
+    for (place, vertices) in (0..).zip(order.chunk_by(|&a, &b| key(a) == key(b))) {
+        vertices.iter().for_each(|&i| places[i as usize] = place);
+    }
+    places
 }
 
 /// The number of edges that one triangle only uses: 0 for a closed mesh. See [`edges`].
