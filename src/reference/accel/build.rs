@@ -116,13 +116,21 @@ fn sets(items: &mut [Item], depth: usize) -> Vec<Set<'_>> {
             break;
         };
         let set = sets.swap_remove(i);
-        let count = match depth < HALVING_DEPTH {
+        let found = match depth < HALVING_DEPTH {
             true => split(set.items),
-            false => set.items.len() / 2,
+            false => None,
         };
-        let (first, second) = set.items.split_at_mut(count);
-        sets.push(Set::new(first));
-        sets.push(Set::new(second));
+        match found {
+            Some((count, extents)) => {
+                let (first, second) = set.items.split_at_mut(count);
+                let parts = [first, second].into_iter().zip(extents);
+                sets.extend(parts.map(|(items, extent)| Set { items, extent }));
+            }
+            None => {
+                let (first, second) = set.items.split_at_mut(set.items.len() / 2);
+                sets.extend([first, second].map(Set::new));
+            }
+        }
     }
     sets
 }

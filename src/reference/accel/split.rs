@@ -2,6 +2,8 @@
 //!
 //! Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, IRT 2007.
 
+use rayon::prelude::*;
+
 use crate::shape::Extent;
 
 const BINS: usize = 16;
@@ -13,23 +15,40 @@ pub struct Item {
     pub primitive: u32,
 }
 
-/// Reorders `items` (two at least) and returns how many come first; never none, never all.
-pub fn split(items: &mut [Item]) -> usize {
-    let centres = items.iter().fold(Extent::EMPTY, |all, item| {
-        all.union(Extent::point(item.extent.twice_centre()))
-    });
-    let bins = Bins::of(centres);
-    let Some((axis, plane)) = bins.cheapest_plane(items) else {
-        return items.len() / 2;
-    };
+/// Larger sets are looked through on all cores.
+const SERIAL: usize = 1 << 14;
+
+/// Reorders `items` (two at least) and returns how many come first, never none and never all, and the boxes around both
+/// parts; `None` if all centres coincide.
+pub fn split(items: &mut [Item]) -> Option<(usize, [Extent; 2])> {
+    let centre = |item: &Item| Extent::point(item.extent.twice_centre());
+    let around_centres =
+        |items: &[Item]| items.iter().map(centre).fold(Extent::EMPTY, Extent::union);
+    let bins = Bins::of(over_parts(items, around_centres, Extent::union));
+    let filled = over_parts(items, |part| bins.fill(part), merge);
+    let Plane { axis, bin, extents } = cheapest_plane(&filled)?;
     let mut first = 0;
     for i in 0..items.len() {
-        if bins.bin(items[i].extent.twice_centre(), axis) < plane {
+        if bins.bin(items[i].extent.twice_centre(), axis) < bin {
             items.swap(first, i);
             first += 1;
         }
     }
-    first
+    Some((first, extents))
+}
+
+/// What `of_part` makes of all items: by parts and merged where they are many.
+fn over_parts<T: Send>(
+    items: &[Item],
+    of_part: impl Fn(&[Item]) -> T + Sync,
+    merge: impl Fn(T, T) -> T + Sync + Send,
+) -> T {
+    let parts = items.par_chunks(SERIAL);
+    match items.len() > SERIAL {
+        true => parts.map(&of_part).reduce_with(merge),
+        false => None,
+    }
+    .unwrap_or_else(|| of_part(items))
 }
 
 /// The bins between the least and the largest centre.
@@ -57,42 +76,69 @@ impl Bins {
         (place as usize).min(BINS - 1)
     }
 
-    /// The axis and the first bin of the second part, at the least Σ area·count; `None` if all centres coincide.
-    fn cheapest_plane(&self, items: &[Item]) -> Option<(usize, usize)> {
-        let mut bins = [[(Extent::EMPTY, 0); BINS]; 3];
+    fn fill(&self, items: &[Item]) -> Filled {
+        let mut filled = [[(Extent::EMPTY, 0); BINS]; 3];
         for item in items {
             let centre = item.extent.twice_centre();
-            for (axis, bins) in bins.iter_mut().enumerate() {
+            for (axis, bins) in filled.iter_mut().enumerate() {
                 let (extent, count) = &mut bins[self.bin(centre, axis)];
                 *extent = extent.union(item.extent);
                 *count += 1;
             }
         }
-        let mut best = None;
-        let mut least = f64::MAX;
-        for (axis, bins) in bins.iter().enumerate() {
-            let upper = costs(bins.iter().rev());
-            let lower = costs(bins.iter());
-            for plane in 1..BINS {
-                let ((cost_lower, below), (cost_upper, above)) =
-                    (lower[plane - 1], upper[BINS - 1 - plane]);
-                if below > 0 && above > 0 && cost_lower + cost_upper < least {
-                    least = cost_lower + cost_upper;
-                    best = Some((axis, plane));
-                }
-            }
-        }
-        best
+        filled
     }
 }
 
-/// area·count and count of the first bins up to each.
-fn costs<'a>(bins: impl Iterator<Item = &'a (Extent, u32)>) -> [(f64, u32); BINS] {
-    let mut sums = [(0.0, 0); BINS];
+/// Of each axis and bin the box around its items, and their number.
+type Filled = [[(Extent, u32); BINS]; 3];
+
+fn merge(mut a: Filled, b: Filled) -> Filled {
+    for (a, b) in a.as_flattened_mut().iter_mut().zip(b.as_flattened()) {
+        *a = (a.0.union(b.0), a.1 + b.1);
+    }
+    a
+}
+
+/// Where a set is divided.
+struct Plane {
+    axis: usize,
+    /// The first of the second part.
+    bin: usize,
+    /// Around each part.
+    extents: [Extent; 2],
+}
+
+/// The plane of the least Σ area·count; `None` if one bin of each axis has all.
+fn cheapest_plane(filled: &Filled) -> Option<Plane> {
+    let mut best = None;
+    let mut least = f64::MAX;
+    for (axis, bins) in filled.iter().enumerate() {
+        let lower = sums(bins.iter());
+        let upper = sums(bins.iter().rev());
+        for bin in 1..BINS {
+            let parts = [lower[bin - 1], upper[BINS - 1 - bin]];
+            let cost: f64 = parts
+                .map(|(extent, n)| extent.area() * f64::from(n))
+                .iter()
+                .sum();
+            if parts.iter().all(|part| part.1 > 0) && cost < least {
+                least = cost;
+                let extents = parts.map(|part| part.0);
+                best = Some(Plane { axis, bin, extents });
+            }
+        }
+    }
+    best
+}
+
+/// Box and number of the items of the first bins up to each.
+fn sums<'a>(bins: impl Iterator<Item = &'a (Extent, u32)>) -> [(Extent, u32); BINS] {
+    let mut sums = [(Extent::EMPTY, 0); BINS];
     let mut all = (Extent::EMPTY, 0);
     for (sum, bin) in sums.iter_mut().zip(bins) {
         all = (all.0.union(bin.0), all.1 + bin.1);
-        *sum = (all.0.area() * f64::from(all.1), all.1);
+        *sum = all;
     }
     sums
 }
