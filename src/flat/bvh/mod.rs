@@ -10,6 +10,7 @@ pub mod reference;
 mod topology;
 
 use obvhs::cwbvh::node::CwBvhNode;
+use rayon::prelude::*;
 
 use crate::prepared::{Prepared, ShapeKind};
 use crate::shape::Extent;
@@ -38,11 +39,11 @@ pub struct Bvh {
     pub cost: Cost,
 }
 
-/// The hierarchy of all primitives of the given kinds. The same bits every time.
+/// The hierarchy of all primitives of the given kinds. The same bits every time, on any number of cores.
 pub fn build(prepared: &Prepared, kinds: &[ShapeKind]) -> Bvh {
     let references = reference::references(prepared, kinds);
     let bounds: Vec<Extent> = references
-        .iter()
+        .par_iter()
         .map(|&r| {
             let (kind, i) = reference::decode(r);
             Extent::around(prepared.primitives.get(kind, i).extent_in_f32())
@@ -65,14 +66,14 @@ fn over(references: &[u32], bounds: &[Extent]) -> Bvh {
     }
     let tree = topology::topology(bounds);
     let order = &tree.primitive_indices;
-    let bounds: Vec<Extent> = order.iter().map(|&i| bounds[i as usize]).collect();
+    let bounds: Vec<Extent> = order.par_iter().map(|&i| bounds[i as usize]).collect();
     let boxes = node_bounds(&tree.nodes, &bounds);
     let node = |(i, node): (usize, &CwBvhNode)| {
         words(node, boxes[i], &child_bounds(node, &boxes, &bounds))
     };
     let root = boxes[0];
     Bvh {
-        nodes: tree.nodes.iter().enumerate().map(node).collect(),
+        nodes: tree.nodes.par_iter().enumerate().map(node).collect(),
         references: order.iter().map(|&i| references[i as usize]).collect(),
         stack: stack_bound(&tree.nodes).max(1),
         reach: root.reach(),

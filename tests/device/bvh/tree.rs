@@ -130,13 +130,20 @@ fn an_empty_tree_has_one_node_without_children() {
     assert_eq!(bvh.nodes[0], [0; bvh::NODE_WORDS]);
 }
 
+/// Of so many triangles that each step of the builder takes all threads that it gets.
 #[test]
-fn builds_are_reproducible() {
-    let prepared = scenes::mixed();
-    assert_eq!(
-        bvh::build(&prepared, &ALL_KINDS),
-        bvh::build(&prepared, &ALL_KINDS)
-    );
+fn trees_are_the_same_on_any_number_of_cores() {
+    for prepared in [
+        scenes::mixed(),
+        Builder::new().mesh(scenes::grid(512)).build(),
+    ] {
+        let on_cores = |cores| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(cores).build();
+            pool.unwrap().install(|| bvh::build(&prepared, &ALL_KINDS))
+        };
+        let tree = on_cores(1);
+        assert!(tree == on_cores(2) && tree == on_cores(5));
+    }
 }
 
 /// Scenes in which all merges cost the same, and scenes of extreme size: quick to build, shallow.
