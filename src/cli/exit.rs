@@ -121,6 +121,11 @@ pub fn warn(message: &str) {
     tell(format!("warning: {message}"));
 }
 
+/// Tells what is good to know.
+pub fn note(message: &str) {
+    tell(format!("note: {message}"));
+}
+
 /// As many errors as are worth reading before some are mended. Each is drawn by going through the whole file.
 const MOST: usize = 20;
 

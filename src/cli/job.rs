@@ -3,8 +3,8 @@
 use std::time::Instant;
 
 use super::exit::{Failure, point_out, warn};
-use super::integrator;
 use super::source::Source;
+use super::{integrator, memory};
 use crate::prepared::{self, Camera, Prepared};
 use crate::render::{Job, KernelChoice, Until};
 use crate::scene::Scene;
@@ -64,6 +64,7 @@ impl Loaded {
     /// The scene by the settings of the request.
     pub fn prepare(&self, request: &Request) -> Result<Ready, Failure> {
         integrator::check(&request.settings)?;
+        memory::announce(&self.scene);
         let start = Instant::now();
         let prepared = self.prepare_in_silence(request)?;
         let prepare_s = start.elapsed().as_secs_f64();

@@ -15,6 +15,7 @@ mod export;
 mod integrator;
 mod interrupt;
 mod job;
+mod memory;
 mod progress;
 mod render;
 mod settings;

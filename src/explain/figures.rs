@@ -50,6 +50,7 @@ pub fn memory(job: &Job, plan: &Plan) -> Memory {
         tile_pixels: plan.tile_pixels,
         tiles: plan.tiles,
         scene: scene(job.prepared),
+        peak: job.prepared.peak_bytes(),
         films: plan.pixels * plan.state.film_bytes(&plan.features),
         pictures: films * plan.pixels * size_of::<[f32; 3]>() as u64,
     }

@@ -13,6 +13,7 @@ mod lights;
 pub mod material;
 mod medium;
 pub mod meeting;
+mod memory;
 pub mod patch;
 mod placed;
 mod prepare;
@@ -28,6 +29,7 @@ pub use crate::shape::{
     Sphere, Triangle,
 };
 pub use light_tree::LightTree;
+pub use memory::triangles_and_peak;
 pub use prepare::{PrepareError, prepare};
 pub use record::aim::Aim;
 pub use record::camera::Camera;

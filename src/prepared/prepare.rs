@@ -7,7 +7,8 @@ use super::light_tree::LightTree;
 use super::lights::Lights;
 use super::placed::Placed;
 use super::{
-    Camera, Material, MaterialKind, NONE, Prepared, Space, coincide, eye, material, medium, range,
+    Camera, Material, MaterialKind, NONE, Prepared, Primitives, Space, coincide, eye, material,
+    medium, memory, range,
 };
 use crate::scene::{self, MaterialKind as SceneMaterial, Scene};
 use crate::settings::Settings;
@@ -122,6 +123,14 @@ fn camera(camera: &scene::Camera, space: &Space, width: u32, height: u32) -> Cam
 }
 
 impl Prepared {
+    /// About the most bytes of the host's memory that its triangles took or will take at once, from reading to rendering.
+    pub fn peak_bytes(&self) -> u64 {
+        let Primitives {
+            triangles, normals, ..
+        } = &self.primitives;
+        memory::peak(triangles.len() as u64, !normals.is_empty())
+    }
+
     /// Whether light travels through the inside of shapes of this material.
     pub fn is_transmissive(material: &Material) -> bool {
         matches!(

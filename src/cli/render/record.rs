@@ -3,6 +3,7 @@
 use super::arguments::RenderArguments;
 use crate::cli::exit::Failure;
 use crate::cli::job::Ready;
+use crate::cli::memory;
 use crate::render::{self, Best, End, Outcome, Stats, Target};
 use crate::report::names::Named;
 use crate::report::{
@@ -66,7 +67,7 @@ pub fn record(
             kernel: kernel(arguments, &best.target, stats),
             memory: Memory {
                 device: stats.buffers.iter().map(|b| b.1).sum(),
-                peak: peak_memory(),
+                peak: memory::peak(),
             },
         },
         work: Work::new(
@@ -118,12 +119,4 @@ fn kernel(arguments: &RenderArguments, target: &Target, stats: &Stats) -> Option
         features: stats.features.clone(),
         spirv_bytes: stats.spirv_bytes,
     })
-}
-
-/// The most memory that this process has held at once, where Linux tells.
-fn peak_memory() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
-    let kib: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
-    Some(kib * 1024)
 }

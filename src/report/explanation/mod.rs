@@ -92,6 +92,8 @@ pub struct Memory {
     pub tiles: usize,
     /// The scene on the host, in f64.
     pub scene: u64,
+    /// The most that its triangles take at once, from reading to rendering.
+    pub peak: u64,
     /// The films of all tiles on the host.
     pub films: u64,
     /// The picture, and what is made beside it.

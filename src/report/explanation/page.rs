@@ -161,7 +161,7 @@ fn memory(m: &Memory) -> String {
         n => format!("{n} tiles of up to {pixels} pixels take turns"),
     };
     let host = m.scene + m.films + m.pictures;
-    let rows = [
+    let mut rows = vec![
         [
             "on the device".to_owned(),
             bytes(m.device),
@@ -178,5 +178,9 @@ fn memory(m: &Memory) -> String {
             ),
         ],
     ];
+    if m.peak > host {
+        let when = "about, while the scene is prepared".to_owned();
+        rows.push(["at most".to_owned(), bytes(m.peak), when]);
+    }
     columns(&rows, [false, true, false])
 }

@@ -11,6 +11,7 @@ mod export;
 mod help;
 mod integrator;
 mod interrupt;
+mod memory;
 mod paired;
 pub mod program;
 mod readme;
