@@ -10,6 +10,7 @@ mod gltf_writer;
 mod good;
 mod grammar;
 mod obj;
+mod obj_spellings;
 mod own;
 mod ply;
 mod ply_writer;

@@ -194,6 +194,51 @@ fn what_is_wrong_is_said_with_its_line() {
     }
 }
 
+/// Lines are read from above; what the faces name is looked for at the end, the highest first.
+#[test]
+fn of_several_faults_the_first_is_told() {
+    let rows = [
+        ("f 1 x", "its line 5 is a face of 2 corners"),
+        (
+            "f 1/x 2 0",
+            "its line 5 refers to vertex 0, and there are 4",
+        ),
+        ("f 1 2 9\nv 1 x 1", "its line 6 is not understood"),
+        ("f 1 2 9\nf 1 2 0", "its line 6 refers to vertex 0"),
+        (
+            "f 1 2 9\nf 1 2 8",
+            "its line 5 refers to vertex 9, and there are 4",
+        ),
+        (
+            "f 1 2 9\nf 1 2 9\nv 0 0 0",
+            "its line 6 refers to vertex 9, and there are 5",
+        ),
+        ("f 1//3 2 3\nf 1 2 9", "its line 6 refers to vertex 9"),
+        (
+            "v nan 0 0\nf 1 2 5\nf 1 2 6",
+            "its line 7 refers to vertex 6",
+        ),
+        ("f 1 2 4294967297", "its line 5 refers to vertex 4294967297"),
+        (
+            "\nf 1 2 \\\n0\nf 1",
+            "its line 6 refers to vertex 0, and there are 4: `f 1 2 \\`",
+        ),
+        ("vn 0x1 0 0", "its line 5 is not understood"),
+        ("v 1,5 0 0", "its line 5 is not understood"),
+        ("v 1_0 0 0", "its line 5 is not understood"),
+        ("v - 0 0", "its line 5 is not understood"),
+        ("v 1 1 1 x", "its line 5 is not understood"),
+        (
+            "vn Infinity 0 0\nf 1//1 2//1 3//1",
+            "its line 6 has a vertex that is not finite",
+        ),
+    ];
+    for (row, message) in rows {
+        let error = read(&format!("{CORNERS}{row}")).expect_err(row);
+        assert!(error.to_string().starts_with(message), "{row}: {error}");
+    }
+}
+
 #[test]
 fn damaged_files_never_panic() {
     let whole = format!(
