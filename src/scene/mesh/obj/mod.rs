@@ -1,55 +1,46 @@
-//! OBJ (Wavefront, *Object Files*, Advanced Visualizer manual, appendix B1): `v`, `vn` and `f`, over `tobj`.
+//! OBJ (Wavefront, *Object Files*, Advanced Visualizer manual, appendix B1): `v`, `vn` and `f`.
 //!
 //! All faces of a file are one mesh, whatever objects, groups and materials they stand in. A face has normals if
 //! each of its corners names one; the others are flat. Points, lines, curves, colours and textures are skipped.
 
+mod lines;
 mod statements;
 
-use std::collections::HashMap;
-
+use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
-use tobj::LoadOptions;
 
 use super::{MeshError, MeshFile, at_line, fan};
-use statements::Statements;
+use statements::{Corner, Statements};
 
 /// Reads the whole file `bytes`.
 pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
-    let mut statements = Statements::new(bytes);
-    let no_materials = |_: &std::path::Path| Ok(Default::default());
-    let loaded = tobj::load_obj_buf(&mut statements, &LoadOptions::default(), no_materials);
-    let Ok((models, _)) = loaded else {
-        let (line, what) = statements.culprit();
-        return Err(at_line(bytes, line, &what));
-    };
-    // Without objects, groups and materials there is one model.
-    let mesh = models.into_iter().next().map(|model| model.mesh);
-    assemble(&mesh.unwrap_or_default(), &statements, bytes)
+    let text = String::from_utf8_lossy(bytes);
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+    let mut statements = Statements::default();
+    for (number, line) in lines::lines(text) {
+        let read = statements.read(number, &line);
+        read.map_err(|what| at_line(bytes, number, &what))?;
+    }
+    let checked = statements.check_highest();
+    checked.map_err(|(line, what)| at_line(bytes, line, &what))?;
+    assemble(&statements, bytes)
 }
 
-/// The crate's mesh, which has an index for positions and one for normals, in the scene's form, which has one.
-fn assemble(
-    mesh: &tobj::Mesh,
-    statements: &Statements,
-    bytes: &[u8],
-) -> Result<MeshFile, MeshError> {
-    let mut vertices = Vertices::default();
-    let mut triangles = Vec::with_capacity(mesh.indices.len() / 3);
+/// The file's mesh, which has an index for positions and one for normals, in the scene's form, which has one.
+fn assemble(statements: &Statements, bytes: &[u8]) -> Result<MeshFile, MeshError> {
+    let mut vertices = Vertices::of(statements);
+    let mut triangles = Vec::with_capacity(statements.faces.len());
+    let mut corners = Vec::new();
     let mut first = 0;
-    for (i, face) in statements.faces.iter().enumerate() {
-        // No arities: all are triangles.
-        let end = first + mesh.face_arities.get(i).map_or(3, |n| *n as usize);
-        let corner = |k: usize| {
-            let normal = face.smooth.then(|| mesh.normal_indices[k]);
-            vertices.index(mesh, mesh.indices[k], normal)
-        };
-        let corners: Option<Vec<u32>> = (first..end).map(corner).collect();
-        let what = "has a vertex that is not finite in single precision";
-        fan(
-            &mut triangles,
-            &corners.ok_or_else(|| at_line(bytes, face.line, what))?,
-        );
-        first = end;
+    for face in &statements.faces {
+        corners.clear();
+        for corner in &statements.corners[first..face.end] {
+            let index = vertices.index(corner, face.smooth);
+            let what = "has a vertex that is not finite in single precision";
+            corners.push(index.ok_or_else(|| at_line(bytes, face.line, what))?);
+        }
+        fan(&mut triangles, &corners);
+        first = face.end;
     }
     if triangles.is_empty() {
         return Err(MeshError::Empty("faces"));
@@ -63,30 +54,54 @@ fn assemble(
     })
 }
 
+/// Stands for a vertex that is not made yet.
+const NONE: u32 = u32::MAX;
+
 /// The pairs of position and normal that occur.
-#[derive(Default)]
-struct Vertices {
-    known: HashMap<(u32, Option<u32>), u32>,
+struct Vertices<'a> {
+    statements: &'a Statements,
+    /// The flat vertex at each position, and the others at a position with a normal.
+    flat: Vec<u32>,
+    smooth: HashMap<(u32, u32), u32>,
     positions: Vec<DVec3>,
     normals: Vec<DVec3>,
 }
 
-impl Vertices {
-    /// The vertex at a position of the mesh, with one of its normals or flat; `None` where it is not finite.
-    fn index(&mut self, mesh: &tobj::Mesh, position: u32, normal: Option<u32>) -> Option<u32> {
-        if let Some(known) = self.known.get(&(position, normal)) {
-            return Some(*known);
+impl<'a> Vertices<'a> {
+    fn of(statements: &'a Statements) -> Self {
+        Self {
+            statements,
+            flat: vec![NONE; statements.positions.len()],
+            smooth: HashMap::new(),
+            positions: Vec::new(),
+            normals: Vec::new(),
         }
-        let triple = |all: &[f64], i: u32| DVec3::from_slice(&all[3 * i as usize..]);
-        let p = triple(&mesh.positions, position);
-        let n = normal.map_or(DVec3::ZERO, |normal| triple(&mesh.normals, normal));
-        if !(p.as_vec3().is_finite() && n.as_vec3().is_finite()) {
-            return None;
+    }
+
+    /// The vertex at a corner, with its normal or flat; `None` where it is not finite.
+    fn index(&mut self, corner: &Corner, smooth: bool) -> Option<u32> {
+        let (position, normal) = (corner.position as usize, corner.normal as usize);
+        let known = match smooth {
+            true => self
+                .smooth
+                .entry((corner.position, corner.normal))
+                .or_insert(NONE),
+            false => &mut self.flat[position],
+        };
+        if *known == NONE {
+            let p = self.statements.positions[position];
+            let n = if smooth {
+                self.statements.normals[normal]
+            } else {
+                DVec3::ZERO
+            };
+            if !(p.as_vec3().is_finite() && n.as_vec3().is_finite()) {
+                return None;
+            }
+            *known = self.positions.len() as u32;
+            self.positions.push(p);
+            self.normals.push(n.normalize_or_zero());
         }
-        let fresh = self.positions.len() as u32;
-        self.positions.push(p);
-        self.normals.push(n.normalize_or_zero());
-        self.known.insert((position, normal), fresh);
-        Some(fresh)
+        Some(*known)
     }
 }

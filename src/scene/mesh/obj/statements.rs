@@ -1,191 +1,142 @@
-//! The statements of an OBJ file that make a mesh, as `tobj` gets to read them.
-//!
-//! That crate takes a line of three points for a triangle and gives a corner without a normal its neighbour's; it
-//! computes with indices before it checks them, stops at texture coordinates and comments that it does not expect,
-//! and tells no lines. So it reads a file through this, which hands on positions, normals and faces only, checks
-//! the references, and keeps what was on which line.
+//! The statements of an OBJ file that make a mesh.
 
-use std::borrow::Cow;
-use std::io;
+use std::str::{FromStr, SplitWhitespace};
+
+use glam::DVec3;
 
 const POSITION: usize = 0;
 const NORMAL: usize = 1;
 const KINDS: [&str; 2] = ["vertex", "normal"];
 
-/// A face that was handed on.
+/// What is wrong with a line.
+type Fault = String;
+
+/// A corner of a face: places in the lists of positions and normals, which may be filled further down.
+pub(super) struct Corner {
+    pub(super) position: u32,
+    /// 0 where none is named.
+    pub(super) normal: u32,
+}
+
+/// A face; its corners begin where those of the face before end.
 pub(super) struct Face {
     /// From 1.
     pub(super) line: usize,
+    /// The end of its corners.
+    pub(super) end: usize,
     /// Each of its corners names a normal.
     pub(super) smooth: bool,
 }
 
-/// A line, and what is wrong with it.
-type Culprit = (usize, String);
-
-/// The file as `tobj` reads it: a statement a line.
-pub(super) struct Statements<'a> {
-    /// What is not yet read, and the number of lines that are.
-    rest: &'a [u8],
-    read: usize,
-    /// The statement handed on, of which `taken` bytes are read; and the line on which it begins.
-    statement: String,
-    taken: usize,
-    line: usize,
-    /// Positions and normals so far.
-    counts: [usize; 2],
-    /// The highest position and normal that a face names, and its line: they may stand further down.
-    highest: [(usize, usize); 2],
+/// Positions, normals and faces as they stand in the file.
+#[derive(Default)]
+pub(super) struct Statements {
+    pub(super) positions: Vec<DVec3>,
+    pub(super) normals: Vec<DVec3>,
+    pub(super) corners: Vec<Corner>,
     pub(super) faces: Vec<Face>,
-    culprit: Option<Culprit>,
+    /// The highest position and normal, from 1, that a face names, and its line.
+    highest: [(i64, usize); 2],
 }
 
-impl<'a> Statements<'a> {
-    pub(super) fn new(file: &'a [u8]) -> Self {
-        Self {
-            rest: file.strip_prefix("\u{feff}".as_bytes()).unwrap_or(file),
-            read: 0,
-            statement: String::new(),
-            taken: 0,
-            line: 0,
-            counts: [0; 2],
-            highest: [(0, 0); 2],
-            faces: Vec::new(),
-            culprit: None,
+impl Statements {
+    /// Takes up line `number`.
+    pub(super) fn read(&mut self, number: usize, line: &str) -> Result<(), Fault> {
+        let mut words = line.split_whitespace();
+        match words.next() {
+            Some("v") => self.positions.push(position(&mut words)?),
+            Some("vn") => self.normals.push(vector(&mut words)?),
+            Some("f") => self.face(number, words)?,
+            _ => {}
         }
+        Ok(())
     }
 
-    /// Where reading stopped, and why.
-    pub(super) fn culprit(self) -> Culprit {
-        self.culprit.unwrap_or_else(|| not_understood(self.line))
-    }
-
-    /// Goes on to the next statement; at the file's end it is empty.
-    fn advance(&mut self) -> Result<(), Culprit> {
-        self.taken = 0;
-        self.statement.clear();
-        loop {
-            self.line = self.read + 1;
-            let Some(text) = self.logical_line() else {
-                return self.check_highest();
-            };
-            let mut words: Vec<&str> = text.split_whitespace().collect();
-            match words.first() {
-                Some(&"v") => {
-                    self.counts[POSITION] += 1;
-                    // v x y z r g b …: the colour goes.
-                    if words.len() >= 7 {
-                        words.truncate(4);
-                    }
-                }
-                Some(&"vn") => self.counts[NORMAL] += 1,
-                Some(&"f") => self.face(&words[1..])?,
-                _ => continue,
-            }
-            self.statement = words.join(" ");
-            self.statement.push('\n');
-            return Ok(());
+    /// Takes up a face of corners `v`, `v/vt`, `v//vn`, `v/vt/vn`.
+    fn face(&mut self, line: usize, corners: SplitWhitespace) -> Result<(), Fault> {
+        if corners.clone().nth(2).is_none() {
+            return Err(format!("is a face of {} corners", corners.count()));
         }
-    }
-
-    /// The next line without its comment, with those that a `\` at its end joins to it.
-    fn logical_line(&mut self) -> Option<String> {
-        let mut text = String::new();
-        while !self.rest.is_empty() {
-            let end = self.rest.iter().position(|b| *b == b'\n');
-            let (line, rest) = self
-                .rest
-                .split_at(end.map_or(self.rest.len(), |end| end + 1));
-            (self.rest, self.read) = (rest, self.read + 1);
-            let line: Cow<str> = String::from_utf8_lossy(line);
-            let line = line.split('#').next().unwrap_or_default().trim();
-            let Some(joined) = line.strip_suffix('\\') else {
-                text.push_str(line);
-                return Some(text);
-            };
-            text.push_str(joined);
-            text.push(' ');
-        }
-        (!text.is_empty()).then_some(text)
-    }
-
-    /// Checks and notes a face of corners `v`, `v/vt`, `v//vn`, `v/vt/vn`.
-    fn face(&mut self, corners: &[&str]) -> Result<(), Culprit> {
-        if corners.len() < 3 {
-            return Err((self.line, format!("is a face of {} corners", corners.len())));
-        }
-        let mut smooth = true;
+        let (mut smooth, mut understood) = (true, true);
         for corner in corners {
             let mut parts = corner.split('/');
-            self.refer(POSITION, parts.next().unwrap_or_default())?;
-            match parts.nth(1) {
-                None | Some("") => smooth = false,
-                Some(normal) => self.refer(NORMAL, normal)?,
-            }
+            let position = self.refer(POSITION, parts.next().unwrap_or_default(), line)?;
+            let texture = parts.next().unwrap_or_default();
+            let normal = match parts.next() {
+                None | Some("") => {
+                    smooth = false;
+                    0
+                }
+                Some(normal) => self.refer(NORMAL, normal, line)?,
+            };
+            understood &= texture.is_empty() || texture.parse::<i64>().is_ok();
+            understood &= parts.all(str::is_empty);
+            self.corners.push(Corner { position, normal });
         }
-        let line = self.line;
-        self.faces.push(Face { line, smooth });
-        Ok(())
+        let end = self.corners.len();
+        self.faces.push(Face { line, end, smooth });
+        understood.then_some(()).ok_or_else(not_understood)
     }
 
-    /// Checks an index, counted from 1, or back from the last one above if it is negative.
-    fn refer(&mut self, kind: usize, text: &str) -> Result<(), Culprit> {
-        let index: i64 = text.parse().map_err(|_| not_understood(self.line))?;
-        let above = self.counts[kind];
-        match usize::try_from(index) {
-            Ok(0) => Err(out_of_range(self.line, kind, index, above)),
-            Ok(index) => {
-                self.highest[kind] = self.highest[kind].max((index, self.line));
-                Ok(())
-            }
-            Err(_) if index.unsigned_abs() <= above as u64 => Ok(()),
-            Err(_) => Err(out_of_range(self.line, kind, index, above)),
+    /// The place, from 0, that an index means: it counts from 1, or back from the last one above if it is negative.
+    fn refer(&mut self, kind: usize, text: &str, line: usize) -> Result<u32, Fault> {
+        let index: i64 = number(text)?;
+        let above = self.count(kind);
+        let from_1 = match index {
+            ..0 => above as i64 + 1 + index,
+            0.. => index,
+        };
+        if from_1 < 1 {
+            return Err(out_of_range(kind, index, above));
         }
+        self.highest[kind] = self.highest[kind].max((from_1, line));
+        // What does not fit is refused at the file's end.
+        Ok(u32::try_from(from_1 - 1).unwrap_or_default())
     }
 
-    /// Checks, at the file's end, what the faces name.
-    fn check_highest(&self) -> Result<(), Culprit> {
-        for (kind, ((index, line), count)) in self.highest.iter().zip(self.counts).enumerate() {
-            if *index > count {
-                return Err(out_of_range(*line, kind, *index as i64, count));
+    fn count(&self, kind: usize) -> usize {
+        [self.positions.len(), self.normals.len()][kind]
+    }
+
+    /// Checks, at the file's end, what the faces name; an error has its line.
+    pub(super) fn check_highest(&self) -> Result<(), (usize, Fault)> {
+        for (kind, (index, line)) in self.highest.into_iter().enumerate() {
+            let count = self.count(kind);
+            if index > count.min(u32::MAX as usize) as i64 {
+                return Err((line, out_of_range(kind, index, count)));
             }
         }
         Ok(())
     }
 }
 
-fn not_understood(line: usize) -> Culprit {
-    (line, "is not understood".into())
+/// x y z, or homogeneous coordinates x y z w; a colour after x y z is ignored.
+fn position(words: &mut SplitWhitespace) -> Result<DVec3, Fault> {
+    let position = vector(words)?;
+    match (words.next(), words.count()) {
+        (Some(w), 0) => match number(w)? {
+            0.0 => Err(not_understood()),
+            w => Ok(position / w),
+        },
+        (Some(_), 1) => Err(not_understood()),
+        _ => Ok(position),
+    }
 }
 
-fn out_of_range(line: usize, kind: usize, index: i64, count: usize) -> Culprit {
+fn vector(words: &mut SplitWhitespace) -> Result<DVec3, Fault> {
+    let mut component = || number(words.next().unwrap_or_default());
+    Ok(DVec3::new(component()?, component()?, component()?))
+}
+
+fn number<T: FromStr>(text: &str) -> Result<T, Fault> {
+    text.parse().map_err(|_| not_understood())
+}
+
+fn not_understood() -> Fault {
+    "is not understood".into()
+}
+
+fn out_of_range(kind: usize, index: i64, count: usize) -> Fault {
     let name = KINDS[kind];
-    (
-        line,
-        format!("refers to {name} {index}, and there are {count}"),
-    )
-}
-
-impl io::BufRead for Statements<'_> {
-    fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        if self.taken == self.statement.len() {
-            self.advance().map_err(|culprit| {
-                self.culprit = Some(culprit);
-                io::Error::from(io::ErrorKind::InvalidData)
-            })?;
-        }
-        Ok(&self.statement.as_bytes()[self.taken..])
-    }
-
-    fn consume(&mut self, amount: usize) {
-        self.taken += amount;
-    }
-}
-
-impl io::Read for Statements<'_> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let n = io::BufRead::fill_buf(self)?.read(buffer)?;
-        io::BufRead::consume(self, n);
-        Ok(n)
-    }
+    format!("refers to {name} {index}, and there are {count}")
 }
