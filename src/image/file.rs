@@ -27,6 +27,9 @@ pub fn check_writable(path: &Path) -> Result<(), FileError> {
         if path.is_dir() {
             return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a folder"));
         }
+        if is_special(path) {
+            return Ok(());
+        }
         temporary(path).map(drop)
     };
     check().map_err(|cause| FileError {
@@ -36,7 +39,7 @@ pub fn check_writable(path: &Path) -> Result<(), FileError> {
 }
 
 /// Writes what `fill` writes: to a temporary name in the same folder, renamed once all of it is there. On an
-/// error the temporary file is removed and what stood at `path` stays.
+/// error the temporary file is removed and what stood at `path` stays. Devices and pipes stay too: they are written to.
 pub fn write_whole<E>(
     path: &Path,
     fill: impl FnOnce(&mut BufWriter<fs::File>) -> Result<(), E>,
@@ -45,17 +48,31 @@ where
     E: std::error::Error + Send + Sync + 'static,
 {
     let write = || {
-        let temporary = temporary(path)?;
+        let special = is_special(path);
+        let temporary = match special {
+            true => NamedTempFile::new(),
+            false => temporary(path),
+        }?;
         let mut out = BufWriter::new(temporary.as_file().try_clone()?);
         fill(&mut out).map_err(io::Error::other)?;
         out.flush()?;
-        temporary.persist(path)?;
+        if special {
+            let mut place = fs::OpenOptions::new().write(true).open(path)?;
+            io::copy(&mut temporary.reopen()?, &mut place)?;
+        } else {
+            temporary.persist(path)?;
+        }
         Ok(())
     };
     write().map_err(|cause| FileError {
         path: path.to_owned(),
         cause,
     })
+}
+
+/// Whether a device or a pipe is there, such as /dev/null: no file may take its place.
+fn is_special(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir())
 }
 
 /// A file beside `path`, removed when dropped; it gets the permissions of any new file.
@@ -107,6 +124,19 @@ mod tests {
         write_whole(&path, |out| out.write_all(b"new")).expect("written");
         assert_eq!(fs::read(&path).expect("new file"), b"new");
         assert_eq!(names(folder.path()), ["a.png"]);
+    }
+
+    /// A link stands for the device itself, which a failing test would cost the whole machine.
+    #[cfg(unix)]
+    #[test]
+    fn a_device_stays_where_it_is() {
+        let folder = tempfile::tempdir().expect("folder");
+        let path = folder.path().join("null.png");
+        std::os::unix::fs::symlink("/dev/null", &path).expect("a link");
+        check_writable(&path).expect("writable");
+        write_whole(&path, |out| out.write_all(b"new")).expect("written");
+        assert!(is_special(&path));
+        assert_eq!(names(folder.path()), ["null.png"]);
     }
 
     #[test]
