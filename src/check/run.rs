@@ -27,36 +27,35 @@ pub struct Ran {
     pub record: Check,
     /// What a page has of each of its cases beside the figures.
     pub shown: Vec<Shown>,
+    /// Why the other cases did not run, but for a request to stop: a scene that is refused, or what the device fails by.
+    pub error: Option<CheckError>,
 }
 
 /// Runs `selected` of `all`, calling `progress` before each with the number of those done; cases that one is held against
 /// run with it. Levels are those of the whole battery, so that a verdict does not depend on the selection.
-///
-/// # Errors
-/// The first scene that is refused, or what the device fails by.
 pub fn run(
     all: &[Case],
     selected: &[&Case],
     bench: &Bench,
     progress: &mut dyn FnMut(usize, &Case),
-) -> Result<Ran, CheckError> {
+) -> Ran {
     let start = Instant::now();
     let info = bench.device.info();
     let correctly_rounded = info.kind == DeviceKind::Cpu;
     let judge = Judge::new(all.iter(), correctly_rounded);
     let mut done: HashMap<&str, Measured> = HashMap::new();
-    let (mut cases, mut shown) = (Vec::new(), Vec::new());
+    let (mut cases, mut shown, mut error) = (Vec::new(), Vec::new(), None);
     for (i, case) in selected.iter().enumerate() {
         progress(i, case);
-        for needed in needed(all, case) {
+        let measured = needed(all, case).into_iter().try_for_each(|needed| {
             if !done.contains_key(needed.name.as_str()) {
-                done.insert(
-                    &needed.name,
-                    measure(needed, bench.device, bench.kernel, bench.stop)?,
-                );
+                let measured = measure(needed, bench.device, bench.kernel, bench.stop)?;
+                done.insert(&needed.name, measured);
             }
-        }
-        if bench.stop.load(Ordering::Relaxed) {
+            Ok(())
+        });
+        error = measured.err();
+        if error.is_some() || bench.stop.load(Ordering::Relaxed) {
             break;
         }
         cases.push(record(case, &judge, &done));
@@ -75,7 +74,11 @@ pub fn run(
         passed: cases.iter().all(|c| c.passed),
         cases,
     };
-    Ok(Ran { record, shown })
+    Ran {
+        record,
+        shown,
+        error,
+    }
 }
 
 /// A case, after those that it is held against.

@@ -11,6 +11,7 @@ use super::integrator::no_eye_paths;
 use super::interrupt::stop_flag;
 use super::progress::Display;
 use crate::check::both::bidirectional;
+use crate::check::measure::CheckError;
 use crate::check::run::{Bench, run};
 use crate::check::select::select;
 use crate::check::{Case, battery};
@@ -46,7 +47,6 @@ pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
         display.case(i, selected.len(), &case.name)
     });
     display.finish();
-    let ran = ran.map_err(|e| Failure::Comparison(vec![e.to_string()]))?;
     let record = &ran.record;
     let told = match arguments.quiet {
         true => Ok(()),
@@ -58,7 +58,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
         shown: &ran.shown,
     };
     all_written(outputs::write(arguments, &sheet).into_iter().chain([told]))?;
-    ending(record)
+    ending(record, ran.error)
 }
 
 /// The command line names no case.
@@ -76,8 +76,10 @@ fn text(record: &Check) -> String {
     format!("{}, {}\n\n{}", record.device, record.driver, table(record))
 }
 
-fn ending(record: &Check) -> Result<Ending, Failure> {
-    match failures(record) {
+fn ending(record: &Check, error: Option<CheckError>) -> Result<Ending, Failure> {
+    let mut failures = failures(record);
+    failures.extend(error.map(|e| format!("{e}: the other cases did not run")));
+    match failures {
         failures if !failures.is_empty() => Err(Failure::Comparison(failures)),
         _ if record.interrupted => {
             warn("interrupted: the other cases did not run");
@@ -90,6 +92,7 @@ fn ending(record: &Check) -> Result<Ending, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gpu::GpuError;
     use crate::report::check::{CaseRecord, Held};
 
     fn record(nan: u64, interrupted: bool) -> Check {
@@ -133,11 +136,20 @@ mod tests {
 
     #[test]
     fn a_failure_ends_with_1_and_an_interruption_with_130() {
-        assert!(matches!(ending(&record(0, false)), Ok(Ending::Complete)));
-        assert!(matches!(ending(&record(0, true)), Ok(Ending::Interrupted)));
+        assert!(matches!(
+            ending(&record(0, false), None),
+            Ok(Ending::Complete)
+        ));
+        assert!(matches!(
+            ending(&record(0, true), None),
+            Ok(Ending::Interrupted)
+        ));
         for interrupted in [false, true] {
-            let failed = ending(&record(1, interrupted));
+            let failed = ending(&record(1, interrupted), None);
             assert!(matches!(failed, Err(Failure::Comparison(told)) if told.len() == 1));
         }
+        let lost = CheckError::Render("a/c".to_owned(), GpuError::Lost.into());
+        let failed = ending(&record(1, true), Some(lost));
+        assert!(matches!(failed, Err(Failure::Comparison(told)) if told.len() == 2));
     }
 }

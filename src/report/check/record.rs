@@ -15,7 +15,7 @@ pub struct Check {
     pub level: f64,
     pub alpha: f64,
     pub seconds: f64,
-    /// By ctrl-c.
+    /// By ctrl-c, or by a case that could not be run.
     pub interrupted: bool,
     pub passed: bool,
     pub cases: Vec<CaseRecord>,

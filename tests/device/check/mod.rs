@@ -43,7 +43,9 @@ fn ran_with_pictures(names: &[&str], files: &[OwnFile]) -> Option<Ran> {
         quick: true,
         stop: &stop,
     };
-    Some(run(&all, &selected, &bench, &mut |_, _| {}).expect("a run"))
+    let ran = run(&all, &selected, &bench, &mut |_, _| {});
+    assert!(ran.error.is_none(), "{:?}", ran.error);
+    Some(ran)
 }
 
 /// What the case of a run fails by.
