@@ -9,7 +9,6 @@
 //! `../shared/scenes` if there is one. Compiling is measured apart from rendering: `cold` without vkpt's and Mesa's caches
 //! (other drivers' caches are not known here), `warm` with both, after a run that fills them.
 
-mod counts;
 mod run;
 mod tables;
 
@@ -33,10 +32,6 @@ struct Arguments {
     spp: u32,
     #[arg(long, default_value = "160x120")]
     size: String,
-    /// Only compile, and write what the driver counts of its code to `counts.md` (VK_KHR_pipeline_executable_properties;
-    /// lavapipe counts nothing)
-    #[arg(long)]
-    count: bool,
     /// Another device than the best
     #[arg(long)]
     device: Option<String>,
@@ -56,11 +51,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     std::fs::create_dir_all(&arguments.out)?;
     let scenes = scenes(&arguments)?;
-    if arguments.count {
-        let table = counts::table(&scenes, arguments.device.as_deref())?;
-        std::fs::write(arguments.out.join("counts.md"), table)?;
-        return Ok(());
-    }
     let mut runs = Vec::new();
     for scene in scenes {
         eprintln!("{}", scene.display());

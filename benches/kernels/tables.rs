@@ -124,7 +124,7 @@ fn row(name: &str, cells: impl IntoIterator<Item = String>) -> Vec<String> {
     std::iter::once(name.to_owned()).chain(cells).collect()
 }
 
-pub fn table(title: &str, head: &[&str], rows: &[Vec<String>]) -> String {
+fn table(title: &str, head: &[&str], rows: &[Vec<String>]) -> String {
     let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
     let mut text = format!("## {title}\n\n");
     text += &line(head.iter().map(|h| (*h).to_owned()).collect());

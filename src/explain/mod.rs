@@ -10,7 +10,7 @@ mod setting;
 use crate::features::Member;
 use crate::kernel::{Composed, Spirv};
 use crate::render::{Job, Plan};
-use crate::report::explanation::{Explanation, Part};
+use crate::report::explanation::{Count, Explanation, Part};
 use crate::settings::Settings;
 
 /// What is explained.
@@ -39,8 +39,14 @@ pub struct Preset {
 /// A kernel and what it was compiled to.
 pub type Compiled<'a> = (&'a Plan, &'a [Spirv]);
 
-/// The whole explanation; `full` is the kernel that holds all there is, planned for the same job.
-pub fn explain(subject: &Subject, this: &[Spirv], full: Compiled) -> Explanation {
+/// The whole explanation; `full` is the kernel that holds all there is, planned for the same job; `counts` is what a driver
+/// counts of `this`, where it was asked.
+pub fn explain(
+    subject: &Subject,
+    this: &[Spirv],
+    full: Compiled,
+    counts: Option<Vec<Count>>,
+) -> Explanation {
     let prepared = subject.job.prepared;
     Explanation {
         scene: subject.scene.to_owned(),
@@ -49,6 +55,7 @@ pub fn explain(subject: &Subject, this: &[Spirv], full: Compiled) -> Explanation
         device: subject.device.to_owned(),
         parts: parts(subject),
         kernels: [(subject.plan, this), full].map(figures::kernel),
+        counts,
         buffers: figures::buffers(subject.plan),
         primitives: figures::primitives(prepared),
         hierarchy: subject.plan.hierarchy.as_ref().map(figures::hierarchy),

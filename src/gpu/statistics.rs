@@ -5,6 +5,7 @@ use std::fmt;
 
 use ash::{khr, vk};
 
+use super::device::Device;
 use super::error::GpuError;
 use super::instance::Instance;
 use super::pipeline::Pipeline;
@@ -55,6 +56,13 @@ pub(super) fn are_offered(instance: &Instance, device: vk::PhysicalDevice) -> bo
     // SAFETY: the handle comes from this instance; the device has the extension of the chained struct.
     unsafe { instance.raw.get_physical_device_features2(device, &mut all) };
     feature.pipeline_executable_info == vk::TRUE
+}
+
+impl Device {
+    /// Whether its driver counts anything, and was asked to.
+    pub fn counts(&self) -> bool {
+        self.0.statistics.is_some()
+    }
 }
 
 impl Pipeline {

@@ -38,7 +38,7 @@ pub use replicates::{Engine, Replicates, Took};
 pub use slices::WANTED as DISPATCH_TIME;
 use tiles::Tile;
 pub use trace::{Trace, chain, techniques, trace};
-pub use vulkan::DispatchLimits;
+pub use vulkan::{DispatchLimits, statistics};
 
 /// What renders.
 #[derive(Clone, Debug, PartialEq, Eq)]

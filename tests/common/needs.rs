@@ -5,6 +5,7 @@
 //! `skipped: NAME: WHY`.
 
 use std::fmt::Display;
+use std::fs;
 use std::io::Write as _;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,6 +81,19 @@ impl Need {
             self.variable()
         )
     }
+}
+
+/// radv's manifest for the loader; `None` where the run goes without.
+pub fn radv() -> Option<String> {
+    Need::Radv.find(|| {
+        let folder = "/usr/share/vulkan/icd.d";
+        let manifests = fs::read_dir(folder).map_err(|e| format!("{folder}: {e}"))?;
+        manifests
+            .flatten()
+            .map(|entry| entry.path().display().to_string())
+            .find(|path| path.contains("radeon_icd"))
+            .ok_or(format!("Mesa's radv is not in {folder}"))
+    })
 }
 
 /// Says that the running test is skipped; libtest names its thread. Written past libtest, which shows nothing that a

@@ -13,7 +13,7 @@ use vkpt::gpu::{BufferUse, Device, Options, Selector, Statistic};
 use vkpt::kernel::{Composer, Spirv, compile};
 
 use crate::common;
-use crate::common::needs::Need;
+use crate::common::needs::{Need, radv};
 
 /// x[i] ← x[i]·k + i, `steps` times, written out.
 fn kernel(steps: usize) -> Spirv {
@@ -76,19 +76,6 @@ fn lines(child: Child) -> Vec<String> {
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{text}{errors}");
     text.lines().map(str::to_owned).collect()
-}
-
-/// radv's manifest for the loader; `None` where the run goes without.
-fn radv() -> Option<String> {
-    Need::Radv.find(|| {
-        let folder = "/usr/share/vulkan/icd.d";
-        let manifests = fs::read_dir(folder).map_err(|e| format!("{folder}: {e}"))?;
-        manifests
-            .flatten()
-            .map(|entry| entry.path().display().to_string())
-            .find(|path| path.contains("radeon_icd"))
-            .ok_or(format!("Mesa's radv is not in {folder}"))
-    })
 }
 
 /// Starts to compile for a GPU that is not there. Mesa's own cache is off: what is found is found in vkpt's.

@@ -16,7 +16,7 @@ Exit codes:
     1  the kernel does not compile, which is a mistake of vkpt's
     2  the command line is wrong
     3  the scene or one of its meshes is wrong; nothing was written
-    4  there is no such Vulkan device as --device asks for
+    4  there is no such Vulkan device as --device asks for, or none for --statistics
     5  a file or stdout could not be written";
 
 /// What is to be explained.
@@ -52,6 +52,11 @@ pub struct ExplainArguments {
     /// Write the kernel's SPIR-V; - for stdout
     #[arg(long, value_name = "FILE")]
     pub spirv: Option<Destination>,
+
+    /// Have the device's driver compile the kernel, and tell what it counts of its code: registers,
+    /// instructions and the like (VK_KHR_pipeline_executable_properties)
+    #[arg(long, conflicts_with = "glsl")]
+    pub statistics: bool,
 
     #[command(flatten)]
     pub settings: SettingArguments,

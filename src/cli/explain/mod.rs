@@ -7,10 +7,11 @@ use super::destination::{self, Destination, all_written};
 use super::exit::{Ending, Failure};
 use super::job::Loaded;
 use crate::explain::{Preset, Subject, explain as explanation};
-use crate::gpu::{Device, Selector};
-use crate::kernel::Composed;
-use crate::render::{Job, KernelChoice, Plan, PlanLimits};
-use crate::report::explanation::page;
+use crate::gpu::{Device, Options, Selector, Statistic};
+use crate::kernel::{Composed, Spirv};
+use crate::render::{Job, KernelChoice, Plan, PlanLimits, statistics};
+use crate::report::explanation::{Count, page};
+use crate::settings::Integrator;
 pub use arguments::ExplainArguments;
 
 /// Prints the page, or the kernel's GLSL; writes its SPIR-V where it is asked for.
@@ -29,7 +30,10 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
         kernel: arguments.kernel,
         ..ready.job(&request)?
     };
-    let (limits, device) = limits(arguments.device.as_ref())?;
+    let device = device(arguments)?;
+    let limits = device
+        .as_ref()
+        .map_or(PlanLimits::default(), PlanLimits::of);
     let plan = Plan::new(&job, limits).map_err(Failure::Render)?;
     let spirv = plan.compile().map_err(Failure::Render)?;
     let text = if arguments.glsl {
@@ -41,6 +45,11 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
         };
         let full = Plan::new(&full, limits).map_err(Failure::Render)?;
         let full_spirv = full.compile().map_err(Failure::Render)?;
+        let counting = device.as_ref().filter(|_| arguments.statistics);
+        let counts = counting
+            .map(|device| counts(&plan, &spirv, device))
+            .transpose()?;
+        let name = device.as_ref().map_or(NO_DEVICE, |d| &d.info().name);
         let subject = Subject {
             job: &job,
             plan: &plan,
@@ -48,9 +57,9 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
             text: &loaded.text,
             preset: preset(arguments),
             auto: ready.why,
-            device: &device,
+            device: name,
         };
-        page(&explanation(&subject, &spirv, (&full, &full_spirv)))
+        page(&explanation(&subject, &spirv, (&full, &full_spirv), counts))
     };
     let to = arguments.spirv.iter().cycle();
     let written = to
@@ -79,16 +88,44 @@ fn numbered(to: &Destination, i: usize) -> Destination {
     }
 }
 
-/// Those of the device that is asked for, else of the best there is, else those of most GPUs; and whose they are.
-fn limits(device: Option<&Selector>) -> Result<(PlanLimits, String), Failure> {
-    match (Device::open(device.unwrap_or(&Selector::Best)), device) {
-        (Ok(opened), _) => Ok((PlanLimits::of(&opened), opened.info().name.clone())),
-        (Err(error), Some(_)) => Err(Failure::Render(error.into())),
-        (Err(_), None) => {
-            let name = "those of most GPUs (there is no Vulkan device here)";
-            Ok((PlanLimits::default(), name.to_owned()))
-        }
+/// Whose limits hold where there is no device.
+const NO_DEVICE: &str = "those of most GPUs (there is no Vulkan device here)";
+
+/// The device that is asked for, else the best there is; where there is none, a kernel is explained all the same.
+fn device(arguments: &ExplainArguments) -> Result<Option<Device>, Failure> {
+    let options = Options {
+        statistics: arguments.statistics,
+        ..Options::from_env()
+    };
+    let selector = arguments.device.as_ref().unwrap_or(&Selector::Best);
+    match Device::open_with(selector, options) {
+        Ok(device) => Ok(Some(device)),
+        Err(_) if arguments.device.is_none() && !arguments.statistics => Ok(None),
+        Err(error) => Err(Failure::Render(error.into())),
     }
+}
+
+/// What the driver counts of the kernels.
+fn counts(plan: &Plan, spirv: &[Spirv], device: &Device) -> Result<Vec<Count>, Failure> {
+    let names: &[&str] = match plan.features.integrator {
+        Integrator::Bidirectional => &["light paths", "eye paths"],
+        Integrator::Path | Integrator::Light => &[""],
+    };
+    let told = statistics(plan, spirv, device).map_err(|e| Failure::Render(e.into()))?;
+    let count = |kernel: &'static str, s: Statistic| Count {
+        kernel,
+        executable: s.executable,
+        name: s.name,
+        value: s.value.to_string(),
+    };
+    let told = names.iter().zip(told).flat_map(|(kernel, told)| {
+        // A hash only tells one kernel from another.
+        let told = told
+            .into_iter()
+            .filter(|s| !s.name.to_lowercase().contains("hash"));
+        told.map(move |s| count(kernel, s))
+    });
+    Ok(told.collect())
 }
 
 fn preset(arguments: &ExplainArguments) -> Preset {

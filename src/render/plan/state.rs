@@ -5,8 +5,8 @@ use crate::features::Features;
 use crate::kernel::scene::{Recording, SPLATS};
 use crate::layout::constants::bidirectional::KEPT;
 use crate::layout::{
-    BufferUse, EyeState, FilmMoments, FilmPixel, GpuStruct, LightLane, LightState, LightVertex,
-    PathOutcome, PathState, Radiance, Record, Reservoir, Splat,
+    BufferUse, EyeState, FilmMoments, FilmPixel, GpuStruct, LightLane, LightSlice, LightState,
+    LightVertex, PathOutcome, PathState, Radiance, Record, Reservoir, Slice, Splat,
 };
 use crate::render::tiles::{Tile, tiles};
 use crate::render::{Job, LightFilm};
@@ -72,6 +72,26 @@ impl StatePlan {
             Self::Path(p) => p.plans().collect(),
             Self::Light(p) => p.plans().collect(),
             Self::Bidirectional(light, eye) => light.plans().chain(eye.plans()).collect(),
+        }
+    }
+
+    /// How many of them each kernel has, in the order of their dispatches.
+    pub fn bound(&self) -> Vec<usize> {
+        match self {
+            Self::Path(p) => vec![p.plans().count()],
+            Self::Light(p) => vec![p.plans().count()],
+            // Light paths write what eye paths read; both have lanes.
+            Self::Bidirectional(light, eye) => {
+                vec![light.plans().count() + 2, eye.plans().count() + 1]
+            }
+        }
+    }
+
+    /// Bytes of what a dispatch is told.
+    pub fn push_bytes(&self) -> usize {
+        match self {
+            Self::Path(_) => size_of::<Slice>(),
+            Self::Light(_) | Self::Bidirectional(..) => size_of::<LightSlice>(),
         }
     }
 

@@ -5,12 +5,13 @@ use std::time::{Duration, Instant};
 use super::rendering::Costs;
 use super::scene_buffers::SceneBuffers;
 use crate::features::Features;
-use crate::gpu::{Buffer, BufferUse, Device, Pipeline};
+use crate::gpu::{Buffer, BufferUse, Device, GpuError, Pipeline, Statistic};
+use crate::kernel::Spirv;
 use crate::kernel::scene::Recording;
 use crate::layout::GpuStruct;
 use crate::layout::constants::workgroup::WORKGROUP;
-use crate::render::plan::{PlanLimits, ScenePlan, compiled, composed, hierarchy};
-use crate::render::{Job, RenderError};
+use crate::render::plan::{PlanLimits, ScenePlan, StatePlan, compiled, composed, hierarchy};
+use crate::render::{Job, Plan, RenderError};
 
 /// What an integrator dispatches, the arrays of the scene with it.
 pub struct Kernel<'a> {
@@ -22,15 +23,14 @@ pub struct Kernel<'a> {
 }
 
 impl<'a> Kernel<'a> {
-    /// Composes and compiles it, uploads the scene. `state`: how many arrays each of its pipelines writes, all of them in
-    /// storage; `Slice`: what a dispatch is told.
-    pub fn new<Slice: GpuStruct>(
+    /// Composes and compiles it, uploads the scene. `state`: what its pipelines write.
+    pub fn new(
         job: &Job,
         device: &'a Device,
         features: &Features,
         recording: Recording,
         read_first: bool,
-        state: &[usize],
+        state: &StatePlan,
     ) -> Result<Self, RenderError> {
         let mut costs = Costs::default();
         let start = Instant::now();
@@ -52,14 +52,7 @@ impl<'a> Kernel<'a> {
         let scene = SceneBuffers::new(device, &plan)?;
         costs.set_up.upload = start.elapsed().as_secs_f64();
         let start = Instant::now();
-        let pipeline = |(spirv, &state): (_, &usize)| {
-            let mut uses = scene.uses();
-            uses.resize(uses.len() + state, BufferUse::Storage);
-            device.pipeline(spirv, &uses, size_of::<Slice>() as u32)
-        };
-        let pipelines: Vec<_> = (spirv.iter().zip(state))
-            .map(pipeline)
-            .collect::<Result<_, _>>()?;
+        let pipelines = pipelines(device, &spirv, &scene.uses(), state)?;
         costs.set_up.pipeline = start.elapsed().as_secs_f64();
         Ok(Self {
             device,
@@ -94,4 +87,34 @@ impl<'a> Kernel<'a> {
         let entry = |b: &Buffer| (b.name().to_owned(), b.bytes());
         scene.chain(state).map(entry).collect()
     }
+}
+
+/// What the driver counts of each kernel of a plan, compiled to `spirv`: nothing is uploaded, nothing runs. Empty where it
+/// counts nothing.
+pub fn statistics(
+    plan: &Plan,
+    spirv: &[Spirv],
+    device: &Device,
+) -> Result<Vec<Vec<Statistic>>, GpuError> {
+    if !device.counts() {
+        return Ok(Vec::new());
+    }
+    let scene: Vec<_> = plan.scene.iter().map(|a| a.binding.buffer_use).collect();
+    let pipelines = pipelines(device, spirv, &scene, &plan.state)?;
+    pipelines.iter().map(Pipeline::statistics).collect()
+}
+
+/// A pipeline for each kernel: the arrays that it writes follow those of the scene.
+fn pipelines(
+    device: &Device,
+    spirv: &[Spirv],
+    scene: &[BufferUse],
+    state: &StatePlan,
+) -> Result<Vec<Pipeline>, GpuError> {
+    let pipeline = |(spirv, written): (_, usize)| {
+        let mut uses = scene.to_vec();
+        uses.resize(scene.len() + written, BufferUse::Storage);
+        device.pipeline(spirv, &uses, state.push_bytes() as u32)
+    };
+    spirv.iter().zip(state.bound()).map(pipeline).collect()
 }

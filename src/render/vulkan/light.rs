@@ -10,8 +10,7 @@ use super::rendering::{Costs, Rendering};
 use crate::features::Features;
 use crate::gpu::Device;
 use crate::kernel::scene::Recording;
-use crate::layout::LightSlice;
-use crate::render::plan::{EyePlan, LightPlan, thread_tiles};
+use crate::render::plan::{EyePlan, LightPlan, StatePlan, thread_tiles};
 use crate::render::tiles::Tile;
 use crate::render::{DispatchLimits, Job, LightFilm, RenderError};
 use crate::settings::Integrator;
@@ -127,14 +126,11 @@ impl<'a> LightRun<'a> {
         let largest = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
         let both = features.integrator == Integrator::Bidirectional;
         let (light, eye) = (LightPlan::new(largest), EyePlan::new(largest));
-        let (of_light, of_eye) = (light.plans().count(), eye.plans().count());
         let state = match both {
-            // Light paths write what eye paths read; both have lanes.
-            true => vec![of_light + 2, of_eye + 1],
-            false => vec![of_light],
+            true => StatePlan::Bidirectional(light, eye),
+            false => StatePlan::Light(light),
         };
-        let mut kernel =
-            Kernel::new::<LightSlice>(job, device, features, recording, limits.read_first, &state)?;
+        let mut kernel = Kernel::new(job, device, features, recording, limits.read_first, &state)?;
         let light = LightPaths::new(device, &light, &mut kernel)?;
         let eye = both
             .then(|| EyePaths::new(device, &eye, &mut kernel))

@@ -22,6 +22,7 @@ use crate::gpu::Device;
 use crate::kernel::scene::Recording;
 use crate::layout::Record;
 use crate::settings::Integrator;
+pub use kernel::statistics;
 use light::LightRun;
 pub use limits::DispatchLimits;
 pub use outcomes::Outcomes;

@@ -10,7 +10,7 @@ use crate::features::Features;
 use crate::gpu::{Buffer, Device};
 use crate::kernel::scene::Recording;
 use crate::layout::{PathOutcome, Record, Slice};
-use crate::render::plan::{PathPlan, thread_tiles};
+use crate::render::plan::{PathPlan, StatePlan, thread_tiles};
 use crate::render::tiles::Tile;
 use crate::render::{Job, RenderError};
 
@@ -104,14 +104,8 @@ impl<'a> PathRun<'a> {
         let largest = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
         let plan = PathPlan::new(features, largest, recording);
         let read_first = limits.read_first;
-        let mut kernel = Kernel::new::<Slice>(
-            job,
-            device,
-            features,
-            recording,
-            read_first,
-            &[plan.plans().count()],
-        )?;
+        let state = StatePlan::Path(plan);
+        let mut kernel = Kernel::new(job, device, features, recording, read_first, &state)?;
         let start = Instant::now();
         let film = DeviceFilm::new(device, &plan)?;
         let recorded = plan.recorded.map(|r| buffer(device, &r)).transpose()?;

@@ -19,6 +19,8 @@ pub struct Explanation {
     pub parts: Vec<Part>,
     /// This kernel, and the one that holds all there is.
     pub kernels: [KernelSize; 2],
+    /// What the driver counts of its code for this kernel; `None` where that was not asked.
+    pub counts: Option<Vec<Count>>,
     /// In the order of their bindings.
     pub buffers: Vec<Buffer>,
     /// Primitives of all shapes: a triangle, or a shape that is no mesh.
@@ -52,6 +54,17 @@ pub struct KernelSize {
     pub functions: usize,
     pub spirv_bytes: usize,
     pub instructions: usize,
+}
+
+/// One number of a driver's code, by the driver's own name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Count {
+    /// Which paths the kernel follows, where there are two.
+    pub kernel: &'static str,
+    /// Drivers may compile a kernel several times.
+    pub executable: String,
+    pub name: String,
+    pub value: String,
 }
 
 /// An array on the device.

@@ -1,12 +1,16 @@
 //! The page that `vkpt explain` prints.
 
-use super::{Buffer, Explanation, KernelSize, Memory, Part};
+use super::{Buffer, Count, Explanation, KernelSize, Memory, Part};
 use crate::report::human::{bytes, plural, thousands};
 use crate::report::table::{columns, hanging, once};
 
 /// All of it, at most 100 characters a line.
 pub fn page(e: &Explanation) -> String {
     let (present, absent): (Vec<&Part>, Vec<&Part>) = e.parts.iter().partition(|p| p.present);
+    let counts = e
+        .counts
+        .as_ref()
+        .map(|c| section(&format!("What {} counts of its code", e.device), &counts(c)));
     let sections = [
         head(e),
         section(
@@ -22,6 +26,7 @@ pub fn page(e: &Explanation) -> String {
         section("Buffers on the device", &buffers(&e.buffers)),
         section("Expected memory", &memory(&e.memory)),
     ];
+    let sections: Vec<String> = sections.into_iter().chain(counts).collect();
     sections.join("\n")
 }
 
@@ -95,6 +100,30 @@ fn sizes([this, full]: &[KernelSize; 2]) -> String {
         row("instructions", &|k| k.instructions),
     ];
     columns(&rows, [false, true, true, true])
+}
+
+fn counts(counts: &[Count]) -> String {
+    if counts.is_empty() {
+        return "  nothing: the driver lacks VK_KHR_pipeline_executable_properties\n".to_owned();
+    }
+    let row = |i: usize| {
+        let Count {
+            kernel,
+            executable,
+            name,
+            value,
+        } = &counts[i];
+        let first = i == 0
+            || [kernel, executable.as_str()] != [counts[i - 1].kernel, &counts[i - 1].executable];
+        let of = format!("{kernel} {executable}").trim().to_owned();
+        [
+            if first { of } else { String::new() },
+            name.clone(),
+            value.clone(),
+        ]
+    };
+    let rows: Vec<_> = (0..counts.len()).map(row).collect();
+    columns(&rows, [false, false, true])
 }
 
 fn search(e: &Explanation) -> String {

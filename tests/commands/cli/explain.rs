@@ -5,8 +5,9 @@ use std::path::Path;
 
 use vkpt::settings::Settings;
 
-use super::program::{SCENE, command, folder, names, run, without_vulkan};
+use super::program::{SCENE, command, finish, folder, names, run, without_vulkan};
 use crate::common;
+use crate::common::needs::radv;
 use crate::common::render::job;
 use crate::common::spirv_tools::tool;
 
@@ -70,10 +71,10 @@ fn no_device_is_needed_but_one_that_is_asked_for_must_be_there() {
         out.contains("1,048,576") || out.contains("48 pixels"),
         "{out}"
     );
-    assert_eq!(
-        without(&["explain", "scene.scn", "--device", "0"]).0,
-        Some(4)
-    );
+    for asked in [&["--device", "0"][..], &["--statistics"]] {
+        let arguments = [&["explain", "scene.scn"], asked].concat();
+        assert_eq!(without(&arguments).0, Some(4), "{asked:?}");
+    }
 }
 
 #[test]
@@ -117,6 +118,53 @@ fn each_of_two_kernels_has_a_file() {
         let module = fs::read(folder.path().join(name)).expect("a module");
         tool("spirv-val", &["--target-env", "vulkan1.1"], &module);
     }
+}
+
+/// radv compiles for an AMD GPU that is not there, which has no memory and so renders nothing.
+#[test]
+fn the_drivers_statistics_are_told_for_each_kernel() {
+    let Some(radv) = radv() else { return };
+    let folder = folder(SCENE);
+    let told = |integrator: &str| {
+        let arguments = [
+            "explain",
+            "scene.scn",
+            "--statistics",
+            "--integrator",
+            integrator,
+        ];
+        let run = finish(
+            command(folder.path(), &arguments)
+                .env("RADV_FORCE_FAMILY", "navi21")
+                .env("VK_DRIVER_FILES", &radv)
+                .env("VK_ICD_FILENAMES", &radv)
+                .env("VKPT_CACHE", ""),
+        );
+        assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{}", run.out);
+        let section = run.out.split("What Null hardware").nth(1);
+        section.expect("a section").to_owned()
+    };
+    let (path, both) = (told("path"), told("bidirectional"));
+    assert_eq!(path.matches("Spilled VGPRs").count(), 1, "{path}");
+    assert_eq!(both.matches("Spilled VGPRs").count(), 2, "{both}");
+    for words in ["light paths Compute Shader", "eye paths Compute Shader"] {
+        assert!(both.contains(words), "{both}");
+    }
+}
+
+#[test]
+fn a_driver_that_counts_nothing_says_so() {
+    let Some(_) = common::cpu_driver() else {
+        return;
+    };
+    let folder = folder(SCENE);
+    let run = run(folder.path(), &["explain", "scene.scn", "--statistics"]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""));
+    assert!(
+        run.out.contains("counts of its code\n  nothing: "),
+        "{}",
+        run.out
+    );
 }
 
 #[test]
