@@ -1,13 +1,14 @@
 //! `scripts/test`: what it installs, what it says, and what it hands to cargo. It runs in a PATH of its own, whose cargo
 //! and apt-get only write down that they were called.
-#![cfg(unix)]
 
 use std::fs;
-use std::os::unix::fs::{PermissionsExt, symlink};
+use std::os::unix::fs::symlink;
 use std::path::Path;
 use std::process::Command;
 
 use tempfile::TempDir;
+
+use super::program::program;
 
 /// Programs that say who was called. There is a Vulkan device once its driver is installed.
 const CARGO: &str = r#"echo "cargo $*" >>"$CALLS"
@@ -40,9 +41,7 @@ impl Machine {
             symlink(found, folder.path().join(name)).expect("a link");
         }
         for (name, body) in programs {
-            let path = folder.path().join(name);
-            fs::write(&path, format!("#!/usr/bin/env bash\n{body}\n")).expect("a program");
-            fs::set_permissions(path, fs::Permissions::from_mode(0o755)).expect("a program");
+            program(folder.path(), name, body);
         }
         Self { folder }
     }
