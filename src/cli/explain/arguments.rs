@@ -53,8 +53,8 @@ pub struct ExplainArguments {
     #[arg(long, value_name = "FILE")]
     pub spirv: Option<Destination>,
 
-    /// Have the device's driver compile the kernel, and tell what it counts of its code: registers,
-    /// instructions and the like (VK_KHR_pipeline_executable_properties)
+    /// Compile the kernel for the device and print the driver's counts for its code: registers,
+    /// spills, instructions (VK_KHR_pipeline_executable_properties)
     #[arg(long, conflicts_with = "glsl")]
     pub statistics: bool,
 
