@@ -75,10 +75,7 @@ impl Tree {
         };
         let leaves = boxes.len().div_ceil(LEAF).next_power_of_two();
         tree.levels = vec![vec![Extent::EMPTY; leaves]];
-        let around = |k| {
-            let extents = tree.leaf(k).iter().map(|item| item.extent);
-            extents.fold(Extent::EMPTY, Extent::union)
-        };
+        let around = |k| tree.leaf(k).iter().map(|item| item.extent).collect();
         tree.levels[0] = (0..leaves).into_par_iter().map(around).collect();
         while let Some(children) = tree.levels.last().filter(|level| level.len() > 1) {
             let parents = children.par_chunks(2).map(|two| two[0].union(two[1]));

@@ -12,7 +12,7 @@ mod light_tree;
 mod lights;
 pub mod material;
 mod medium;
-pub mod meeting;
+mod meeting;
 mod memory;
 pub mod patch;
 mod placed;

@@ -70,6 +70,13 @@ impl Extent {
     }
 }
 
+/// The smallest box that contains all; empty of none.
+impl FromIterator<Extent> for Extent {
+    fn from_iter<I: IntoIterator<Item = Self>>(all: I) -> Self {
+        all.into_iter().fold(Self::EMPTY, Self::union)
+    }
+}
+
 /// The largest `f32` that is not above `x`.
 fn round_down(x: f64) -> f32 {
     let y = x as f32;

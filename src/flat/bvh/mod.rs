@@ -90,7 +90,7 @@ fn node_bounds(nodes: &[CwBvhNode], primitives: &[Extent]) -> Vec<Extent> {
         boxes[i] = child_bounds(node, &boxes, primitives)
             .into_iter()
             .flatten()
-            .fold(Extent::EMPTY, Extent::union);
+            .collect();
     }
     boxes
 }
@@ -103,12 +103,7 @@ fn child_bounds(node: &CwBvhNode, boxes: &[Extent], primitives: &[Extent]) -> [O
         } else if node.is_leaf(slot) {
             let (first, count) = node.child_primitives(slot);
             let range = first as usize..(first + count) as usize;
-            Some(
-                primitives[range]
-                    .iter()
-                    .copied()
-                    .fold(Extent::EMPTY, Extent::union),
-            )
+            Some(primitives[range].iter().copied().collect())
         } else {
             Some(boxes[node.child_node_index(slot) as usize])
         }

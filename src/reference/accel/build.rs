@@ -42,9 +42,7 @@ struct Set<'a> {
 
 impl<'a> Set<'a> {
     fn new(items: &'a mut [Item]) -> Self {
-        let extent = items
-            .iter()
-            .fold(Extent::EMPTY, |all, item| all.union(item.extent));
+        let extent = items.iter().map(|item| item.extent).collect();
         Self { items, extent }
     }
 }

@@ -22,8 +22,7 @@ const SERIAL: usize = 1 << 14;
 /// parts; `None` if all centres coincide.
 pub fn split(items: &mut [Item]) -> Option<(usize, [Extent; 2])> {
     let centre = |item: &Item| Extent::point(item.extent.twice_centre());
-    let around_centres =
-        |items: &[Item]| items.iter().map(centre).fold(Extent::EMPTY, Extent::union);
+    let around_centres = |items: &[Item]| items.iter().map(centre).collect();
     let bins = Bins::of(over_parts(items, around_centres, Extent::union));
     let filled = over_parts(items, |part| bins.fill(part), merge);
     let Plane { axis, bin, extents } = cheapest_plane(&filled)?;
@@ -37,18 +36,17 @@ pub fn split(items: &mut [Item]) -> Option<(usize, [Extent; 2])> {
     Some((first, extents))
 }
 
-/// What `of_part` makes of all items: by parts and merged where they are many.
+/// What `of_part` makes of all items: by parts and merged where they are many. Of no items it is neutral.
 fn over_parts<T: Send>(
     items: &[Item],
     of_part: impl Fn(&[Item]) -> T + Sync,
     merge: impl Fn(T, T) -> T + Sync + Send,
 ) -> T {
-    let parts = items.par_chunks(SERIAL);
-    match items.len() > SERIAL {
-        true => parts.map(&of_part).reduce_with(merge),
-        false => None,
+    if items.len() <= SERIAL {
+        return of_part(items);
     }
-    .unwrap_or_else(|| of_part(items))
+    let parts = items.par_chunks(SERIAL).map(&of_part);
+    parts.reduce(|| of_part(&[]), merge)
 }
 
 /// The bins between the least and the largest centre.
