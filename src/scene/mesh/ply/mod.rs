@@ -12,6 +12,7 @@ use ply_rs_bw::ply::{ElementDef, Header, PropertyAccess};
 use element::{Face, Other, Vertex};
 use header::{check_names, has, least_size};
 
+use super::left_out::LeftOut;
 use super::{MeshError, MeshFile, at_line, fan, polygon};
 
 /// Reads the whole file `bytes`.
@@ -45,7 +46,7 @@ fn assemble(
     faces: &[Face],
     with_normals: bool,
 ) -> Result<MeshFile, MeshError> {
-    let finite = |v: &Vertex| v.position.as_vec3().is_finite() && v.normal.as_vec3().is_finite();
+    let finite = |v: &Vertex| v.position.as_vec3().is_finite();
     if let Some(bad) = vertices.iter().position(|v| !finite(v)) {
         return Err(MeshError::NotFinite(bad));
     }
@@ -59,16 +60,14 @@ fn assemble(
     if triangles.is_empty() {
         return Err(MeshError::Empty("faces"));
     }
+    let mut left_out = LeftOut::default();
+    let normals =
+        with_normals.then(|| left_out.directions(vertices.iter().map(|v| v.normal), &triangles));
     Ok(MeshFile {
         positions: vertices.iter().map(|v| v.position).collect(),
-        normals: with_normals.then(|| {
-            vertices
-                .iter()
-                .map(|v| v.normal.normalize_or_zero())
-                .collect()
-        }),
+        normals,
         triangles,
-        warnings: Vec::new(),
+        warnings: left_out.warnings(),
     })
 }
 

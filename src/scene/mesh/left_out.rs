@@ -1,0 +1,70 @@
+//! What a reader leaves out of a file, counted for its warnings.
+
+use glam::DVec3;
+
+/// What was left out so far.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct LeftOut {
+    /// Faces of fewer than three corners.
+    pub(super) faces: usize,
+    /// Normals without a direction.
+    pub(super) normals: usize,
+}
+
+impl LeftOut {
+    /// A normal as the scene has it: of unit length, or zero, and counted, where the file's has no direction.
+    /// Exporters write NaN or zero for vertices of faces without an area.
+    pub(super) fn direction(&mut self, normal: DVec3) -> DVec3 {
+        let unit = unit_or_zero(normal);
+        self.normals += usize::from(unit == DVec3::ZERO);
+        unit
+    }
+
+    /// The normals of vertices, as [`Self::direction`]; those that no triangle uses are not counted.
+    pub(super) fn directions(
+        &mut self,
+        normals: impl Iterator<Item = DVec3>,
+        triangles: &[[u32; 3]],
+    ) -> Vec<DVec3> {
+        let units: Vec<DVec3> = normals.map(unit_or_zero).collect();
+        if units.contains(&DVec3::ZERO) {
+            let mut used = vec![false; units.len()];
+            for corner in triangles.as_flattened() {
+                used[*corner as usize] = true;
+            }
+            let without = units
+                .iter()
+                .zip(used)
+                .filter(|(n, used)| *used && **n == DVec3::ZERO);
+            self.normals += without.count();
+        }
+        units
+    }
+
+    /// A sentence for each kind of thing that was left out.
+    pub(super) fn warnings(self) -> Vec<String> {
+        let count = |n: usize, one: &str, more: &str| match n {
+            0 => None,
+            1 => Some(format!("1 {one}")),
+            n => Some(format!("{n} {more}")),
+        };
+        let faces = count(
+            self.faces,
+            "face of fewer than three corners is left out",
+            "faces of fewer than three corners are left out",
+        );
+        let normals = count(
+            self.normals,
+            "normal is zero or not finite: the faces' own normals are used there",
+            "normals are zero or not finite: the faces' own normals are used there",
+        );
+        faces.into_iter().chain(normals).collect()
+    }
+}
+
+fn unit_or_zero(normal: DVec3) -> DVec3 {
+    match normal.is_finite() {
+        true => normal.normalize_or_zero(),
+        false => DVec3::ZERO,
+    }
+}
