@@ -9,6 +9,8 @@ pub(super) struct LeftOut {
     pub(super) faces: usize,
     /// Normals without a direction.
     pub(super) normals: usize,
+    /// Corners that name a normal which is not there.
+    pub(super) references: usize,
 }
 
 impl LeftOut {
@@ -58,7 +60,12 @@ impl LeftOut {
             "normal is zero or not finite: the faces' own normals are used there",
             "normals are zero or not finite: the faces' own normals are used there",
         );
-        faces.into_iter().chain(normals).collect()
+        let references = count(
+            self.references,
+            "corner names a normal that the file lacks: the face's own normal is used there",
+            "corners name normals that the file lacks: the faces' own normals are used there",
+        );
+        [faces, normals, references].into_iter().flatten().collect()
     }
 }
 

@@ -4,13 +4,13 @@ mod gltf;
 mod left_out;
 mod obj;
 mod ply;
+mod polygon;
+mod text;
 
 use std::io;
 use std::path::Path;
 
 use glam::DVec3;
-
-use super::text::quote;
 
 /// The formats that [`read_mesh`] reads, as messages name them.
 pub const MESH_FORMATS: &str = "PLY (.ply), OBJ (.obj), glTF (.gltf, .glb)";
@@ -53,8 +53,8 @@ pub enum MeshError {
         index: i64,
         vertices: usize,
     },
-    #[error("face {face} (from 0) has {corners} corners")]
-    NoPolygon { face: usize, corners: usize },
+    #[error("face {0} (from 0) crosses itself")]
+    Crossing(usize),
     #[error("it has no {0}")]
     Empty(&'static str),
 }
@@ -77,11 +77,12 @@ pub fn read_mesh(path: &Path) -> Result<MeshFile, MeshError> {
 }
 
 /// Reads the mesh that `bytes` hold, in the format that the ending of `path` tells; buffers of a glTF file are
-/// looked for beside `path`.
+/// looked for beside `path`. A byte order mark is skipped.
 ///
 /// # Errors
 /// As [`read_mesh`].
 pub fn parse_mesh(bytes: &[u8], path: &Path) -> Result<MeshFile, MeshError> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     match format(path)? {
         Format::Ply => ply::read(bytes),
         Format::Obj => obj::read(bytes),
@@ -107,35 +108,25 @@ fn format(path: &Path) -> Result<Format, MeshError> {
     }
 }
 
-/// The corners of a polygon, as indices of vertices that there are.
-fn polygon(face: usize, corners: &[i64], vertices: usize) -> Result<Vec<u32>, MeshError> {
-    let index = |&index: &i64| match u32::try_from(index) {
-        Ok(i) if (i as usize) < vertices => Ok(i),
-        _ => Err(MeshError::BadIndex {
-            face,
-            index,
-            vertices,
-        }),
-    };
-    let checked = corners.iter().map(index).collect::<Result<Vec<_>, _>>()?;
-    match checked.len() {
-        corners @ 0..3 => Err(MeshError::NoPolygon { face, corners }),
-        _ => Ok(checked),
+/// Puts the corners of a face, which must be indices of vertices, in place of what `checked` has.
+fn corners(
+    face: usize,
+    indices: &[i64],
+    vertices: usize,
+    checked: &mut Vec<u32>,
+) -> Result<(), MeshError> {
+    checked.clear();
+    for &index in indices {
+        match u32::try_from(index) {
+            Ok(i) if (i as usize) < vertices => checked.push(i),
+            _ => {
+                return Err(MeshError::BadIndex {
+                    face,
+                    index,
+                    vertices,
+                });
+            }
+        }
     }
-}
-
-/// Appends the triangles of a polygon of three corners or more: a fan about its first corner.
-fn fan(triangles: &mut Vec<[u32; 3]>, corners: &[u32]) {
-    let pairs = corners[1..].windows(2);
-    triangles.extend(pairs.map(|pair| [corners[0], pair[0], pair[1]]));
-}
-
-/// What is wrong with line `number` (from 1) of the text `bytes`, which is quoted.
-fn at_line(bytes: &[u8], number: usize, what: &str) -> MeshError {
-    let line = bytes
-        .split(|b| *b == b'\n')
-        .nth(number.saturating_sub(1))
-        .unwrap_or_default();
-    let quoted = quote(&String::from_utf8_lossy(line));
-    MeshError::Malformed(format!("its line {number} {what}: `{quoted}`"))
+    Ok(())
 }

@@ -11,9 +11,11 @@ mod good;
 mod grammar;
 mod obj;
 mod obj_spellings;
+mod oddities;
 mod own;
 mod ply;
 mod ply_writer;
+mod polygons;
 mod rendering;
 mod trimesh;
 

@@ -23,10 +23,18 @@ impl Meant {
             let count = least + random.below(most - least + 1);
             (0..count).map(|_| vector(random)).collect()
         };
-        let (positions, normals) = (vectors(1, 6), vectors(0, 3));
+        let (mut positions, normals) = (vectors(1, 6), vectors(0, 3));
+        // Corners on a parabola, named in their order, make convex polygons, which are fans.
+        let convex = random.below(2) == 0;
+        if convex {
+            let scale = 1.0 + random.below(9) as f64 / 8.0;
+            for (k, p) in positions.iter_mut().enumerate() {
+                *p = scale * DVec3::new(k as f64, 0.5, (k * k) as f64);
+            }
+        }
         let mut face = || {
             let with_normals = random.below(3);
-            let count = 3 + random.below(4);
+            let count = if convex { 3 + random.below(4) } else { 3 };
             let mut corner = || {
                 let named = match with_normals {
                     _ if normals.is_empty() => false,
@@ -36,7 +44,11 @@ impl Meant {
                 let position = random.below(positions.len());
                 (position, named.then(|| random.below(normals.len())))
             };
-            (0..count).map(|_| corner()).collect()
+            let mut corners: Vec<Corner> = (0..count).map(|_| corner()).collect();
+            if convex {
+                corners.sort_by_key(|(position, _)| *position);
+            }
+            corners
         };
         let faces = (0..5).map(|_| face()).collect();
         Self {
@@ -70,11 +82,25 @@ impl Meant {
         let unit = |n: usize| self.normals[n].normalize_or_zero();
         let normals = pairs.iter().map(|(_, n)| n.map_or(DVec3::ZERO, unit));
         let smooth = pairs.iter().any(|(_, n)| n.is_some());
+        let zero = pairs
+            .iter()
+            .filter_map(|(_, n)| *n)
+            .filter(|n| unit(*n) == DVec3::ZERO)
+            .count();
+        let warning = match zero {
+            0 => None,
+            1 => {
+                Some("1 normal is zero or not finite: the faces' own normals are used there".into())
+            }
+            n => Some(format!(
+                "{n} normals are zero or not finite: the faces' own normals are used there"
+            )),
+        };
         MeshFile {
             positions: pairs.iter().map(|(p, _)| self.positions[*p]).collect(),
             normals: smooth.then(|| normals.collect()),
             triangles,
-            warnings: Vec::new(),
+            warnings: warning.into_iter().collect(),
         }
     }
 

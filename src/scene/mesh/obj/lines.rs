@@ -1,23 +1,28 @@
-//! The lines of an OBJ file.
+//! The lines of an OBJ file, as its statements have them.
 
 use std::borrow::Cow;
 use std::iter;
 
+use memchr::memchr_iter;
+
+use crate::scene::mesh::text::lines;
+
 /// The lines of `text` without their comments, each with its number, from 1; one that ends in `\` is joined to the next.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
-    let mut lines = (1..).zip(text.split('\n').map(without_comment));
+/// Only comments and names may have bytes that are not UTF-8.
+pub(super) fn statements(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
+    let mut lines = (1..).zip(lines(text).map(without_comment));
     iter::from_fn(move || {
         let (number, first) = lines.next()?;
-        let Some(first) = first.strip_suffix('\\') else {
-            return Some((number, first.into()));
+        let Some(first_part) = first.strip_suffix('\\') else {
+            return Some((number, first));
         };
-        let mut joined = first.to_owned();
+        let mut joined = first_part.to_owned();
         for (_, next) in lines.by_ref() {
             joined.push(' ');
             match next.strip_suffix('\\') {
                 Some(next) => joined.push_str(next),
                 None => {
-                    joined.push_str(next);
+                    joined.push_str(&next);
                     break;
                 }
             }
@@ -26,6 +31,16 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     })
 }
 
-fn without_comment(line: &str) -> &str {
-    line.split('#').next().unwrap_or_default().trim()
+fn without_comment(line: &[u8]) -> Cow<'_, str> {
+    let mut signs = memchr_iter(b'#', line);
+    let end = signs.find(|&i| !is_in_a_number(line, i));
+    let statement = &line[..end.unwrap_or(line.len())];
+    String::from_utf8_lossy(statement.trim_ascii())
+}
+
+/// Windows writes NaN and infinity as `1.#QNAN`, `1.#IND` and `1.#INF`.
+fn is_in_a_number(line: &[u8], i: usize) -> bool {
+    let (before, behind) = (&line[..i], &line[i + 1..]);
+    let words = [&b"QNAN"[..], b"SNAN", b"IND", b"INF"];
+    before.ends_with(b"1.") && words.iter().any(|word| behind.starts_with(word))
 }

@@ -1,7 +1,7 @@
 //! OBJ (Wavefront, *Object Files*, Advanced Visualizer manual, appendix B1): `v`, `vn` and `f`.
 //!
 //! All faces of a file are one mesh, whatever objects, groups and materials they stand in. A face has normals if
-//! each of its corners names one; the others are flat. Points, lines, curves, colours and textures are skipped.
+//! each of its corners names one that is there; the others are flat. Points, lines, curves, colours and textures are skipped.
 
 mod lines;
 mod statements;
@@ -9,15 +9,16 @@ mod statements;
 use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
-use super::{MeshError, MeshFile, at_line, fan};
+use super::left_out::LeftOut;
+use super::polygon::{Crossing, cut};
+use super::text::at_line;
+use super::{MeshError, MeshFile};
 use statements::{Corner, Statements};
 
 /// Reads the whole file `bytes`.
 pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
-    let text = String::from_utf8_lossy(bytes);
-    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     let mut statements = Statements::default();
-    for (number, line) in lines::lines(text) {
+    for (number, line) in lines::statements(bytes) {
         let read = statements.read(number, &line);
         read.map_err(|what| at_line(bytes, number, &what))?;
     }
@@ -29,28 +30,39 @@ pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
 /// The file's mesh, which has an index for positions and one for normals, in the scene's form, which has one.
 fn assemble(statements: &Statements, bytes: &[u8]) -> Result<MeshFile, MeshError> {
     let mut vertices = Vertices::of(statements);
+    let mut left_out = statements.left_out;
     let mut triangles = Vec::with_capacity(statements.faces.len());
     let mut corners = Vec::new();
-    let mut first = 0;
+    let (mut first, mut any_smooth) = (0, false);
     for face in &statements.faces {
         corners.clear();
-        for corner in &statements.corners[first..face.end] {
-            let index = vertices.index(corner, face.smooth);
+        let of_face = &statements.corners[first..face.end];
+        first = face.end;
+        let missing = if face.smooth {
+            statements.without_normal(of_face)
+        } else {
+            0
+        };
+        left_out.references += missing;
+        let smooth = face.smooth && missing == 0;
+        any_smooth |= smooth;
+        for corner in of_face {
+            let index = vertices.index(corner, smooth, &mut left_out);
             let what = "has a vertex that is not finite in single precision";
             corners.push(index.ok_or_else(|| at_line(bytes, face.line, what))?);
         }
-        fan(&mut triangles, &corners);
-        first = face.end;
+        let cut = cut(&corners, |i| vertices.positions[i as usize], &mut triangles);
+        cut.map_err(|Crossing| at_line(bytes, face.line, "is a face that crosses itself"))?;
     }
     if triangles.is_empty() {
         return Err(MeshError::Empty("faces"));
     }
-    let smooth = statements.faces.iter().any(|face| face.smooth);
+    let warnings = left_out.warnings();
     Ok(MeshFile {
         positions: vertices.positions,
-        normals: smooth.then_some(vertices.normals),
+        normals: any_smooth.then_some(vertices.normals),
         triangles,
-        warnings: Vec::new(),
+        warnings,
     })
 }
 
@@ -79,7 +91,7 @@ impl<'a> Vertices<'a> {
     }
 
     /// The vertex at a corner, with its normal or flat; `None` where it is not finite.
-    fn index(&mut self, corner: &Corner, smooth: bool) -> Option<u32> {
+    fn index(&mut self, corner: &Corner, smooth: bool, left_out: &mut LeftOut) -> Option<u32> {
         let (position, normal) = (corner.position as usize, corner.normal as usize);
         let known = match smooth {
             true => self
@@ -90,17 +102,15 @@ impl<'a> Vertices<'a> {
         };
         if *known == NONE {
             let p = self.statements.positions[position];
-            let n = if smooth {
-                self.statements.normals[normal]
-            } else {
-                DVec3::ZERO
-            };
-            if !(p.as_vec3().is_finite() && n.as_vec3().is_finite()) {
+            if !p.as_vec3().is_finite() {
                 return None;
             }
             *known = self.positions.len() as u32;
             self.positions.push(p);
-            self.normals.push(n.normalize_or_zero());
+            self.normals.push(match smooth {
+                true => left_out.direction(self.statements.normals[normal]),
+                false => DVec3::ZERO,
+            });
         }
         Some(*known)
     }

@@ -1,12 +1,11 @@
 //! The statements of an OBJ file that make a mesh.
 
-use std::str::{FromStr, SplitWhitespace};
+use std::str::SplitWhitespace;
 
 use glam::DVec3;
 
-const POSITION: usize = 0;
-const NORMAL: usize = 1;
-const KINDS: [&str; 2] = ["vertex", "normal"];
+use crate::scene::mesh::left_out::LeftOut;
+use crate::scene::mesh::text::float;
 
 /// What is wrong with a line.
 type Fault = String;
@@ -14,7 +13,7 @@ type Fault = String;
 /// A corner of a face: places in the lists of positions and normals, which may be filled further down.
 pub(super) struct Corner {
     pub(super) position: u32,
-    /// 0 where none is named.
+    /// 0 where none is named. It may be beyond the list's end.
     pub(super) normal: u32,
 }
 
@@ -35,8 +34,9 @@ pub(super) struct Statements {
     pub(super) normals: Vec<DVec3>,
     pub(super) corners: Vec<Corner>,
     pub(super) faces: Vec<Face>,
-    /// The highest position and normal, from 1, that a face names, and its line.
-    highest: [(i64, usize); 2],
+    pub(super) left_out: LeftOut,
+    /// The highest position, from 1, that a face names, and its line.
+    highest: (i64, usize),
 }
 
 impl Statements {
@@ -55,19 +55,20 @@ impl Statements {
     /// Takes up a face of corners `v`, `v/vt`, `v//vn`, `v/vt/vn`.
     fn face(&mut self, line: usize, corners: SplitWhitespace) -> Result<(), Fault> {
         if corners.clone().nth(2).is_none() {
-            return Err(format!("is a face of {} corners", corners.count()));
+            self.left_out.faces += 1;
+            return Ok(());
         }
         let (mut smooth, mut understood) = (true, true);
         for corner in corners {
             let mut parts = corner.split('/');
-            let position = self.refer(POSITION, parts.next().unwrap_or_default(), line)?;
+            let position = self.position(parts.next().unwrap_or_default(), line)?;
             let texture = parts.next().unwrap_or_default();
             let normal = match parts.next() {
                 None | Some("") => {
                     smooth = false;
                     0
                 }
-                Some(normal) => self.refer(NORMAL, normal, line)?,
+                Some(normal) => place(number(normal)?, self.normals.len()).unwrap_or(u32::MAX),
             };
             understood &= texture.is_empty() || texture.parse::<i64>().is_ok();
             understood &= parts.all(str::is_empty);
@@ -78,43 +79,45 @@ impl Statements {
         understood.then_some(()).ok_or_else(not_understood)
     }
 
-    /// The place, from 0, that an index means: it counts from 1, or back from the last one above if it is negative.
-    fn refer(&mut self, kind: usize, text: &str, line: usize) -> Result<u32, Fault> {
-        let index: i64 = number(text)?;
-        let above = self.count(kind);
-        let from_1 = match index {
-            ..0 => above as i64 + 1 + index,
-            0.. => index,
-        };
-        if from_1 < 1 {
-            return Err(out_of_range(kind, index, above));
-        }
-        self.highest[kind] = self.highest[kind].max((from_1, line));
-        // What does not fit is refused at the file's end.
-        Ok(u32::try_from(from_1 - 1).unwrap_or_default())
-    }
-
-    fn count(&self, kind: usize) -> usize {
-        [self.positions.len(), self.normals.len()][kind]
+    /// The place of the position that an index means; whether it is there is known at the file's end.
+    fn position(&mut self, text: &str, line: usize) -> Result<u32, Fault> {
+        let index = number(text)?;
+        let above = self.positions.len();
+        let place = place(index, above).ok_or_else(|| out_of_range(index, above))?;
+        self.highest = self.highest.max((i64::from(place) + 1, line));
+        Ok(place)
     }
 
     /// Checks, at the file's end, what the faces name; an error has its line.
     pub(super) fn check_highest(&self) -> Result<(), (usize, Fault)> {
-        for (kind, (index, line)) in self.highest.into_iter().enumerate() {
-            let count = self.count(kind);
-            if index > count.min(u32::MAX as usize) as i64 {
-                return Err((line, out_of_range(kind, index, count)));
-            }
+        let ((index, line), count) = (self.highest, self.positions.len());
+        match index > count as i64 {
+            true => Err((line, out_of_range(index, count))),
+            false => Ok(()),
         }
-        Ok(())
     }
+
+    /// How many of a face's corners name a normal that is not there.
+    pub(super) fn without_normal(&self, corners: &[Corner]) -> usize {
+        let is_missing = |corner: &&Corner| corner.normal as usize >= self.normals.len();
+        corners.iter().filter(is_missing).count()
+    }
+}
+
+/// The place, from 0, that an index means: it counts from 1, or back from the last of those `above` if it is negative.
+fn place(index: i64, above: usize) -> Option<u32> {
+    let from_1 = match index {
+        ..0 => index.checked_add(above as i64 + 1)?,
+        0.. => index,
+    };
+    u32::try_from(from_1.checked_sub(1)?).ok()
 }
 
 /// x y z, or homogeneous coordinates x y z w; a colour after x y z is ignored.
 fn position(words: &mut SplitWhitespace) -> Result<DVec3, Fault> {
     let position = vector(words)?;
     match (words.next(), words.count()) {
-        (Some(w), 0) => match number(w)? {
+        (Some(w), 0) => match float(w.as_bytes()).ok_or_else(not_understood)? {
             0.0 => Err(not_understood()),
             w => Ok(position / w),
         },
@@ -124,11 +127,12 @@ fn position(words: &mut SplitWhitespace) -> Result<DVec3, Fault> {
 }
 
 fn vector(words: &mut SplitWhitespace) -> Result<DVec3, Fault> {
-    let mut component = || number(words.next().unwrap_or_default());
+    let mut component = || words.next().and_then(|word| float(word.as_bytes()));
+    let mut component = || component().ok_or_else(not_understood);
     Ok(DVec3::new(component()?, component()?, component()?))
 }
 
-fn number<T: FromStr>(text: &str) -> Result<T, Fault> {
+fn number(text: &str) -> Result<i64, Fault> {
     text.parse().map_err(|_| not_understood())
 }
 
@@ -136,7 +140,6 @@ fn not_understood() -> Fault {
     "is not understood".into()
 }
 
-fn out_of_range(kind: usize, index: i64, count: usize) -> Fault {
-    let name = KINDS[kind];
-    format!("refers to {name} {index}, and there are {count}")
+fn out_of_range(index: i64, count: usize) -> Fault {
+    format!("refers to vertex {index}, and there are {count}")
 }

@@ -1,81 +1,119 @@
 //! What is kept of a PLY file's elements.
 
 use glam::DVec3;
-use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
+
+use super::header::{Element, Kind, Property};
+use super::source::{Fault, Source};
 
 /// Names of the list of a face's corners.
 pub(super) const CORNERS: [&str; 2] = ["vertex_index", "vertex_indices"];
 
-/// A vertex: x, y, z and nx, ny, nz of any scalar type; all else is skipped.
+/// The numbers of a vertex that are kept: those of its position, then those of its normal.
+const NUMBERS: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
+
+/// The rows read so far; all else is skipped.
 #[derive(Default)]
-pub(super) struct Vertex {
-    pub(super) position: DVec3,
-    pub(super) normal: DVec3,
+pub(super) struct Rows {
+    pub(super) positions: Vec<DVec3>,
+    pub(super) normals: Vec<DVec3>,
+    pub(super) faces: Lists,
+    /// Triangle strips, with −1 between those of one row.
+    pub(super) strips: Lists,
+    /// Rows of the element under way.
+    pub(super) read: usize,
 }
 
-impl PropertyAccess for Vertex {
-    fn new() -> Self {
-        Self::default()
-    }
-
-    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        let slot = match name {
-            "x" => &mut self.position.x,
-            "y" => &mut self.position.y,
-            "z" => &mut self.position.z,
-            "nx" => &mut self.normal.x,
-            "ny" => &mut self.normal.y,
-            "nz" => &mut self.normal.z,
-            _ => return PropertyAccessResult::Ignored,
-        };
-        *slot = match property {
-            Property::Char(v) => v.into(),
-            Property::UChar(v) => v.into(),
-            Property::Short(v) => v.into(),
-            Property::UShort(v) => v.into(),
-            Property::Int(v) => v.into(),
-            Property::UInt(v) => v.into(),
-            Property::Float(v) => v.into(),
-            Property::Double(v) => v,
-            _ => return PropertyAccessResult::Ignored,
-        };
-        PropertyAccessResult::Set
-    }
-}
-
-/// A face: indices of any integer type; all else is skipped.
+/// Lists of corners.
 #[derive(Default)]
-pub(super) struct Face {
+pub(super) struct Lists {
     pub(super) corners: Vec<i64>,
+    pub(super) rows: Vec<Row>,
 }
 
-impl PropertyAccess for Face {
-    fn new() -> Self {
-        Self::default()
-    }
+/// A list; its corners begin where those of the one before end.
+pub(super) struct Row {
+    pub(super) end: usize,
+    /// From 1; 0 in binary.
+    pub(super) line: usize,
+}
 
-    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        if !CORNERS.contains(&name) {
-            return PropertyAccessResult::Ignored;
+impl Rows {
+    /// Reads all rows of an element.
+    pub(super) fn read(
+        &mut self,
+        source: &mut impl Source,
+        element: &Element,
+    ) -> Result<(), Fault> {
+        let place = |p: &Property| NUMBERS.iter().position(|name| *name == p.name);
+        let places: Vec<_> = element.properties.iter().map(place).collect();
+        for row in 0..element.count {
+            self.read = row;
+            match &*element.name {
+                "vertex" => {
+                    let [x, y, z, nx, ny, nz] = vertex(source, element, &places)?;
+                    self.positions.push(DVec3::new(x, y, z));
+                    self.normals.push(DVec3::new(nx, ny, nz));
+                }
+                "face" => self.faces.read(source, element)?,
+                "tristrips" => self.strips.read(source, element)?,
+                _ => element
+                    .properties
+                    .iter()
+                    .try_for_each(|property| skip(source, property))?,
+            }
         }
-        self.corners = match property {
-            Property::ListChar(v) => v.into_iter().map(i64::from).collect(),
-            Property::ListUChar(v) => v.into_iter().map(i64::from).collect(),
-            Property::ListShort(v) => v.into_iter().map(i64::from).collect(),
-            Property::ListUShort(v) => v.into_iter().map(i64::from).collect(),
-            Property::ListInt(v) => v.into_iter().map(i64::from).collect(),
-            Property::ListUInt(v) => v.into_iter().map(i64::from).collect(),
-            _ => return PropertyAccessResult::Ignored,
-        };
-        PropertyAccessResult::Set
+        Ok(())
     }
 }
 
-/// An element that is read over.
-pub(super) struct Other;
-
-impl PropertyAccess for Other {
-    fn new() -> Self {
-        Self
+impl Lists {
+    fn read(&mut self, source: &mut impl Source, element: &Element) -> Result<(), Fault> {
+        let mut line = 0;
+        for property in &element.properties {
+            match property.kind {
+                Kind::List { count, of } if CORNERS.contains(&&*property.name) => {
+                    let corners = length(source.whole(count)?, source)?;
+                    line = source.line();
+                    for _ in 0..corners {
+                        self.corners.push(source.whole(of)?);
+                    }
+                }
+                _ => skip(source, property)?,
+            }
+        }
+        let end = self.corners.len();
+        self.rows.push(Row { end, line });
+        Ok(())
     }
+}
+
+/// The numbers of a row of vertices; 0 where it has none.
+fn vertex(
+    source: &mut impl Source,
+    element: &Element,
+    places: &[Option<usize>],
+) -> Result<[f64; 6], Fault> {
+    let mut numbers = [0.0; 6];
+    for (property, &place) in element.properties.iter().zip(places) {
+        match (property.kind, place) {
+            (Kind::Scalar(of), Some(place)) => numbers[place] = source.real(of)?,
+            _ => skip(source, property)?,
+        }
+    }
+    Ok(numbers)
+}
+
+fn skip(source: &mut impl Source, property: &Property) -> Result<(), Fault> {
+    match property.kind {
+        Kind::Scalar(of) => source.skip(of),
+        Kind::List { count, of } => {
+            let length = length(source.whole(count)?, source)?;
+            (0..length).try_for_each(|_| source.skip(of))
+        }
+    }
+}
+
+/// The length of a list.
+fn length(count: i64, source: &impl Source) -> Result<u64, Fault> {
+    u64::try_from(count).map_err(|_| Fault::Line(source.line()))
 }

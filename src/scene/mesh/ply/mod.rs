@@ -1,117 +1,208 @@
-//! PLY (Turk, *The PLY Polygon File Format*, 1994), ASCII and both binary byte orders, over `ply-rs-bw`.
+//! PLY (Turk, *The PLY Polygon File Format*, 1994), ASCII and both binary byte orders: vertices, faces and triangle strips.
 //!
-//! That crate trusts a header's counts; here each is held against the bytes that are there before it is used.
+//! An ASCII body is a stream of numbers, wherever its lines end, as other readers have it. A header's counts are held
+//! against the bytes that are there before they are used.
 
-mod ascii;
 mod element;
 mod header;
+mod source;
 
-use ply_rs_bw::parser::{ParseError, Parser, Reader};
-use ply_rs_bw::ply::{ElementDef, Header, PropertyAccess};
+use glam::DVec3;
 
-use element::{Face, Other, Vertex};
-use header::{check_names, has, least_size};
+use element::{CORNERS, Lists, Rows};
+use header::{Element, Encoding, Header, Kind};
+use source::{Binary, Fault, Source, Text};
 
 use super::left_out::LeftOut;
-use super::{MeshError, MeshFile, at_line, fan, polygon};
+use super::polygon::{Crossing, cut};
+use super::text::{Tokens, at_line};
+use super::{MeshError, MeshFile, corners};
 
 /// Reads the whole file `bytes`.
 ///
 /// Messages quote the file's own lines.
 pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
-    let text = ascii::with_digits(bytes);
-    let mut reader = Reader::new(&*text);
-    let header = Parser::<Other>::new()
-        .read_header(&mut reader)
-        .map_err(|error| malformed(error, bytes))?;
-    check_names(&header, &text[..text.len() - reader.get_ref().len()])?;
-    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
-    for element in header.elements.values() {
-        match element.name.as_str() {
-            "vertex" => vertices = payload::<Vertex>(&mut reader, element, &header, bytes)?,
-            "face" => faces = payload::<Face>(&mut reader, element, &header, bytes)?,
-            _ => drop(payload::<Other>(&mut reader, element, &header, bytes)?),
+    let header = header::read(bytes)?;
+    check_names(&header)?;
+    let body = &bytes[header.length..];
+    let rows = match header.encoding {
+        Encoding::Ascii => {
+            let mut text = Text(Tokens::new(body, header.lines + 1));
+            let rows = read_body(&mut text, &header, bytes)?;
+            match text.0.next() {
+                Some(_) => {
+                    return Err(at_line(
+                        bytes,
+                        text.0.line(),
+                        "is more than its header declares",
+                    ));
+                }
+                None => rows,
+            }
         }
+        encoding => {
+            let big_endian = encoding == Encoding::BigEndian;
+            let mut binary = Binary {
+                rest: body,
+                big_endian,
+            };
+            read_body(&mut binary, &header, bytes)?
+        }
+    };
+    assemble(rows, has_numbers(&header, ["nx", "ny", "nz"]), bytes)
+}
+
+/// An error where the vertices have no position or the faces no corners.
+fn check_names(header: &Header) -> Result<(), MeshError> {
+    if !has_numbers(header, ["x", "y", "z"]) {
+        return Err(MeshError::Empty("element `vertex` with properties x, y, z"));
     }
-    let with_normals = header
+    let has_corners = |element: &Element| {
+        element.properties.iter().any(|property| {
+            CORNERS.contains(&&*property.name)
+                && matches!(property.kind, Kind::List { of, .. } if of.is_integer())
+        })
+    };
+    let mut polygons = header
         .elements
-        .get("vertex")
-        .is_some_and(|vertex| has(vertex, ["nx", "ny", "nz"]));
-    assemble(&vertices, &faces, with_normals)
+        .iter()
+        .filter(|e| ["face", "tristrips"].contains(&&*e.name));
+    match polygons.any(has_corners) {
+        true => Ok(()),
+        false => Err(MeshError::Empty(
+            "element `face` with a list of integers, vertex_index or vertex_indices",
+        )),
+    }
+}
+
+/// Whether the vertices have a number of each of these names.
+fn has_numbers(header: &Header, names: [&str; 3]) -> bool {
+    let vertex = header
+        .elements
+        .iter()
+        .find(|element| element.name == "vertex");
+    let of = |vertex: &Element, name: &str| {
+        let mut properties = vertex.properties.iter();
+        properties.any(|p| p.name == name && matches!(p.kind, Kind::Scalar(_)))
+    };
+    vertex.is_some_and(|vertex| names.iter().all(|name| of(vertex, name)))
+}
+
+/// The rows of all elements.
+fn read_body(source: &mut impl Source, header: &Header, file: &[u8]) -> Result<Rows, MeshError> {
+    let mut rows = Rows::default();
+    for element in header
+        .elements
+        .iter()
+        .filter(|element| !element.properties.is_empty())
+    {
+        let bytes = source.bytes_left();
+        let all = element
+            .count
+            .checked_mul(element.least_size(header.encoding));
+        if all.is_none_or(|all| all > bytes.saturating_add(1)) {
+            let (element, count) = (element.name.clone(), element.count);
+            return Err(MeshError::Truncated {
+                element,
+                count,
+                bytes,
+            });
+        }
+        rows.read(source, element).map_err(|fault| match fault {
+            Fault::Line(0) => MeshError::Malformed(format!(
+                "row {} (from 0) of its element `{}` has a list of negative length",
+                rows.read, element.name
+            )),
+            Fault::Line(line) => at_line(file, line, "is not understood"),
+            Fault::End => MeshError::Malformed(format!(
+                "it ends in row {} of the {} of its element `{}`",
+                rows.read + 1,
+                element.count,
+                element.name
+            )),
+        })?;
+    }
+    Ok(rows)
 }
 
 /// Vertices and faces, checked and put into the scene's form.
-fn assemble(
-    vertices: &[Vertex],
-    faces: &[Face],
-    with_normals: bool,
-) -> Result<MeshFile, MeshError> {
-    let finite = |v: &Vertex| v.position.as_vec3().is_finite();
-    if let Some(bad) = vertices.iter().position(|v| !finite(v)) {
-        return Err(MeshError::NotFinite(bad));
-    }
-    let mut triangles = Vec::with_capacity(faces.len());
-    for (index, face) in faces.iter().enumerate() {
-        fan(
-            &mut triangles,
-            &polygon(index, &face.corners, vertices.len())?,
-        );
-    }
+fn assemble(rows: Rows, with_normals: bool, file: &[u8]) -> Result<MeshFile, MeshError> {
+    let mut left_out = LeftOut::default();
+    let mut triangles = Vec::with_capacity(rows.faces.rows.len());
+    polygons(&rows, &mut triangles, &mut left_out, file)?;
+    strips(&rows.strips, rows.positions.len(), &mut triangles)?;
     if triangles.is_empty() {
         return Err(MeshError::Empty("faces"));
     }
-    let mut left_out = LeftOut::default();
-    let normals =
-        with_normals.then(|| left_out.directions(vertices.iter().map(|v| v.normal), &triangles));
+    let positions = finite(rows.positions, &triangles)?;
+    let normals = with_normals.then(|| left_out.directions(rows.normals.into_iter(), &triangles));
     Ok(MeshFile {
-        positions: vertices.iter().map(|v| v.position).collect(),
+        positions,
         normals,
         triangles,
         warnings: left_out.warnings(),
     })
 }
 
-/// The payload of one element, which comes next in `file`.
-fn payload<E: PropertyAccess>(
-    reader: &mut Reader<&[u8]>,
-    element: &ElementDef,
-    header: &Header,
-    file: &[u8],
-) -> Result<Vec<E>, MeshError> {
-    let bytes = reader.get_ref().len();
-    let least = least_size(element, header.encoding);
-    if least == 0 {
-        return Ok(Vec::new());
+/// The positions, if all that a triangle has are finite. Scanners write NaN where they saw nothing: where no triangle is,
+/// any position will do.
+fn finite(mut positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Result<Vec<DVec3>, MeshError> {
+    let is_finite = |p: &DVec3| p.as_vec3().is_finite();
+    let mut corners = triangles.as_flattened().iter();
+    if let Some(bad) = corners.find(|i| !is_finite(&positions[**i as usize])) {
+        return Err(MeshError::NotFinite(*bad as usize));
     }
-    if element
-        .count
-        .checked_mul(least)
-        .is_none_or(|all| all > bytes.saturating_add(1))
-    {
-        return Err(MeshError::Truncated {
-            element: element.name.clone(),
-            count: element.count,
-            bytes,
-        });
+    let any = positions[triangles[0][0] as usize];
+    for p in positions.iter_mut().filter(|p| !is_finite(p)) {
+        *p = any;
     }
-    Parser::<E>::new()
-        .read_payload_for_element(reader, element, header)
-        .map_err(|error| malformed(error, file))
+    Ok(positions)
 }
 
-/// What the crate says of `bytes`, on one line and without the grammar that it expected.
-fn malformed(error: ParseError, bytes: &[u8]) -> MeshError {
-    let message = error.to_string();
-    let first = message.lines().next().unwrap_or_default();
-    // Its errors of a line of text quote that line.
-    match error.line().filter(|_| message.contains("String: '")) {
-        Some(line) => at_line(bytes, line, "is not understood"),
-        // Of a binary file it counts elements as lines.
-        None => MeshError::Malformed(
-            first
-                .trim_start_matches("Line ")
-                .trim_start_matches(|c: char| c.is_ascii_digit() || ": ".contains(c))
-                .to_owned(),
-        ),
+/// The triangles of the faces.
+fn polygons(
+    rows: &Rows,
+    triangles: &mut Vec<[u32; 3]>,
+    left_out: &mut LeftOut,
+    file: &[u8],
+) -> Result<(), MeshError> {
+    let mut first = 0;
+    let mut polygon = Vec::new();
+    for (index, row) in rows.faces.rows.iter().enumerate() {
+        corners(
+            index,
+            &rows.faces.corners[first..row.end],
+            rows.positions.len(),
+            &mut polygon,
+        )?;
+        first = row.end;
+        if polygon.len() < 3 {
+            left_out.faces += 1;
+            continue;
+        }
+        let cut = cut(&polygon, |i| rows.positions[i as usize], triangles);
+        cut.map_err(|Crossing| match row.line {
+            0 => MeshError::Crossing(index),
+            line => at_line(file, line, "is a face that crosses itself"),
+        })?;
     }
+    Ok(())
+}
+
+/// The triangles of strips: of (v₀, v₁, v₂), (v₂, v₁, v₃), … those that repeat a corner only join two strips.
+fn strips(strips: &Lists, vertices: usize, triangles: &mut Vec<[u32; 3]>) -> Result<(), MeshError> {
+    let mut strip = Vec::new();
+    let mut first = 0;
+    for (index, row) in strips.rows.iter().enumerate() {
+        for part in strips.corners[first..row.end].split(|corner| *corner == -1) {
+            corners(index, part, vertices, &mut strip)?;
+            let wound = strip.windows(3).enumerate().map(|(i, v)| match i % 2 {
+                0 => [v[0], v[1], v[2]],
+                _ => [v[1], v[0], v[2]],
+            });
+            triangles.extend(wound.filter(|[a, b, c]| a != b && b != c && c != a));
+        }
+        first = row.end;
+    }
+    Ok(())
 }
