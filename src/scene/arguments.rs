@@ -30,6 +30,11 @@ impl<'t> Arguments<'t> {
         self.tokens[0]
     }
 
+    /// The argument that was taken last; before the first, the command.
+    pub fn last(&self) -> Token<'t> {
+        self.tokens[self.next - 1]
+    }
+
     /// Arguments not yet taken.
     pub fn rest(&self) -> &[Token<'t>] {
         &self.tokens[self.next..]
@@ -92,9 +97,9 @@ impl<'t> Arguments<'t> {
 
     /// An error: the line ends before the argument `what`.
     fn too_few(&self, log: &mut Log, what: &str) {
-        let last = self.tokens[self.next - 1].place;
+        let Token { text, place: last } = self.last();
         let gap = Place {
-            column: last.column + self.tokens[self.next - 1].text.chars().count(),
+            column: last.column + text.chars().count(),
             start: last.start + last.length,
             length: 0,
             ..last

@@ -2,8 +2,8 @@
 
 use super::arguments::Arguments;
 use super::builder::Builder;
-use super::text::{Line, shorten};
-use super::{material, shape, view};
+use super::text::{Line, Token, shorten};
+use super::{camera, foreign, material, shape, view};
 
 struct Command {
     word: &'static str,
@@ -20,7 +20,7 @@ const COMMANDS: [Command; 12] = [
     Command {
         word: "camera",
         usage: "camera ex ey ez  ry  ORIENTATION",
-        read: view::camera,
+        read: camera::camera,
     },
     Command {
         word: "ambient",
@@ -76,16 +76,8 @@ const COMMANDS: [Command; 12] = [
 
 /// Reads one line into the scene that `builder` builds.
 pub(super) fn read_line(builder: &mut Builder, line: Line<'_>) {
-    let first = line[0];
-    let Some(command) = COMMANDS.iter().find(|command| command.word == first.text) else {
-        let message = format!("unknown command `{}`", shorten(first.text));
-        let words = COMMANDS.map(|command| command.word);
-        let warning = builder
-            .log
-            .warning(first.place, message, "this line is skipped");
-        if let Some(word) = closest(first.text, &words) {
-            warning.help(format!("did you mean `{word}`?"));
-        }
+    let Some(command) = COMMANDS.iter().find(|command| command.word == line[0].text) else {
+        unknown(builder, line[0]);
         return;
     };
     let mut arguments = Arguments::new(line, command.usage);
@@ -94,6 +86,28 @@ pub(super) fn read_line(builder: &mut Builder, line: Line<'_>) {
     // What is left of a line that could not be read says nothing.
     if builder.log.errors() == errors {
         arguments.finish(&mut builder.log);
+    }
+}
+
+/// Warns of a line whose command is none: what the picture lacks by it, where another program of the course has it.
+fn unknown(builder: &mut Builder, command: Token<'_>) {
+    let (message, help) = match foreign::lacking(command.text) {
+        Some(lacking) => (
+            format!("`{}` is not known here: {}", command.text, lacking.what),
+            lacking.help,
+        ),
+        None => {
+            let words = COMMANDS.map(|command| command.word);
+            let close = closest(command.text, &words);
+            let help = close.map(|word| format!("did you mean `{word}`?"));
+            (format!("unknown command `{}`", shorten(command.text)), help)
+        }
+    };
+    let warning = builder
+        .log
+        .warning(command.place, message, "this line is skipped");
+    if let Some(help) = help {
+        warning.help(help);
     }
 }
 

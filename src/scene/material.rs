@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::arguments::Arguments;
 use super::builder::Builder;
 use super::commands::closest;
-use super::field::{Number, RADIANCE, not_negative, positive, share, vector};
+use super::field::{Number, RADIANCE, any, not_negative, positive, share, vector};
 use super::log::Log;
 use super::number::prefix_length;
 use super::text::shorten;
@@ -51,7 +51,7 @@ pub(super) fn brdf(builder: &mut Builder, arguments: &mut Arguments) {
 /// An error was noted.
 struct Wrong;
 
-/// Kt and ior, if a number follows the opaque material's seven.
+/// Kt and ior, if they follow the opaque material's seven numbers and Kt is not 0.
 fn transmission(arguments: &mut Arguments, log: &mut Log) -> Result<Option<[Number; 4]>, Wrong> {
     let rest = arguments.rest();
     let is_number = |text| prefix_length(text) > 0;
@@ -70,12 +70,19 @@ fn transmission(arguments: &mut Arguments, log: &mut Log) -> Result<Option<[Numb
             .help(format!("usage: {}", arguments.usage));
         return Err(Wrong);
     }
-    let [t0, t1, t2] = share(["Kt.r", "Kt.g", "Kt.b"], "Kt");
-    let ior = positive("ior", "the index of refraction");
-    arguments
-        .numbers(log, [t0, t1, t2, ior])
-        .map(Some)
-        .ok_or(Wrong)
+    let kt = arguments.numbers(log, share(["Kt.r", "Kt.g", "Kt.b"], "Kt"));
+    let is_opaque = kt.is_some_and(|kt| vector(&kt) == DVec3::ZERO);
+    let ior = match is_opaque {
+        // Files of the course have 0 where there is nothing to refract.
+        true => any("ior"),
+        false => positive("ior", "the index of refraction"),
+    };
+    let ior = arguments.numbers(log, [ior]);
+    match (kt, ior) {
+        (Some(_), Some(_)) if is_opaque => Ok(None),
+        (Some([r, g, b]), Some([ior])) => Ok(Some([r, g, b, ior])),
+        _ => Err(Wrong),
+    }
 }
 
 /// `light r g b`

@@ -6,13 +6,16 @@
 
 mod arguments;
 mod builder;
+mod camera;
 mod commands;
 mod diagnostic;
 mod field;
+mod foreign;
 mod log;
 mod material;
 mod mesh;
 mod mesh_check;
+mod mesh_path;
 mod number;
 mod orientation;
 mod shape;

@@ -6,15 +6,32 @@ use super::arguments::Arguments;
 use super::diagnostic::Place;
 use super::field::{any, vector};
 use super::log::Log;
+use super::number::prefix_length;
 use super::text::{Token, shorten};
 
 const USAGE: &str =
     "an ORIENTATION is a sequence of x DEG, y DEG, z DEG, a DEG ax ay az and q w x y z";
 
-/// The rotation that the rest of the line spells, of unit norm; the identity where it spells none.
-///
-/// Each step post-multiplies: q := q·r.
+/// Whether a rotation begins with this word.
+pub(super) fn begins_rotation(word: &str) -> bool {
+    ["x", "y", "z", "a", "q"].contains(&word)
+}
+
+/// The rotation that the rest of the line spells, of unit norm; the identity where it spells none. Words that begin no
+/// rotation are left unread, each by itself, as the course's framework does.
 pub(super) fn orientation(arguments: &mut Arguments, log: &mut Log) -> Option<DQuat> {
+    let mut q = rotations(arguments, log);
+    while !arguments.rest().is_empty() {
+        strays(arguments, log);
+        q = q
+            .zip(rotations(arguments, log))
+            .map(|(q, r)| (q * r).normalize());
+    }
+    q
+}
+
+/// The rotations that come next on the line, as one. Each post-multiplies: q := q·r.
+pub(super) fn rotations(arguments: &mut Arguments, log: &mut Log) -> Option<DQuat> {
     let mut q = Some(DQuat::IDENTITY);
     while let Some(token) = arguments.rest().first().copied() {
         let axis = match token.text {
@@ -22,16 +39,13 @@ pub(super) fn orientation(arguments: &mut Arguments, log: &mut Log) -> Option<DQ
             "y" => Some(DVec3::Y),
             "z" => Some(DVec3::Z),
             "a" | "q" => None,
-            _ => {
-                surplus(arguments, log);
-                break;
-            }
+            _ => break,
         };
         arguments.skip_one();
         let r = match (axis, token.text) {
             (Some(axis), _) => about_axis(arguments, log, axis),
             (None, "a") => about_any_axis(arguments, log, token),
-            _ => quaternion(arguments, log, token),
+            _ => quaternion(arguments, log, token.place),
         };
         q = q.zip(r).map(|(q, r)| (q * r).normalize());
     }
@@ -57,13 +71,13 @@ fn about_any_axis(arguments: &mut Arguments, log: &mut Log, command: Token<'_>) 
     }
 }
 
-/// The rest of `q w x y z`.
-fn quaternion(arguments: &mut Arguments, log: &mut Log, command: Token<'_>) -> Option<DQuat> {
+/// The numbers w x y z of a quaternion, which begins at `start`.
+pub(super) fn quaternion(arguments: &mut Arguments, log: &mut Log, start: Place) -> Option<DQuat> {
     let numbers = arguments.numbers(log, ["w", "x", "y", "z"].map(any))?;
     let [w, x, y, z] = numbers.map(|n| n.value);
     match glam::DVec4::new(x, y, z, w).try_normalize() {
         Some(unit) => Some(DQuat::from_vec4(unit)),
-        None => no_direction(log, command.place.to(numbers[3].place), "a quaternion"),
+        None => no_direction(log, start.to(numbers[3].place), "a quaternion"),
     }
 }
 
@@ -72,12 +86,22 @@ fn no_direction(log: &mut Log, place: Place, what: &str) -> Option<DQuat> {
     None
 }
 
-/// Warns of what follows the orientation.
-fn surplus(arguments: &mut Arguments, log: &mut Log) {
-    if let (Some(first), Some(last)) = (arguments.rest().first(), arguments.rest().last()) {
-        let message = format!("`{}` begins no rotation", shorten(first.text));
-        log.warning(first.place.to(last.place), message, "left unread")
-            .help(USAGE);
-    }
-    arguments.skip();
+/// Goes past the words up to the next rotation, with a warning.
+fn strays(arguments: &mut Arguments, log: &mut Log) {
+    let rest = arguments.rest();
+    let strays = rest.iter().take_while(|token| !begins_rotation(token.text));
+    let strays: Vec<Token> = strays.copied().collect();
+    let (Some(first), Some(last)) = (strays.first(), strays.last()) else {
+        return;
+    };
+    let message = format!("`{}` begins no rotation", shorten(first.text));
+    let warning = log.warning(first.place.to(last.place), message, "left unread");
+    let is_number = |token: &Token| prefix_length(token.text) > 0;
+    warning.help(match arguments.command().text {
+        "camera" if strays.iter().all(is_number) => {
+            "other programs have the aperture and focus of a lens there; the camera here is a pinhole"
+        }
+        _ => USAGE,
+    });
+    strays.iter().for_each(|_| arguments.skip_one());
 }

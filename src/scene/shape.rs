@@ -1,11 +1,10 @@
 //! Shapes: `sphere`, `box`, `cylinder`, `mesh`.
 
-use std::path::{Path, PathBuf};
-
 use super::arguments::Arguments;
 use super::builder::Builder;
 use super::field::{any, not_zero, positive, vector};
 use super::mesh::{MeshError, read_mesh};
+use super::mesh_path::{MeshPath, mesh_path, similar};
 use super::orientation::orientation;
 use super::{Geometry, Mesh};
 
@@ -71,24 +70,25 @@ pub(super) fn cylinder(builder: &mut Builder, arguments: &mut Arguments) {
 
 /// `mesh FILE  tx ty tz  s  ORIENTATION`
 pub(super) fn mesh(builder: &mut Builder, arguments: &mut Arguments) {
-    let Some(file) = arguments.word(&mut builder.log, "FILE") else {
+    let folder = builder.folder().to_owned();
+    let Some(MeshPath { path, place }) = mesh_path(&folder, arguments, &mut builder.log) else {
         return;
     };
-    let path = resolve(builder.folder(), Path::new(file.text));
     let read = read_mesh(&path);
     let log = &mut builder.log;
     match &read {
         Err(reason) => {
-            let error = log.error(file.place, format!("{}: {reason}", path.display()), "");
+            let error = log.error(place, format!("{}: {reason}", path.display()), "");
             if matches!(reason, MeshError::Missing) {
-                error.help(
-                    "a mesh is looked for beside the scene file, then in the working directory",
-                );
+                error.help(match similar(&folder, &path) {
+                    Some(name) => format!("did you mean `{name}`?"),
+                    None => LOOKED_FOR.to_owned(),
+                });
             }
         }
         Ok(mesh) => {
             for warning in &mesh.warnings {
-                log.warning(file.place, format!("{}: {warning}", path.display()), "");
+                log.warning(place, format!("{}: {warning}", path.display()), "");
             }
         }
     }
@@ -109,11 +109,5 @@ pub(super) fn mesh(builder: &mut Builder, arguments: &mut Arguments) {
     }
 }
 
-/// `file` beside the scene file, or else in the working directory.
-fn resolve(folder: &Path, file: &Path) -> PathBuf {
-    let beside = folder.join(file);
-    match !beside.exists() && file.exists() {
-        true => file.to_owned(),
-        false => beside,
-    }
-}
+const LOOKED_FOR: &str =
+    "a mesh is looked for beside the scene file, then in the working directory";

@@ -1,11 +1,10 @@
-//! What looks at the scene, and what lies behind it: `screen`, `camera`, `background`.
+//! What is seen, and what lies behind it: `screen`, `background`.
 
+use super::Screen;
 use super::arguments::Arguments;
 use super::builder::Builder;
-use super::field::{Number, RADIANCE, any, positive, vector};
+use super::field::{Number, RADIANCE, any, vector};
 use super::log::Log;
-use super::orientation::orientation;
-use super::{Camera, Screen};
 
 /// Longest side of a picture, in pixels.
 pub const LARGEST_SIDE: u32 = 16384;
@@ -37,24 +36,6 @@ fn side(log: &mut Log, number: Number, what: &str) -> Option<u32> {
     };
     log.error(number.place, wrong, "");
     None
-}
-
-/// `camera ex ey ez  ry  ORIENTATION`
-pub(super) fn camera(builder: &mut Builder, arguments: &mut Arguments) {
-    let log = &mut builder.log;
-    let fields = [any("ex"), any("ey"), any("ez"), positive("ry", "ry")];
-    let numbers = arguments.numbers(log, fields);
-    let orientation = orientation(arguments, log);
-    let camera = numbers
-        .zip(orientation)
-        .map(|([ex, ey, ez, ry], orientation)| Camera {
-            eye: vector(&[ex, ey, ez]),
-            ry: ry.value,
-            orientation,
-        });
-    let line = arguments.command().place.line;
-    let camera = camera.map(|camera| (camera, line));
-    builder.camera.set(camera, arguments.command(), log);
 }
 
 /// `background r g b`

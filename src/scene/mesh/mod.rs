@@ -90,6 +90,11 @@ pub fn parse_mesh(bytes: &[u8], path: &Path) -> Result<MeshFile, MeshError> {
     }
 }
 
+/// Whether a file of this name would be read.
+pub fn is_mesh_name(path: &Path) -> bool {
+    format(path).is_ok()
+}
+
 /// A format that is read.
 enum Format {
     Ply,

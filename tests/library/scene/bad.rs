@@ -76,7 +76,7 @@ const ONE: &[(&str, &str, usize, &str)] = &[
     ("brdf 0 0 0 0 0 0 1 0 0 -1 1", "E", 24, "Kt must not be negative"),
     ("brdf 1 1 1 0 0 0 -1", "E", 18, "alpha must not be negative"),
     ("brdf 0 0 0 0 0 0 1 1 1 1 0", "E", 26, "the index of refraction must be above 0"),
-    ("brdf 0 0 0 0 0 0 1 0 0 0 -1", "E", 26, "the index of refraction must be above 0"),
+    ("brdf 0 0 0 0 0 0 1 0 1 0 -1", "E", 26, "the index of refraction must be above 0"),
     ("brdf 1.5 0 0 0 0 0 1", "W", 6, "Kd is above 1"),
     ("brdf 0 0 0 0 2 0 1", "W", 14, "Ks is above 1"),
     ("brdf 0 0 0 0 0 0 1 1 1 3 1", "W", 24, "Kt is above 1"),

@@ -3,6 +3,7 @@
 mod bad;
 mod checks;
 mod classroom;
+mod dialects;
 mod fuzz;
 mod gltf;
 mod gltf_bad;

@@ -1,0 +1,136 @@
+//! Commands of other programs of the course, by the names that their scene files have.
+
+/// What a picture lacks where a command is skipped.
+pub(super) struct Lacking {
+    pub(super) what: &'static str,
+    pub(super) help: Option<String>,
+}
+
+/// Words, what the picture lacks, and what to do about it.
+type Row = (&'static [&'static str], &'static str, &'static str);
+
+const ROWS: [Row; 8] = [
+    (
+        &[
+            "ibl",
+            "skydome",
+            "skybox",
+            "sky",
+            "hdr",
+            "hdri",
+            "envmap",
+            "environment",
+            "env",
+        ],
+        "the picture lacks these surroundings and their light",
+        "`background r g b` gives light from all around",
+    ),
+    (
+        &["passes", "pass", "samples", "spp", "iterations"],
+        "the number of samples is no part of the scene",
+        "use --spp on the command line",
+    ),
+    (
+        &[
+            "depth",
+            "maxdepth",
+            "tracedepth",
+            "bounces",
+            "roulette",
+            "russianroulette",
+        ],
+        "the length of paths is no part of the scene",
+        "use --max-depth or --roulette on the command line",
+    ),
+    (
+        &[
+            "texture",
+            "tex",
+            "lighttex",
+            "textures",
+            "map",
+            "normalmap",
+            "bumpmap",
+        ],
+        "the picture lacks this texture",
+        "",
+    ),
+    (
+        &[
+            "sdf",
+            "torus",
+            "cone",
+            "capsule",
+            "plane",
+            "triangle",
+            "quad",
+            "disk",
+            "disc",
+            "ellipsoid",
+            "pyramid",
+            "prism",
+            "octahedron",
+            "hexprism",
+            "roundbox",
+            "roundedbox",
+            "link",
+            "fractal",
+            "mandelbulb",
+            "menger",
+            "julia",
+            "blend",
+            "union",
+            "intersection",
+            "difference",
+            "subtract",
+            "metaball",
+            "metaballs",
+            "csg",
+            "raymarch",
+            "heightfield",
+        ],
+        "the picture lacks this shape",
+        "a mesh can stand for it",
+    ),
+    (
+        &[
+            "lens",
+            "aperture",
+            "focus",
+            "focal",
+            "dof",
+            "focaldistance",
+            "fstop",
+        ],
+        "the camera is a pinhole, and all of the picture is sharp",
+        "",
+    ),
+    (
+        &["fog", "medium", "media", "volume", "smoke", "participating"],
+        "the picture lacks this medium",
+        "only the inside of a solid absorbs light, by its Kt",
+    ),
+    (
+        &[
+            "pointlight",
+            "spotlight",
+            "directional",
+            "directionallight",
+            "sun",
+            "spot",
+            "point",
+        ],
+        "the picture lacks this light",
+        "a small `sphere` after `light r g b` shines like a point",
+    ),
+];
+
+/// What the picture lacks without the command `word`, if it is one of another program.
+pub(super) fn lacking(word: &str) -> Option<Lacking> {
+    let word = word.to_ascii_lowercase();
+    let row = ROWS.iter().find(|(words, ..)| words.contains(&&*word));
+    row.map(|(_, what, help)| Lacking {
+        what,
+        help: (!help.is_empty()).then(|| (*help).to_owned()),
+    })
+}
