@@ -52,7 +52,7 @@ pub fn first_pair(
 }
 
 /// Whether two shapes whose bounds overlap do so themselves: exact for spheres and boxes, assumed otherwise.
-fn overlap(a: &dyn Body, b: &dyn Body) -> bool {
+pub fn overlap(a: &dyn Body, b: &dyn Body) -> bool {
     match (a.ball(), b.ball()) {
         (Some((centre, radius)), _) => b.overlaps_ball(centre, radius),
         (_, Some((centre, radius))) => a.overlaps_ball(centre, radius),

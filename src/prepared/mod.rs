@@ -7,6 +7,7 @@
 mod aims;
 pub mod cdf;
 mod coincide;
+mod dark;
 mod eye;
 mod light_tree;
 mod lights;

@@ -3,6 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use super::cdf::CdfError;
+use super::dark;
 use super::light_tree::LightTree;
 use super::lights::Lights;
 use super::placed::Placed;
@@ -70,6 +71,14 @@ pub fn prepare(
     medium::warn_of_overlaps(&placed, &materials, &mut warnings);
     placed.primitives.coincident = coincide::coincidences(&placed, &materials);
     eye::warn_of_surface(camera.eye, &placed, &materials, &mut warnings);
+    dark::warn_of_no_light(&lights.lights, &mut warnings);
+    dark::warn_of_shut_in(
+        camera.eye,
+        &placed,
+        &materials,
+        &lights.lights,
+        &mut warnings,
+    );
     let eye_medium = medium::medium_at(camera.eye, &placed, &materials);
     let light_media = (lights.lights.iter())
         .map(|light| match placed.shapes.get(light.shape as usize) {

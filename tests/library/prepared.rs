@@ -14,6 +14,7 @@ fn prepared(text: &str) -> Prepared {
 const GLASS: &str = "brdf 0 0 0 .04 .04 .04 .1 .5 .5 .5 1.5\n";
 const MATTE: &str = "brdf .5 .5 .5 0 0 0 10\n";
 const VIEW: &str = "screen 40 30\ncamera 0 0 0 .2\n";
+const SKY: &str = "background 1 1 1\n";
 
 /// The camera of the course's P4 scene, whose frame and field of view are known to three digits.
 #[test]
@@ -96,7 +97,7 @@ fn the_eye_knows_the_medium_it_stands_in() {
 
 #[test]
 fn overlapping_glass_is_said_once() {
-    let warnings = |shapes: &str| prepared(&format!("{VIEW}{GLASS}{shapes}")).warnings;
+    let warnings = |shapes: &str| prepared(&format!("{VIEW}{SKY}{GLASS}{shapes}")).warnings;
     assert_eq!(
         warnings("sphere 0 0 0 1\nsphere 1.5 0 0 1\nsphere .7 0 0 1\n").len(),
         1
@@ -291,4 +292,65 @@ fn lights_are_as_small_as_what_gathers_their_light_sees_them() {
         assert_eq!(share(&text).is_some(), gathers, "{gloss}");
     }
     assert_eq!(share(glass), None);
+}
+
+#[test]
+fn pictures_that_can_only_be_black_are_warned_of() {
+    const NONE_SHINES: &str = "nothing in the scene shines";
+    const SHUT_IN: &str = "the eye stands inside the opaque shape of line 4";
+    let far = format!("{MATTE}sphere 0 0 -5 1\n");
+    let around = [
+        format!("{MATTE}box -1 -1 -1 2 2 2\n"),
+        format!("{MATTE}sphere 0 0 0 2\n"),
+        format!("{MATTE}cylinder 0 0 -1 0 0 2 1\n"),
+    ];
+    let mut rows = vec![
+        (far.clone(), Some(NONE_SHINES)),
+        (String::new(), Some(NONE_SHINES)),
+        (format!("light 0 0 0\n{far}"), Some(NONE_SHINES)),
+        (format!("{far}light 0 0 1\nsphere 0 0 9 1\n"), None),
+        (format!("{far}{SKY}"), None),
+    ];
+    for solid in &around {
+        rows.push((solid.clone(), Some(NONE_SHINES)));
+        rows.push((format!("{solid}{SKY}"), Some(SHUT_IN)));
+        rows.push((
+            format!("{solid}light 1 1 1\nsphere 0 0 -5 1\n"),
+            Some(SHUT_IN),
+        ));
+        // A lamp that goes around it.
+        rows.push((
+            format!("{solid}light 1 1 1\nsphere 0 0 0 9\n"),
+            Some(SHUT_IN),
+        ));
+        rows.push((
+            format!("{solid}light 1 1 1\nbox -7 -7 -7 14 14 14\n"),
+            Some(SHUT_IN),
+        ));
+        // Lamps inside, and one that comes through the wall.
+        rows.push((format!("{solid}light 1 1 1\nsphere 0 0 -.5 .1\n"), None));
+        rows.push((
+            format!("{solid}light 1 1 1\nbox -.1 -.1 -9 .2 .2 8.5\n"),
+            None,
+        ));
+    }
+    for (rest, said) in rows {
+        let warnings = prepared(&format!("{VIEW}{rest}")).warnings;
+        match said {
+            None => assert!(warnings.is_empty(), "{rest}: {warnings:?}"),
+            Some(said) => {
+                assert_eq!(warnings.len(), 1, "{rest}: {warnings:?}");
+                assert!(warnings[0].starts_with(said), "{rest}: {warnings:?}");
+            }
+        }
+    }
+    // Glass, a lamp and a mesh around the eye are windows, a sky, or open.
+    for around in [
+        format!("{GLASS}sphere 0 0 0 2\n"),
+        "light 1 1 1\nsphere 0 0 0 2\n".to_owned(),
+        format!("{MATTE}mesh tests/data/scene/tetrahedron.ply -1 -1 -1 9\n"),
+    ] {
+        let warnings = prepared(&format!("{VIEW}{SKY}{around}")).warnings;
+        assert!(warnings.is_empty(), "{around}: {warnings:?}");
+    }
 }
