@@ -50,6 +50,7 @@ fn promises_kept(file: &MeshFile) {
 fn take_up(file: MeshFile, path: &str) {
     let mut mesh = Mesh {
         path: path.into(),
+        files: file.files,
         positions: file.positions,
         normals: file.normals,
         triangles: file.triangles,

@@ -98,6 +98,7 @@ pub(super) fn mesh(builder: &mut Builder, arguments: &mut Arguments) {
     if let (Ok(file), Some([tx, ty, tz, s]), Some(rotate)) = (read, numbers, rotate) {
         let mesh = Mesh {
             path,
+            files: file.files,
             positions: file.positions,
             normals: file.normals,
             triangles: file.triangles,

@@ -109,6 +109,8 @@ pub enum Geometry {
 #[derive(Clone, Debug)]
 pub struct Mesh {
     pub path: PathBuf,
+    /// Files that it was read from besides its own.
+    pub files: Vec<PathBuf>,
     pub positions: Vec<DVec3>,
     /// One a vertex, only where the file gives them: unit length, or zero where the file's has no direction.
     pub normals: Option<Vec<DVec3>>,

@@ -152,6 +152,7 @@ fn cube(centre: DVec3) -> Mesh {
 fn mesh(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Mesh {
     Mesh {
         path: "made here".into(),
+        files: Vec::new(),
         positions,
         normals: None,
         triangles,

@@ -58,6 +58,7 @@ fn cube() -> Mesh {
     let corner = |i: u32| DVec3::new(f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2));
     Mesh {
         path: "cube".into(),
+        files: Vec::new(),
         positions: (0..8).map(|i| 2.0 * corner(i) - 1.0).collect(),
         normals: None,
         triangles: super::furnace::CUBE.to_vec(),

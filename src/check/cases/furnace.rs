@@ -177,6 +177,7 @@ impl Furnace {
             |i: u32| DVec3::new(f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)) - 0.5;
         Mesh {
             path: "cube".into(),
+            files: Vec::new(),
             positions: (0..8).map(corner).collect(),
             normals: None,
             triangles: CUBE.to_vec(),

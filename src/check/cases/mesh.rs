@@ -115,6 +115,7 @@ fn needle_light() -> Case {
 fn mesh(corners: &[[f64; 3]], triangles: Vec<[u32; 3]>) -> Mesh {
     Mesh {
         path: "mesh".into(),
+        files: Vec::new(),
         positions: corners.iter().map(|c| DVec3::from_array(*c)).collect(),
         normals: None,
         triangles,

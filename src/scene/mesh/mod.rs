@@ -8,7 +8,7 @@ mod polygon;
 mod text;
 
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 
@@ -18,6 +18,8 @@ pub const MESH_FORMATS: &str = "PLY (.ply), OBJ (.obj), glTF (.gltf, .glb)";
 /// What a mesh file holds; in its own coordinates, at least one triangle, all numbers finite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshFile {
+    /// Files that it was read from besides its own.
+    pub files: Vec<PathBuf>,
     pub positions: Vec<DVec3>,
     /// One a vertex, only where the file gives them: unit length, or zero where the file's has no direction.
     pub normals: Option<Vec<DVec3>>,

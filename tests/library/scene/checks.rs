@@ -20,6 +20,7 @@ fn cuboid(corner: DVec3) -> Mesh {
     ];
     Mesh {
         path: "box.ply".into(),
+        files: Vec::new(),
         positions: (0..8).map(vertex).collect(),
         normals: None,
         triangles: faces

@@ -65,6 +65,7 @@ fn a_primitive_is_read_with_its_normals() {
         json!({"attributes": attributes, "indices": 1, "material": 77}),
     );
     let expected = MeshFile {
+        files: Vec::new(),
         positions: vectors(&CORNERS),
         normals: Some(vec![DVec3::Z, DVec3::NEG_Y, DVec3::ZERO, DVec3::X]),
         triangles: SQUARE.to_vec(),
@@ -176,7 +177,13 @@ fn buffers_in_the_file_and_beside_it_are_the_same() {
         document["buffers"][0]["uri"] = json!(uri);
         let path = folder.path().join("mesh.gltf");
         std::fs::write(&path, document.to_string()).expect("a file");
-        assert_eq!(read_mesh(&path).expect(uri), expected, "{uri}");
+        let mut mesh = read_mesh(&path).expect(uri);
+        let beside = match uri.starts_with("data:") {
+            true => Vec::new(),
+            false => vec![folder.path().join("a b.bin")],
+        };
+        assert_eq!(std::mem::take(&mut mesh.files), beside, "{uri}");
+        assert_eq!(mesh, expected, "{uri}");
     }
 }
 

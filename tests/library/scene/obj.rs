@@ -22,6 +22,7 @@ const CORNERS: &str = "v 0 0 0\nv 1 0 0\nv 1 1.5 0\nv 0 1 0\n";
 fn a_polygon_is_a_fan_and_positions_keep_f64() {
     let mesh = read("v 0 0 .1\nv 1. 0 0\nv +1 1.5e0 0\nv 0 1 -0.1\nf 1 2 3 4\n").expect("a square");
     let expected = MeshFile {
+        files: Vec::new(),
         positions: vec![
             DVec3::new(0.0, 0.0, 0.1),
             DVec3::X,

@@ -97,6 +97,7 @@ impl Meant {
             )),
         };
         MeshFile {
+            files: Vec::new(),
             positions: pairs.iter().map(|(p, _)| self.positions[*p]).collect(),
             normals: smooth.then(|| normals.collect()),
             triangles,

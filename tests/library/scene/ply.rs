@@ -52,6 +52,7 @@ fn dressed_rows() -> Vec<Vec<Scalar>> {
 fn three_encodings_are_one_mesh() {
     let z = f64::from(0.1_f32);
     let expected = MeshFile {
+        files: Vec::new(),
         positions: vec![
             DVec3::new(0.0, 0.0, z),
             DVec3::new(1.0, 0.0, z),

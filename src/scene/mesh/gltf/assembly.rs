@@ -1,5 +1,7 @@
 //! The triangles of all nodes, put together.
 
+use std::path::PathBuf;
+
 use glam::{DAffine3, DMat3, DVec3};
 use gltf::json::{Node, Root};
 
@@ -84,7 +86,7 @@ impl Assembly {
     }
 
     /// The mesh, if it is one.
-    pub(super) fn finish(self) -> Result<MeshFile, MeshError> {
+    pub(super) fn finish(self, files: Vec<PathBuf>) -> Result<MeshFile, MeshError> {
         if self.triangles.is_empty() {
             return Err(MeshError::Empty("triangles"));
         }
@@ -96,6 +98,7 @@ impl Assembly {
             warnings.push("morph targets are left out".to_owned());
         }
         Ok(MeshFile {
+            files,
             positions: self.positions,
             normals: self.smooth.then_some(self.normals),
             triangles: self.triangles,

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use base64::Engine;
 use base64::alphabet::STANDARD;
@@ -18,15 +18,16 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
     GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent),
 );
 
-/// The bytes of each buffer, no fewer than it claims; an error says what is wrong.
+/// The bytes of each buffer, no fewer than it claims, and the files that they are from; an error says what is wrong.
 pub(super) fn load<'a>(
     root: &Root,
     bin: Option<&'a [u8]>,
     folder: &Path,
-) -> Result<Vec<Cow<'a, [u8]>>, String> {
+) -> Result<(Vec<Cow<'a, [u8]>>, Vec<PathBuf>), String> {
+    let mut files = Vec::new();
     let load = |(number, buffer): (usize, &Buffer)| {
         let bytes = match &buffer.uri {
-            Some(uri) => at(uri, buffer.byte_length.0, folder).map(Cow::Owned),
+            Some(uri) => at(uri, buffer.byte_length.0, folder, &mut files).map(Cow::Owned),
             None => bin
                 .map(Cow::Borrowed)
                 .ok_or_else(|| "there is no binary chunk".into()),
@@ -41,11 +42,13 @@ pub(super) fn load<'a>(
             Err(reason) => Err(format!("its buffer {number} cannot be read: {reason}")),
         }
     };
-    root.buffers.iter().enumerate().map(load).collect()
+    let bytes = root.buffers.iter().enumerate().map(load);
+    Ok((bytes.collect::<Result<_, _>>()?, files))
 }
 
-/// What stands at a URI: `data:…;base64,…`, or the first `length` bytes of a file relative to `folder`.
-fn at(uri: &str, length: u64, folder: &Path) -> Result<Vec<u8>, String> {
+/// What stands at a URI: `data:…;base64,…`, or the first `length` bytes of a file relative to `folder`, which joins
+/// `files`.
+fn at(uri: &str, length: u64, folder: &Path, files: &mut Vec<PathBuf>) -> Result<Vec<u8>, String> {
     let quoted = quote(uri);
     if let Some(data) = uri.strip_prefix("data:") {
         let Some((_, text)) = data.split_once(";base64,") else {
@@ -58,10 +61,12 @@ fn at(uri: &str, length: u64, folder: &Path) -> Result<Vec<u8>, String> {
         return Err(format!("`{quoted}` is no file beside it"));
     }
     let path = folder.join(&*percent_decode_str(uri).decode_utf8_lossy());
-    file(&path, length).map_err(|reason| match reason.kind() {
+    let bytes = file(&path, length).map_err(|reason| match reason.kind() {
         io::ErrorKind::NotFound => format!("there is no file `{quoted}`"),
         _ => format!("`{quoted}`: {reason}"),
-    })
+    })?;
+    files.push(path);
+    Ok(bytes)
 }
 
 /// The first `length` bytes of a file; not of a device, which may never end.

@@ -52,7 +52,8 @@ pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<MeshFile, MeshError> {
             )));
         }
     }
-    let buffers = buffers::load(&root, bin.as_deref(), folder).map_err(MeshError::Malformed)?;
+    let (buffers, files) =
+        buffers::load(&root, bin.as_deref(), folder).map_err(MeshError::Malformed)?;
     let accessors = Accessors::new(&root, &buffers);
     let nodes = nodes::placed(&root).map_err(MeshError::Malformed)?;
     let asked = nodes.iter().map(|(node, _)| primitive::asked(node, &root));
@@ -67,7 +68,7 @@ pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<MeshFile, MeshError> {
             .add(node, to_scene, &root, &accessors)
             .map_err(MeshError::Malformed)?;
     }
-    assembly.finish()
+    assembly.finish(files)
 }
 
 /// The JSON, and the binary chunk of a GLB.

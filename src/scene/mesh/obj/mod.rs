@@ -59,6 +59,7 @@ fn assemble(statements: &Statements, bytes: &[u8]) -> Result<MeshFile, MeshError
     }
     let warnings = left_out.warnings();
     Ok(MeshFile {
+        files: Vec::new(),
         positions: vertices.positions,
         normals: any_smooth.then_some(vertices.normals),
         triangles,

@@ -137,6 +137,7 @@ fn assemble(rows: Rows, with_normals: bool, file: &[u8]) -> Result<MeshFile, Mes
     let positions = finite(rows.positions, &triangles)?;
     let normals = with_normals.then(|| left_out.directions(rows.normals.into_iter(), &triangles));
     Ok(MeshFile {
+        files: Vec::new(),
         positions,
         normals,
         triangles,
