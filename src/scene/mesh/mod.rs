@@ -1,5 +1,6 @@
 //! Mesh files: which formats are read, and what may be wrong with one.
 
+mod foreign;
 mod gltf;
 mod left_out;
 mod obj;
@@ -84,8 +85,12 @@ pub fn read_mesh(path: &Path) -> Result<MeshFile, MeshError> {
 /// # Errors
 /// As [`read_mesh`].
 pub fn parse_mesh(bytes: &[u8], path: &Path) -> Result<MeshFile, MeshError> {
+    let format = format(path)?;
+    if let Some(what) = foreign::foreign(bytes) {
+        return Err(MeshError::Malformed(what.into()));
+    }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    match format(path)? {
+    match format {
         Format::Ply => ply::read(bytes),
         Format::Obj => obj::read(bytes),
         Format::Gltf => gltf::read(bytes, path.parent().unwrap_or(Path::new(""))),

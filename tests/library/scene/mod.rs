@@ -4,6 +4,7 @@ mod bad;
 mod checks;
 mod classroom;
 mod dialects;
+mod foreign;
 mod fuzz;
 mod gltf;
 mod gltf_bad;
