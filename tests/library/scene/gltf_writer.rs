@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 pub const I8: u32 = 5120;
 pub const U8: u32 = 5121;
+pub const I16: u32 = 5122;
 pub const U16: u32 = 5123;
 pub const U32: u32 = 5125;
 pub const F32: u32 = 5126;
@@ -29,30 +30,34 @@ impl Buffer {
         )
     }
 
-    /// Adds an array of vectors and returns its accessor.
-    pub fn vectors(&mut self, kind: u32, rows: &[[f64; 3]]) -> usize {
+    /// Adds an array of vectors or matrices and returns its accessor.
+    pub fn vectors<const N: usize>(&mut self, kind: u32, rows: &[[f64; N]]) -> usize {
         let bytes = rows
             .iter()
             .flatten()
             .flat_map(|x| number(kind, *x))
             .collect();
+        let shape = match N {
+            3 => "VEC3",
+            4 => "VEC4",
+            _ => "MAT4",
+        };
         self.array(
             bytes,
-            json!({"type": "VEC3", "componentType": kind, "count": rows.len()}),
+            json!({"type": shape, "componentType": kind, "count": rows.len()}),
         )
     }
 
-    /// Adds an array of vectors in f32, each 4 bytes into `stride` bytes of something else.
-    pub fn interleaved(&mut self, rows: &[[f64; 3]], stride: usize) -> usize {
+    /// Adds an array of vectors of three, each 4 bytes into `stride` bytes of something else.
+    pub fn interleaved(&mut self, kind: u32, rows: &[[f64; 3]], stride: usize) -> usize {
         let mut bytes = Vec::new();
         for row in rows {
-            bytes.extend([0xff; 4]);
-            bytes.extend(row.iter().flat_map(|x| number(F32, *x)));
             bytes.resize(bytes.len().next_multiple_of(stride), 0xff);
+            bytes.extend([0xff; 4]);
+            bytes.extend(row.iter().flat_map(|x| number(kind, *x)));
         }
-        bytes.truncate(bytes.len() - (stride - 16));
         let accessor =
-            json!({"type": "VEC3", "componentType": F32, "count": rows.len(), "byteOffset": 4});
+            json!({"type": "VEC3", "componentType": kind, "count": rows.len(), "byteOffset": 4});
         let index = self.array(bytes, accessor);
         self.views[index]["byteStride"] = json!(stride);
         index
@@ -74,6 +79,7 @@ fn number(kind: u32, x: f64) -> Vec<u8> {
     match kind {
         I8 => (x as i8).to_le_bytes().to_vec(),
         U8 => (x as u8).to_le_bytes().to_vec(),
+        I16 => (x as i16).to_le_bytes().to_vec(),
         U16 => (x as u16).to_le_bytes().to_vec(),
         U32 => (x as u32).to_le_bytes().to_vec(),
         _ => (x as f32).to_le_bytes().to_vec(),
@@ -86,18 +92,13 @@ pub fn glb(document: &Value, bin: &[u8]) -> Vec<u8> {
     json.resize(json.len().next_multiple_of(4), b' ');
     let mut bin = bin.to_vec();
     bin.resize(bin.len().next_multiple_of(4), 0);
-    let length = (12 + 8 + json.len() + 8 + bin.len()) as u32;
+    chunks(&[(b"JSON", &json), (b"BIN\0", &bin)])
+}
+
+/// A GLB of chunks.
+pub fn chunks(chunks: &[(&[u8; 4], &[u8])]) -> Vec<u8> {
     let word = |n: usize| (n as u32).to_le_bytes();
-    [
-        b"glTF".as_slice(),
-        &word(2),
-        &length.to_le_bytes(),
-        &word(json.len()),
-        b"JSON",
-        &json,
-        &word(bin.len()),
-        b"BIN\0",
-        &bin,
-    ]
-    .concat()
+    let chunk = |(kind, bytes): &(&[u8; 4], &[u8])| [&word(bytes.len()), &kind[..], bytes].concat();
+    let body: Vec<u8> = chunks.iter().flat_map(chunk).collect();
+    [b"glTF", &word(2)[..], &word(12 + body.len()), &body].concat()
 }

@@ -1,49 +1,153 @@
 //! Vectors and indices out of buffers (glTF 2.0, section 3.6.2, *Accessors*): each stretch of bytes is checked before it is
 //! read.
 
-use std::borrow::Cow;
+use std::array;
 
-use glam::DVec3;
-use gltf::json::accessor::{Accessor, ComponentType, Type};
-use gltf::json::validation::Checked;
-use gltf::json::{Index, Root, buffer};
+use super::buffers::Buffers;
+use super::component::Component;
+use super::document::{Accessor, Document, Sparse};
+use super::requirements::or_compressed;
 
 /// A document's accessors and the bytes that they read.
 pub(super) struct Accessors<'a> {
-    root: &'a Root,
-    buffers: &'a [Cow<'a, [u8]>],
+    pub(super) document: &'a Document,
+    pub(super) buffers: &'a Buffers<'a>,
 }
 
-impl<'a> Accessors<'a> {
-    pub(super) fn new(root: &'a Root, buffers: &'a [Cow<'a, [u8]>]) -> Self {
-        Self { root, buffers }
-    }
-
-    /// Vectors of three; whole numbers too, as KHR_mesh_quantization allows.
-    pub(super) fn vectors(&self, index: Index<Accessor>) -> Result<Vec<DVec3>, String> {
-        let (accessor, kind) = self.get(index, Type::Vec3)?;
-        let size = kind.size();
-        let decode = |row: &[u8]| {
-            let component = |i: usize| number(kind, accessor.normalized, &row[i * size..]);
-            DVec3::new(component(0), component(1), component(2))
-        };
-        self.values(accessor, 3 * size, decode)
+impl Accessors<'_> {
+    /// Vectors of N numbers; whole ones too, as KHR_mesh_quantization allows.
+    pub(super) fn vectors<const N: usize>(&self, index: usize) -> Result<Vec<[f64; N]>, String> {
+        let (accessor, kind) = self.get::<N>(index)?;
+        let decode = |bytes: &[u8]| kind.number(accessor.normalized, bytes);
+        self.elements(accessor, kind, decode)
             .map_err(|what| within(index, &what))
     }
 
-    /// Indices of vertices.
-    pub(super) fn indices(&self, index: Index<Accessor>) -> Result<Vec<u32>, String> {
-        let (accessor, kind) = self.get(index, Type::Scalar)?;
-        if !is_index(kind) {
+    /// Vectors of N numbers of vertices.
+    pub(super) fn indices<const N: usize>(&self, index: usize) -> Result<Vec<[u32; N]>, String> {
+        let (accessor, kind) = self.get::<N>(index)?;
+        if !kind.is_index() {
             return Err(within(index, "its numbers are no indices"));
         }
-        self.values(accessor, kind.size(), |row| whole(kind, row))
+        self.elements(accessor, kind, |bytes| kind.whole(bytes))
             .map_err(|what| within(index, &what))
+    }
+
+    /// The index that no vertex may have: the largest of its type (glTF 2.0, section 3.7.2.1, *Overview*).
+    pub(super) fn no_index(&self, index: usize) -> Option<u32> {
+        let kind = Component::of(self.document.accessors.get(index)?.component_type);
+        Some(kind.ok()?.all_ones())
+    }
+
+    /// An accessor of vectors of N, and the type of their numbers.
+    fn get<const N: usize>(&self, index: usize) -> Result<(&Accessor, Component), String> {
+        let accessor = self.document.accessors.get(index);
+        let accessor = accessor.ok_or_else(|| within(index, "there is none"))?;
+        let asked = match N {
+            1 => "SCALAR",
+            _ => "VEC3",
+        };
+        if accessor.kind != asked {
+            return Err(within(index, &format!("its elements are no {asked}")));
+        }
+        let kind = Component::of(accessor.component_type).map_err(|what| within(index, &what))?;
+        Ok((accessor, kind))
+    }
+
+    /// All elements, with the sparse ones in place.
+    fn elements<T: Copy + Default, const N: usize>(
+        &self,
+        accessor: &Accessor,
+        kind: Component,
+        decode: impl Fn(&[u8]) -> T,
+    ) -> Result<Vec<[T; N]>, String> {
+        let size = kind.size();
+        let decode = |row: &[u8]| array::from_fn(|i| decode(&row[i * size..]));
+        let count = self.limited(accessor.count)?;
+        let mut elements: Vec<[T; N]> = match accessor.buffer_view {
+            Some(view) => self
+                .rows(view, accessor.byte_offset, count, N * size)?
+                .map(decode)
+                .collect(),
+            None if accessor.sparse.is_some() => vec![[T::default(); N]; count],
+            None => return Err("it has no data".into()),
+        };
+        if let Some(sparse) = &accessor.sparse {
+            for (place, row) in self.sparse(sparse, N * size)? {
+                let element = elements.get_mut(place);
+                *element.ok_or_else(|| format!("its sparse index {place} is out of range"))? =
+                    decode(row);
+            }
+        }
+        Ok(elements)
+    }
+
+    /// The places of sparse elements and their bytes, `size` each.
+    fn sparse(
+        &self,
+        sparse: &Sparse,
+        size: usize,
+    ) -> Result<impl Iterator<Item = (usize, &[u8])>, String> {
+        let count = self.limited(sparse.count)?;
+        let (at, with) = (&sparse.indices, &sparse.values);
+        let kind = Component::of(at.component_type)
+            .ok()
+            .filter(|kind| kind.is_index());
+        let kind = kind.ok_or("its sparse indices are of no type of indices")?;
+        let places = self.rows(at.buffer_view, at.byte_offset, count, kind.size())?;
+        let rows = self.rows(with.buffer_view, with.byte_offset, count, size)?;
+        Ok(places
+            .map(move |place| kind.whole(place) as usize)
+            .zip(rows))
+    }
+
+    /// `count` stretches of `size` bytes, from byte `offset` of a buffer view on.
+    fn rows(
+        &self,
+        index: usize,
+        offset: Option<u64>,
+        count: usize,
+        size: usize,
+    ) -> Result<impl Iterator<Item = &[u8]> + use<'_>, String> {
+        let view = self.document.buffer_views.get(index);
+        let view = view.ok_or_else(|| format!("there is no buffer view {index}"))?;
+        let buffer = self.buffers.get(view.buffer)?;
+        // Some write a stride of 0 where elements are packed.
+        let stride = view
+            .byte_stride
+            .filter(|stride| *stride != 0)
+            .unwrap_or(size);
+        if stride < size {
+            return Err(format!(
+                "its elements of {size} bytes are only {stride} bytes apart"
+            ));
+        }
+        let bytes = slice(
+            buffer,
+            view.byte_offset.unwrap_or(0),
+            Some(view.byte_length),
+        )
+        .and_then(|view| slice(view, offset.unwrap_or(0), None));
+        // The last element may be shorter than the stride.
+        let needed = match count.checked_sub(1) {
+            Some(last) => stride.checked_mul(last).and_then(|n| n.checked_add(size)),
+            None => Some(0),
+        };
+        match (bytes, needed) {
+            (Some(bytes), Some(needed)) if needed <= bytes.len() => {
+                Ok((0..count).map(move |row| &bytes[row * stride..][..size]))
+            }
+            _ => {
+                let what =
+                    format!("its {count} elements of {size} bytes reach beyond their buffer");
+                Err(or_compressed(what, &view.extensions))
+            }
+        }
     }
 
     /// A number of elements, if there are as many bytes.
     fn limited(&self, count: u64) -> Result<usize, String> {
-        let bytes: usize = self.buffers.iter().map(|bytes| bytes.len()).sum();
+        let bytes = self.buffers.total();
         match usize::try_from(count) {
             Ok(count) if count <= bytes => Ok(count),
             _ => Err(format!(
@@ -51,130 +155,17 @@ impl<'a> Accessors<'a> {
             )),
         }
     }
+}
 
-    fn get(
-        &self,
-        index: Index<Accessor>,
-        asked: Type,
-    ) -> Result<(&'a Accessor, ComponentType), String> {
-        let accessor = self.root.get(index);
-        let accessor = accessor.ok_or_else(|| within(index, "there is none"))?;
-        match (&accessor.component_type, &accessor.type_) {
-            (Checked::Valid(kind), Checked::Valid(found)) if *found == asked => {
-                Ok((accessor, kind.0))
-            }
-            _ => Err(within(index, &format!("its elements are no {asked:?}"))),
-        }
-    }
-
-    /// All elements, of `size` bytes each, with the sparse ones in place.
-    fn values<T: Clone + Default>(
-        &self,
-        accessor: &Accessor,
-        size: usize,
-        decode: impl Fn(&[u8]) -> T,
-    ) -> Result<Vec<T>, String> {
-        let count = self.limited(accessor.count.0)?;
-        let offset = accessor.byte_offset.unwrap_or_default().0;
-        let mut values: Vec<T> = match accessor.buffer_view {
-            Some(view) => self.rows(view, offset, count, size)?.map(&decode).collect(),
-            None if accessor.sparse.is_some() => vec![T::default(); count],
-            None => return Err("it has no data".into()),
-        };
-        if let Some(sparse) = &accessor.sparse {
-            let few = self.limited(sparse.count.0)?;
-            let Checked::Valid(kind) = sparse.indices.component_type else {
-                return Err("its sparse indices are of no known type".into());
-            };
-            let at = &sparse.indices;
-            let places = self.rows(at.buffer_view, at.byte_offset.0, few, kind.0.size())?;
-            let with = &sparse.values;
-            let new = self.rows(with.buffer_view, with.byte_offset.0, few, size)?;
-            for (place, new) in places.zip(new) {
-                let place = whole(kind.0, place) as usize;
-                let value = values.get_mut(place);
-                *value.ok_or_else(|| format!("its sparse index {place} is out of range"))? =
-                    decode(new);
-            }
-        }
-        Ok(values)
-    }
-
-    /// `count` stretches of `size` bytes, from byte `offset` of a buffer view on.
-    fn rows(
-        &self,
-        view: Index<buffer::View>,
-        offset: u64,
-        count: usize,
-        size: usize,
-    ) -> Result<impl Iterator<Item = &'a [u8]>, String> {
-        let missing = || format!("there is no buffer view {}", view.value());
-        let view = self.root.get(view).ok_or_else(missing)?;
-        let stride = view.byte_stride.map_or(size, |stride| stride.0);
-        let start = view.byte_offset.unwrap_or_default().0;
-        let all = slice(
-            self.buffers.get(view.buffer.value()),
-            start,
-            view.byte_length.0,
-        )
-        .and_then(|bytes| bytes.get(usize::try_from(offset).ok()?..));
-        // The last element may be shorter than the stride.
-        let needed = match count.checked_sub(1) {
-            Some(last) => stride.checked_mul(last).and_then(|n| n.checked_add(size)),
-            None => Some(0),
-        };
-        match (all, needed) {
-            (Some(all), Some(needed)) if needed <= all.len() && stride >= size => {
-                Ok((0..count).map(move |row| &all[row * stride..][..size]))
-            }
-            _ => Err(format!(
-                "its {count} elements of {size} bytes reach beyond their buffer"
-            )),
-        }
+/// `length` bytes, or all, from byte `start` on.
+fn slice(bytes: &[u8], start: u64, length: Option<u64>) -> Option<&[u8]> {
+    let rest = bytes.get(usize::try_from(start).ok()?..)?;
+    match length {
+        Some(length) => rest.get(..usize::try_from(length).ok()?),
+        None => Some(rest),
     }
 }
 
-/// `length` bytes of a buffer from byte `start` on.
-fn slice<'a>(buffer: Option<&'a Cow<'a, [u8]>>, start: u64, length: u64) -> Option<&'a [u8]> {
-    let start = usize::try_from(start).ok()?;
-    let end = start.checked_add(usize::try_from(length).ok()?)?;
-    buffer?.get(start..end)
-}
-
-fn within(index: Index<Accessor>, what: &str) -> String {
-    format!("accessor {}: {what}", index.value())
-}
-
-fn is_index(kind: ComponentType) -> bool {
-    matches!(
-        kind,
-        ComponentType::U8 | ComponentType::U16 | ComponentType::U32
-    )
-}
-
-/// The unsigned number at the start of `bytes`, which hold one; little endian.
-fn whole(kind: ComponentType, bytes: &[u8]) -> u32 {
-    let bytes = &bytes[..kind.size()];
-    bytes
-        .iter()
-        .rev()
-        .fold(0, |n, byte| n << 8 | u32::from(*byte))
-}
-
-/// The number at the start of `bytes`, which hold one; a normalised one lies in [0, 1] or [−1, 1]
-/// (glTF 2.0, section 3.11, *Animations*, table of normalised integers).
-fn number(kind: ComponentType, normalized: bool, bytes: &[u8]) -> f64 {
-    let bits = whole(kind, bytes);
-    let (value, most) = match kind {
-        ComponentType::F32 => return f64::from(f32::from_bits(bits)),
-        ComponentType::I8 => (f64::from(bits as u8 as i8), f64::from(i8::MAX)),
-        ComponentType::U8 => (f64::from(bits), f64::from(u8::MAX)),
-        ComponentType::I16 => (f64::from(bits as u16 as i16), f64::from(i16::MAX)),
-        ComponentType::U16 => (f64::from(bits), f64::from(u16::MAX)),
-        ComponentType::U32 => (f64::from(bits), f64::from(u32::MAX)),
-    };
-    match normalized {
-        true => (value / most).max(-1.0),
-        false => value,
-    }
+fn within(index: usize, what: &str) -> String {
+    format!("accessor {index}: {what}")
 }

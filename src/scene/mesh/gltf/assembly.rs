@@ -3,10 +3,12 @@
 use std::path::PathBuf;
 
 use glam::{DAffine3, DMat3, DVec3};
-use gltf::json::{Node, Root};
 
+use super::super::left_out::LeftOut;
 use super::super::{MeshError, MeshFile};
 use super::accessors::Accessors;
+use super::document::{Document, called};
+use super::nodes::Nodes;
 use super::primitive::{self, Triangles};
 
 /// The mesh under way.
@@ -20,77 +22,94 @@ pub(super) struct Assembly {
     smooth: bool,
     skinned: bool,
     morphed: bool,
+    left_out: LeftOut,
+    /// The nodes whose scale left meshes without an area.
+    flat: Vec<String>,
 }
 
 impl Assembly {
     /// Adds the mesh of a node, if it has one; an error says what is wrong.
     pub(super) fn add(
         &mut self,
-        node: &Node,
-        to_scene: DAffine3,
-        root: &Root,
+        number: usize,
+        document: &Document,
         accessors: &Accessors,
+        nodes: &mut Nodes,
     ) -> Result<(), String> {
+        let node = nodes.get(number)?;
         let Some(index) = node.mesh else {
             return Ok(());
         };
-        let number = index.value();
-        let mesh = root.get(index);
-        let mesh = mesh.ok_or_else(|| format!("there is no mesh {number}"))?;
+        let mesh = document.meshes.get(index);
+        let mesh = mesh.ok_or_else(|| format!("there is no mesh {index}"))?;
         // A skinned mesh is placed by its joints and not by its node (glTF 2.0, section 3.7.3.3): as it was bound, it
         // stands in the scene's space.
         let to_scene = match node.skin {
             Some(_) => DAffine3::IDENTITY,
-            None => to_scene,
+            None => nodes.placed(number)?,
         };
         self.skinned |= node.skin.is_some();
+        if of_normals(to_scene.matrix3) == DMat3::ZERO {
+            let flat = nodes.flat(number).unwrap_or(number);
+            self.flat.push(nodes.label(flat));
+            return Ok(());
+        }
         for (i, primitive) in mesh.primitives.iter().enumerate() {
-            let within = |what| format!("mesh {number}, primitive {i}: {what}");
-            if let Some(read) = primitive::read(primitive, accessors).map_err(within)? {
-                self.place(read, to_scene).map_err(within)?;
-                self.morphed |= primitive.targets.is_some();
-            }
+            let within = |what| {
+                let mesh = called("mesh", index, mesh.name.as_deref());
+                format!("{mesh}, primitive {i}: {what}")
+            };
+            let read = primitive::read(primitive, accessors, &mut self.left_out);
+            let Some(read) = read.map_err(within)? else {
+                continue;
+            };
+            self.place(read, |_| to_scene).map_err(within)?;
+            self.morphed |= primitive.targets.is_some();
         }
         Ok(())
     }
 
-    /// Adds triangles, transformed.
-    fn place(&mut self, mut read: Triangles, to_scene: DAffine3) -> Result<(), String> {
+    /// Adds triangles, each vertex transformed.
+    fn place(
+        &mut self,
+        read: Triangles,
+        to_scene: impl Fn(usize) -> DAffine3,
+    ) -> Result<(), String> {
         let first = self.positions.len() as u32;
-        let finite = |v: &DVec3| v.as_vec3().is_finite();
-        for p in &mut read.positions {
-            *p = to_scene.transform_point3(*p);
-        }
-        if let Some(bad) = read.positions.iter().position(|p| !finite(p)) {
-            return Err(format!(
-                "its vertex {bad} is not finite in single precision"
-            ));
-        }
-        self.positions.extend(read.positions);
+        let positions = read.positions.iter().enumerate();
+        let moved = positions.map(|(i, p)| to_scene(i).transform_point3(*p));
+        self.positions
+            .extend(finite(moved.collect(), &read.triangles)?);
         if let Some(normals) = read.normals {
-            if let Some(bad) = normals.iter().position(|n| !finite(n)) {
-                return Err(format!("its normal {bad} is not finite"));
-            }
-            let turn = of_normals(to_scene.matrix3);
-            let turned = normals.iter().map(|n| (turn * *n).normalize_or_zero());
-            self.normals.extend(turned);
+            let turn = |i| of_normals(to_scene(i).matrix3);
+            let turned = normals.iter().enumerate().map(|(i, n)| turn(i) * *n);
+            self.normals.extend(turned.map(DVec3::normalize_or_zero));
             self.smooth = true;
         }
         self.normals.resize(self.positions.len(), DVec3::ZERO);
         // A mirrored triangle is seen from behind.
-        let mirrored = to_scene.matrix3.determinant() < 0.0;
-        let outward = |[a, b, c]: [u32; 3]| if mirrored { [a, c, b] } else { [a, b, c] };
-        let placed = read.triangles.into_iter().map(|t| t.map(|i| i + first));
-        self.triangles.extend(placed.map(outward));
+        let mirrored = |i: u32| to_scene(i as usize).matrix3.determinant() < 0.0;
+        let outward = |[a, b, c]: [u32; 3]| if mirrored(a) { [a, c, b] } else { [a, b, c] };
+        let placed = read.triangles.into_iter().map(outward);
+        self.triangles.extend(placed.map(|t| t.map(|i| i + first)));
         Ok(())
     }
 
-    /// The mesh, if it is one.
-    pub(super) fn finish(self, files: Vec<PathBuf>) -> Result<MeshFile, MeshError> {
+    /// The mesh, if it is one; what stands in `warnings` is said first.
+    pub(super) fn finish(
+        self,
+        files: Vec<PathBuf>,
+        mut warnings: Vec<String>,
+    ) -> Result<MeshFile, MeshError> {
+        let left_out = self.flat_warning().into_iter();
+        let left_out: Vec<_> = left_out.chain(self.left_out.warnings()).collect();
         if self.triangles.is_empty() {
-            return Err(MeshError::Empty("triangles"));
+            return Err(match left_out.first() {
+                Some(why) => MeshError::Malformed(format!("it has no triangles: {why}")),
+                None => MeshError::Empty("triangles"),
+            });
         }
-        let mut warnings = Vec::new();
+        warnings.extend(left_out);
         if self.skinned {
             warnings.push("a skinned mesh is shown as it was bound".to_owned());
         }
@@ -105,6 +124,33 @@ impl Assembly {
             warnings,
         })
     }
+
+    /// What is said of nodes whose scale left nothing of their meshes.
+    fn flat_warning(&self) -> Option<String> {
+        let (first, more) = self.flat.split_first()?;
+        let more = match more.len() {
+            0 => "is left out".to_owned(),
+            more => format!("and {more} more like it are left out"),
+        };
+        Some(format!("the scale of {first} is zero: its mesh {more}"))
+    }
+}
+
+/// `positions`, if all that triangles use are finite; the others, which may be anything, are moved onto one of those.
+fn finite(mut positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Result<Vec<DVec3>, String> {
+    let is_finite = |p: &DVec3| p.as_vec3().is_finite();
+    if !positions.iter().all(is_finite) {
+        let mut used = triangles.as_flattened().iter().map(|i| *i as usize);
+        if let Some(bad) = used.clone().find(|i| !is_finite(&positions[*i])) {
+            return Err(format!(
+                "its vertex {bad} is not finite in single precision"
+            ));
+        }
+        let somewhere = used.next().map_or(DVec3::ZERO, |i| positions[i]);
+        let bad = positions.iter_mut().filter(|p| !is_finite(p));
+        bad.for_each(|p| *p = somewhere);
+    }
+    Ok(positions)
 }
 
 /// What normals are transformed by where points are by `m`: its inverse transpose but for a positive factor, which is

@@ -1,80 +1,113 @@
-//! A document's buffers: the chunk of a GLB, files beside the document, data within it.
+//! The buffers that meshes are read from: the chunk of a GLB, files beside the document, data within it.
 
 use std::borrow::Cow;
-use std::fs::File;
-use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use base64::Engine;
-use base64::alphabet::STANDARD;
-use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
-use gltf::json::{Buffer, Root};
-use percent_encoding::percent_decode_str;
+use super::address::bytes_at;
+use super::document::{Accessor, Buffer, Document};
+use super::requirements::or_compressed;
 
-use crate::scene::text::quote;
+/// The bytes of a document's buffers.
+pub(super) struct Buffers<'a> {
+    /// No fewer than a buffer claims; none of a buffer that is not needed.
+    bytes: Vec<Cow<'a, [u8]>>,
+    /// Those that the bytes are from.
+    files: Vec<PathBuf>,
+}
 
-const BASE64: GeneralPurpose = GeneralPurpose::new(
-    &STANDARD,
-    GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent),
-);
-
-/// The bytes of each buffer, no fewer than it claims, and the files that they are from; an error says what is wrong.
-pub(super) fn load<'a>(
-    root: &Root,
-    bin: Option<&'a [u8]>,
-    folder: &Path,
-) -> Result<(Vec<Cow<'a, [u8]>>, Vec<PathBuf>), String> {
-    let mut files = Vec::new();
-    let load = |(number, buffer): (usize, &Buffer)| {
-        let bytes = match &buffer.uri {
-            Some(uri) => at(uri, buffer.byte_length.0, folder, &mut files).map(Cow::Owned),
-            None => bin
-                .map(Cow::Borrowed)
-                .ok_or_else(|| "there is no binary chunk".into()),
+impl<'a> Buffers<'a> {
+    /// Reads the buffers that are needed; others, such as pictures', may be missing. An error says what is wrong.
+    pub(super) fn load(
+        document: &Document,
+        bin: Option<&'a [u8]>,
+        folder: &Path,
+    ) -> Result<Self, String> {
+        let mut buffers = Self {
+            bytes: vec![Cow::default(); document.buffers.len()],
+            files: Vec::new(),
         };
-        match bytes {
-            Ok(bytes) if bytes.len() as u64 >= buffer.byte_length.0 => Ok(bytes),
-            Ok(bytes) => Err(format!(
-                "its buffer {number} is truncated: it claims {} bytes, and has {}",
-                buffer.byte_length.0,
-                bytes.len()
-            )),
-            Err(reason) => Err(format!("its buffer {number} cannot be read: {reason}")),
+        for (number, needed) in needed(document).into_iter().enumerate() {
+            if needed {
+                let buffer = &document.buffers[number];
+                // Only the first buffer may be a GLB's chunk (glTF 2.0, section 4.4.3.3).
+                let bin = bin.filter(|_| number == 0);
+                let bytes = buffers
+                    .of(buffer, bin, folder)
+                    .map_err(|what| format!("its buffer {number} {what}"))?;
+                buffers.bytes[number] = bytes;
+            }
         }
-    };
-    let bytes = root.buffers.iter().enumerate().map(load);
-    Ok((bytes.collect::<Result<_, _>>()?, files))
-}
+        Ok(buffers)
+    }
 
-/// What stands at a URI: `data:…;base64,…`, or the first `length` bytes of a file relative to `folder`, which joins
-/// `files`.
-fn at(uri: &str, length: u64, folder: &Path, files: &mut Vec<PathBuf>) -> Result<Vec<u8>, String> {
-    let quoted = quote(uri);
-    if let Some(data) = uri.strip_prefix("data:") {
-        let Some((_, text)) = data.split_once(";base64,") else {
-            return Err(format!("`{quoted}` is not in base64"));
+    fn of(
+        &mut self,
+        buffer: &Buffer,
+        bin: Option<&'a [u8]>,
+        folder: &Path,
+    ) -> Result<Cow<'a, [u8]>, String> {
+        let claimed = buffer.byte_length;
+        let bytes: Cow<[u8]> = match (&buffer.uri, bin) {
+            (Some(uri), _) => {
+                let (bytes, file) = bytes_at(uri, claimed, folder)
+                    .map_err(|reason| format!("cannot be read: {reason}"))?;
+                self.files.extend(file);
+                bytes.into()
+            }
+            (None, Some(bin)) => bin.into(),
+            (None, None) => {
+                let what = "has no data: no `uri`, and no binary chunk as in GLB";
+                return Err(or_compressed(what.into(), &buffer.extensions));
+            }
         };
-        return BASE64.decode(text).map_err(|error| error.to_string());
+        match bytes.len() {
+            has if (has as u64) < claimed => Err(format!(
+                "is truncated: it claims {claimed} bytes, and has {has}"
+            )),
+            _ => Ok(bytes),
+        }
     }
-    // A colon in a relative reference must be encoded: this is a scheme.
-    if uri.contains(':') {
-        return Err(format!("`{quoted}` is no file beside it"));
+
+    /// The bytes of a buffer that is needed; an error says what is wrong.
+    pub(super) fn get(&self, number: usize) -> Result<&[u8], String> {
+        let bytes = self.bytes.get(number);
+        bytes
+            .map(AsRef::as_ref)
+            .ok_or_else(|| format!("there is no buffer {number}"))
     }
-    let path = folder.join(&*percent_decode_str(uri).decode_utf8_lossy());
-    let bytes = file(&path, length).map_err(|reason| match reason.kind() {
-        io::ErrorKind::NotFound => format!("there is no file `{quoted}`"),
-        _ => format!("`{quoted}`: {reason}"),
-    })?;
-    files.push(path);
-    Ok(bytes)
+
+    /// How many bytes there are.
+    pub(super) fn total(&self) -> usize {
+        self.bytes.iter().map(|bytes| bytes.len()).sum()
+    }
+
+    /// The files beside the document that were read.
+    pub(super) fn into_files(self) -> Vec<PathBuf> {
+        self.files
+    }
 }
 
-/// The first `length` bytes of a file; not of a device, which may never end.
-fn file(path: &Path, length: u64) -> io::Result<Vec<u8>> {
-    if !path.metadata()?.is_file() {
-        return Err(io::Error::other("it is no file"));
+/// Whether each buffer is needed.
+fn needed(document: &Document) -> Vec<bool> {
+    let primitives = document.meshes.iter().flat_map(|mesh| &mesh.primitives);
+    let of_meshes = primitives.flat_map(|p| p.attributes.values().chain(&p.indices));
+    let mut needed = vec![false; document.buffers.len()];
+    let accessors = of_meshes.filter_map(|i| document.accessors.get(*i));
+    for view in accessors.flat_map(views) {
+        let buffer = document.buffer_views.get(view).map(|view| view.buffer);
+        if let Some(needed) = buffer.and_then(|buffer| needed.get_mut(buffer)) {
+            *needed = true;
+        }
     }
-    let mut bytes = Vec::new();
-    File::open(path)?.take(length).read_to_end(&mut bytes)?;
-    Ok(bytes)
+    needed
+}
+
+/// The buffer views of an accessor.
+fn views(accessor: &Accessor) -> impl Iterator<Item = usize> {
+    let sparse = accessor.sparse.as_ref();
+    let sparse = sparse.map(|sparse| [sparse.indices.buffer_view, sparse.values.buffer_view]);
+    accessor
+        .buffer_view
+        .into_iter()
+        .chain(sparse.into_iter().flatten())
 }

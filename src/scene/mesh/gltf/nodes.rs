@@ -1,72 +1,132 @@
-//! The nodes of a scene and where they stand.
+//! Where nodes stand.
+
+use std::iter;
 
 use glam::{DAffine3, DMat4, DQuat, DVec3};
-use gltf::json::{Index, Node, Root};
 
-/// The nodes of the scene that is read, parents before children, each with its transform to the scene's space; an
-/// error says what is wrong.
-///
-/// A node that is reached twice is refused, as the format does: it may be its own ancestor, or be reached in
-/// exponentially many ways.
-pub(super) fn placed(root: &Root) -> Result<Vec<(&Node, DAffine3)>, String> {
-    let mut to_visit: Vec<_> = tops(root)?
-        .into_iter()
-        .rev()
-        .map(|node| (node, DAffine3::IDENTITY))
-        .collect();
-    let mut seen = vec![false; root.nodes.len()];
-    let mut placed = Vec::new();
-    while let Some((index, parent)) = to_visit.pop() {
-        let number = index.value();
-        let node = root
-            .get(index)
-            .ok_or_else(|| format!("there is no node {number}"))?;
-        if std::mem::replace(&mut seen[number], true) {
-            return Err(format!("node {number} stands in its scene twice"));
-        }
-        let to_scene = parent
-            * local(node).ok_or_else(|| {
-                format!("the matrix of node {number} has another last row than 0 0 0 1")
-            })?;
-        placed.push((node, to_scene));
-        let children = node.children.iter().flatten().rev();
-        to_visit.extend(children.map(|child| (*child, to_scene)));
-    }
-    Ok(placed)
+use super::document::{Document, Node, called};
+
+/// A document's nodes and their transforms to the scene's space, each computed once.
+pub(super) struct Nodes<'a> {
+    all: &'a [Node],
+    parents: Vec<Option<usize>>,
+    known: Vec<Option<DAffine3>>,
 }
 
-/// The nodes that have no parent in the default scene, or the first, or, where there is none, in the file.
-fn tops(root: &Root) -> Result<Vec<Index<Node>>, String> {
-    let scene = match root.scene {
-        Some(scene) => Some(root.get(scene).ok_or("its default scene is not there")?),
-        None => root.scenes.first(),
-    };
-    if let Some(scene) = scene {
-        return Ok(scene.nodes.clone());
-    }
-    let children = root.nodes.iter().filter_map(|node| node.children.as_ref());
-    let mut is_child = vec![false; root.nodes.len()];
-    for child in children.flatten() {
-        if let Some(is_child) = is_child.get_mut(child.value()) {
-            *is_child = true;
+impl<'a> Nodes<'a> {
+    /// An error says what is wrong: a node of two parents would stand in two places.
+    pub(super) fn of(document: &'a Document) -> Result<Self, String> {
+        let all = &document.nodes;
+        let mut parents = vec![None; all.len()];
+        for (parent, node) in all.iter().enumerate() {
+            for child in node.children.iter().flatten() {
+                let of_child = parents.get_mut(*child);
+                let of_child = of_child.ok_or_else(|| format!("there is no node {child}"))?;
+                if of_child.replace(parent).is_some() {
+                    let child = label(all, *child);
+                    return Err(format!("{child} is a child twice"));
+                }
+            }
         }
+        let known = vec![None; all.len()];
+        Ok(Self {
+            all,
+            parents,
+            known,
+        })
     }
-    let tops = is_child.iter().enumerate().filter(|(_, child)| !**child);
-    Ok(tops.map(|(i, _)| Index::new(i as u32)).collect())
+
+    /// A node as messages call it.
+    pub(super) fn label(&self, number: usize) -> String {
+        label(self.all, number)
+    }
+
+    /// A node; an error says that there is none.
+    pub(super) fn get(&self, number: usize) -> Result<&'a Node, String> {
+        let node = self.all.get(number);
+        node.ok_or_else(|| format!("there is no node {number}"))
+    }
+
+    /// The nodes that have no parent.
+    pub(super) fn roots(&self) -> impl Iterator<Item = usize> {
+        (0..self.all.len()).filter(|node| self.parents[*node].is_none())
+    }
+
+    /// The transform of a node to the scene's space, whether a scene has it or not: the product of its ancestors' and its
+    /// own (glTF 2.0, section 3.5.3, *Transformations*). An error says what is wrong.
+    pub(super) fn placed(&mut self, number: usize) -> Result<DAffine3, String> {
+        self.get(number)?;
+        // From the node up to where it is known.
+        let mut unknown = Vec::new();
+        let mut next = Some(number);
+        while let Some(node) = next.filter(|node| self.known[*node].is_none()) {
+            if unknown.len() == self.all.len() {
+                return Err(format!("{} is its own ancestor", self.label(node)));
+            }
+            unknown.push(node);
+            next = self.parents[node];
+        }
+        let mut to_scene = next.and_then(|node| self.known[node]).unwrap_or_default();
+        for node in unknown.into_iter().rev() {
+            let own = local(&self.all[node])
+                .map_err(|(what, is)| format!("the {what} of {} {is}", self.label(node)))?;
+            to_scene *= own;
+            if !to_scene.is_finite() {
+                let node = self.label(node);
+                return Err(format!(
+                    "the transform of {node} to its scene is not finite"
+                ));
+            }
+            self.known[node] = Some(to_scene);
+        }
+        Ok(to_scene)
+    }
+
+    /// The nearest of a node and its ancestors that flattens what is below it.
+    pub(super) fn flat(&self, number: usize) -> Option<usize> {
+        let singular = |node: &usize| {
+            local(&self.all[*node]).is_ok_and(|own| own.matrix3.determinant() == 0.0)
+        };
+        iter::successors(Some(number), |node| self.parents[*node]).find(singular)
+    }
 }
 
-/// The transform to the parent's space: a matrix (column-major), or T·R·S; `None` where it is not affine.
-fn local(node: &Node) -> Option<DAffine3> {
-    if let Some(matrix) = node.matrix {
-        let matrix = DMat4::from_cols_array(&matrix.map(f64::from));
-        let affine = matrix.row(3).to_array() == [0.0, 0.0, 0.0, 1.0];
-        return affine.then(|| DAffine3::from_mat4(matrix));
+fn label(all: &[Node], number: usize) -> String {
+    let name = all.get(number).and_then(|node| node.name.as_deref());
+    called("node", number, name)
+}
+
+/// The transform to the parent's space: a matrix, or T·R·S; or which of them is wrong, and how.
+fn local(node: &Node) -> Result<DAffine3, (&'static str, &'static str)> {
+    if let Some(matrix) = &node.matrix {
+        let matrix = DMat4::from_cols_array(&finite("matrix", matrix)?);
+        return match matrix.row(3).to_array() {
+            [0.0, 0.0, 0.0, 1.0] => Ok(DAffine3::from_mat4(matrix)),
+            _ => Err(("matrix", "has another last row than 0 0 0 1")),
+        };
     }
-    let vector = |v: Option<[f32; 3]>, or: DVec3| v.map_or(or, |v| DVec3::from(v.map(f64::from)));
-    let rotation = node.rotation.unwrap_or_default().0.map(f64::from);
-    Some(DAffine3::from_scale_rotation_translation(
-        vector(node.scale, DVec3::ONE),
-        DQuat::from_array(rotation).normalize(),
-        vector(node.translation, DVec3::ZERO),
+    let rotation = finite("rotation", &node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]))?;
+    let rotation = DQuat::from_array(rotation);
+    if rotation.length() == 0.0 {
+        return Err(("rotation", "is zero"));
+    }
+    Ok(DAffine3::from_scale_rotation_translation(
+        DVec3::from(finite("scale", &node.scale.unwrap_or([1.0; 3]))?),
+        rotation.normalize(),
+        DVec3::from(finite(
+            "translation",
+            &node.translation.unwrap_or_default(),
+        )?),
     ))
+}
+
+/// Numbers as they are, if single precision has them, in which they are meant.
+fn finite<const N: usize>(
+    what: &'static str,
+    numbers: &[f64; N],
+) -> Result<[f64; N], (&'static str, &'static str)> {
+    match numbers.iter().all(|x| (*x as f32).is_finite()) {
+        true => Ok(*numbers),
+        false => Err((what, "is not finite in single precision")),
+    }
 }

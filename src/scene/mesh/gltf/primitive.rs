@@ -1,99 +1,109 @@
 //! A primitive of a mesh: its vertices and triangles, in the mesh's own space.
 
 use glam::DVec3;
-use gltf::Semantic;
-use gltf::json::mesh::{Mode, Primitive};
-use gltf::json::validation::Checked;
-use gltf::json::{Accessor, Index, Node, Root};
 
+use super::super::left_out::LeftOut;
 use super::accessors::Accessors;
+use super::document::{Document, Node, Primitive};
+use super::requirements::or_compressed;
+use super::topology::Mode;
 
 /// The triangles of a primitive.
 pub(super) struct Triangles {
     pub(super) positions: Vec<DVec3>,
-    /// As many as positions.
+    /// As many as positions: of unit length, or zero.
     pub(super) normals: Option<Vec<DVec3>>,
     /// Indices of positions.
     pub(super) triangles: Vec<[u32; 3]>,
+}
+
+impl Primitive {
+    fn mode(&self) -> Result<Option<Mode>, String> {
+        Mode::of(self.mode.unwrap_or(4))
+    }
+
+    /// Consists of triangles, or of something that is not known and must be told of.
+    pub(super) fn has_triangles(&self) -> bool {
+        !matches!(self.mode(), Ok(None))
+    }
 }
 
 /// Reads a primitive; `None` if it consists of points or lines. An error says what is wrong.
 pub(super) fn read(
     primitive: &Primitive,
     accessors: &Accessors,
+    left_out: &mut LeftOut,
 ) -> Result<Option<Triangles>, String> {
-    let mode = match primitive.mode {
-        Checked::Valid(Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip) => {
-            return Ok(None);
-        }
-        Checked::Valid(mode) => mode,
-        Checked::Invalid => return Err("its mode is not known".into()),
+    match primitive.mode()? {
+        Some(mode) => triangles(primitive, mode, accessors, left_out)
+            .map(Some)
+            .map_err(|what| or_compressed(what, &primitive.extensions)),
+        None => Ok(None),
+    }
+}
+
+fn triangles(
+    primitive: &Primitive,
+    mode: Mode,
+    accessors: &Accessors,
+    left_out: &mut LeftOut,
+) -> Result<Triangles, String> {
+    let vectors = |accessor: usize| -> Result<Vec<DVec3>, String> {
+        let vectors = accessors.vectors(accessor)?;
+        Ok(vectors.into_iter().map(DVec3::from_array).collect())
     };
-    let attribute = |name| primitive.attributes.get(&Checked::Valid(name)).copied();
-    let positions = attribute(Semantic::Positions).ok_or("it has no positions")?;
-    let positions = accessors.vectors(positions)?;
-    let normals = attribute(Semantic::Normals).map(|normals| accessors.vectors(normals));
-    let normals = normals.transpose()?;
+    let attribute = |name| primitive.attributes.get(name).copied();
+    let positions = vectors(attribute("POSITION").ok_or("it has no positions")?)?;
+    let normals = attribute("NORMAL").map(vectors).transpose()?;
     let (vertices, given) = (positions.len(), normals.as_ref().map(Vec::len));
     if let Some(given) = given.filter(|given| *given != vertices) {
         return Err(format!("it has {given} normals for {vertices} vertices"));
     }
-    let indices = match primitive.indices {
-        Some(indices) => accessors.indices(indices)?,
+    let corners = match primitive.indices {
+        Some(indices) => corners(indices, mode, vertices, accessors)?,
         None => (0..vertices as u32).collect(),
     };
-    if let Some(bad) = indices.iter().find(|i| **i as usize >= vertices) {
-        return Err(format!(
-            "it refers to vertex {bad}, and there are {vertices}"
-        ));
-    }
-    let triangles = triangles(mode, &indices)?;
-    Ok(Some(Triangles {
+    let triangles = mode.triangles(&corners, left_out);
+    let normals = normals.map(|normals| left_out.directions(normals.into_iter(), &triangles));
+    Ok(Triangles {
         positions,
         normals,
         triangles,
-    }))
+    })
+}
+
+/// The indices of an accessor, checked.
+fn corners(
+    accessor: usize,
+    mode: Mode,
+    vertices: usize,
+    accessors: &Accessors,
+) -> Result<Vec<u32>, String> {
+    let indices = accessors.indices::<1>(accessor)?.into_flattened();
+    // Of a list nothing can be begun anew: there such an index is a vertex like any other, or there is none.
+    let restart = accessors.no_index(accessor).filter(|_| mode != Mode::List);
+    if let Some(restart) = restart.filter(|restart| indices.contains(restart)) {
+        return Err(format!(
+            "its index {restart} restarts a strip, which glTF 2.0 forbids: export it as a list of triangles"
+        ));
+    }
+    match indices.iter().find(|i| **i as usize >= vertices) {
+        Some(bad) => Err(format!(
+            "it refers to vertex {bad}, and there are {vertices}"
+        )),
+        None => Ok(indices),
+    }
 }
 
 /// How many vertices or corners, whichever are more, a node's mesh asks for.
-pub(super) fn asked(node: &Node, root: &Root) -> u64 {
-    let mesh = node.mesh.and_then(|mesh| root.get(mesh));
+pub(super) fn asked(node: &Node, document: &Document) -> u64 {
+    let mesh = node.mesh.and_then(|mesh| document.meshes.get(mesh));
     let primitives = mesh.iter().flat_map(|mesh| &mesh.primitives);
-    let count = |i: Index<Accessor>| root.get(i).map_or(0, |accessor| accessor.count.0);
+    let count = |accessor: &usize| document.accessors.get(*accessor).map_or(0, |a| a.count);
     primitives
         .map(|primitive| {
-            let vertices = primitive.attributes.values().map(|a| count(*a));
-            vertices
-                .chain(primitive.indices.map(count))
-                .max()
-                .unwrap_or(0)
+            let accessors = primitive.attributes.values().chain(&primitive.indices);
+            accessors.map(count).max().unwrap_or(0)
         })
         .fold(0, u64::saturating_add)
-}
-
-/// The triangles of a list, a strip or a fan (glTF 2.0, section 3.7.2.1); those that repeat a corner only join a strip.
-fn triangles(mode: Mode, indices: &[u32]) -> Result<Vec<[u32; 3]>, String> {
-    let windows = indices.windows(3);
-    let triangles: Vec<[u32; 3]> = match mode {
-        Mode::TriangleStrip => windows
-            .enumerate()
-            // pᵢ = (vᵢ, vᵢ₊₁₊ᵢ mod ₂, vᵢ₊₂₋ᵢ mod ₂)
-            .map(|(i, v)| [v[0], v[1 + i % 2], v[2 - i % 2]])
-            .filter(|[a, b, c]| a != b && b != c && c != a)
-            .collect(),
-        // pᵢ = (vᵢ₊₁, vᵢ₊₂, v₀)
-        Mode::TriangleFan => indices
-            .windows(2)
-            .skip(1)
-            .map(|v| [v[0], v[1], indices[0]])
-            .collect(),
-        _ if !indices.len().is_multiple_of(3) => {
-            return Err(format!("{} corners make no triangles", indices.len()));
-        }
-        _ => indices
-            .chunks_exact(3)
-            .map(|v| [v[0], v[1], v[2]])
-            .collect(),
-    };
-    Ok(triangles)
 }

@@ -1,0 +1,118 @@
+//! What a document asks of its reader: a version of glTF, and extensions.
+
+use serde::Deserialize;
+use serde_json::Value;
+
+use super::document::Extensions;
+use crate::scene::text::quote;
+
+/// Extensions that a file may require: they change what is not read, or the type of numbers only.
+const HARMLESS: [&str; 9] = [
+    "KHR_mesh_quantization",
+    "KHR_materials_",
+    "KHR_texture_",
+    "KHR_lights_",
+    "KHR_animation_",
+    "KHR_xmp",
+    "EXT_texture_",
+    "EXT_lights_",
+    "MSFT_texture_",
+];
+
+/// Extensions that hold vertices and triangles in a form of their own.
+const COMPRESSIONS: [&str; 3] = [
+    "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
+    "KHR_meshopt_compression",
+];
+
+/// The part of a document that is understood in any version.
+#[derive(Deserialize)]
+struct Head {
+    asset: Option<Asset>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Asset {
+    /// A string, but some write a number.
+    version: Option<Value>,
+    min_version: Option<Value>,
+}
+
+/// Refuses versions other than 2.x, and files of those that ask for more than 2.0. Other versions have other JSON: this is
+/// asked first.
+pub(super) fn version(json: &str) -> Result<(), String> {
+    let head: Head = serde_json::from_str(json).map_err(|error| not_understood(&error))?;
+    let asset = head.asset.as_ref();
+    let Some(version) = asset.and_then(|asset| asset.version.as_ref()) else {
+        return Err(
+            "it has no `asset.version`, which says of a glTF file that it is one of glTF 2.0"
+                .into(),
+        );
+    };
+    let least = asset.and_then(|asset| asset.min_version.as_ref());
+    let (version, least) = (text(version), least.map(text));
+    if version.split('.').next() != Some("2") {
+        let version = quote(&version);
+        return Err(format!(
+            "it is glTF {version}, and only 2.0 is read: convert it"
+        ));
+    }
+    let above = |least: &String| least.parse().is_ok_and(|least: f64| least > 2.0);
+    match least.filter(above) {
+        Some(least) => Err(format!(
+            "it needs glTF {} or later, and only 2.0 is read: export it as that",
+            quote(&least)
+        )),
+        None => Ok(()),
+    }
+}
+
+/// What is said of JSON that is something else than glTF's.
+pub(super) fn not_understood(error: &serde_json::Error) -> String {
+    format!("its JSON is not understood: {error}")
+}
+
+fn text(value: &Value) -> String {
+    value
+        .as_str()
+        .map_or_else(|| value.to_string(), str::to_owned)
+}
+
+/// Refuses extensions that must be known for the mesh to be right and are not.
+pub(super) fn extensions(required: &[String]) -> Result<(), String> {
+    let harmless = |name: &&String| HARMLESS.iter().any(|start| name.starts_with(start));
+    let unknown: Vec<&String> = required.iter().filter(|name| !harmless(name)).collect();
+    let names: Vec<_> = unknown
+        .iter()
+        .map(|name| format!("`{}`", quote(name)))
+        .collect();
+    let (extensions, are) = match &names[..] {
+        [] => return Ok(()),
+        [_] => ("extension", "is"),
+        _ => ("extensions", "are"),
+    };
+    let compressed = unknown
+        .iter()
+        .any(|name| COMPRESSIONS.contains(&name.as_str()));
+    let remedy = match compressed {
+        true => ": its mesh is compressed, save it without compression",
+        false => "",
+    };
+    let names = names.join(", ");
+    Err(format!(
+        "it requires the {extensions} {names}, which {are} not read{remedy}"
+    ))
+}
+
+/// `what` is wrong with data that may be there in a compressed form besides: says so then.
+pub(super) fn or_compressed(what: String, extensions: &Extensions) -> String {
+    match COMPRESSIONS
+        .iter()
+        .find(|name| extensions.contains_key(**name))
+    {
+        Some(name) => format!("{what}: it is compressed by {name}, save it without compression"),
+        None => what,
+    }
+}
