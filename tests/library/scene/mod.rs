@@ -11,6 +11,7 @@ mod gltf_accessors;
 mod gltf_bad;
 mod gltf_files;
 mod gltf_nodes;
+mod gltf_skin;
 mod gltf_writer;
 mod good;
 mod grammar;

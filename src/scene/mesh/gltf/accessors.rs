@@ -23,7 +23,7 @@ impl Accessors<'_> {
             .map_err(|what| within(index, &what))
     }
 
-    /// Vectors of N numbers of vertices.
+    /// Vectors of N numbers of vertices or joints.
     pub(super) fn indices<const N: usize>(&self, index: usize) -> Result<Vec<[u32; N]>, String> {
         let (accessor, kind) = self.get::<N>(index)?;
         if !kind.is_index() {
@@ -45,7 +45,9 @@ impl Accessors<'_> {
         let accessor = accessor.ok_or_else(|| within(index, "there is none"))?;
         let asked = match N {
             1 => "SCALAR",
-            _ => "VEC3",
+            3 => "VEC3",
+            4 => "VEC4",
+            _ => "MAT4",
         };
         if accessor.kind != asked {
             return Err(within(index, &format!("its elements are no {asked}")));

@@ -7,9 +7,11 @@ use glam::{DAffine3, DMat3, DVec3};
 use super::super::left_out::LeftOut;
 use super::super::{MeshError, MeshFile};
 use super::accessors::Accessors;
+use super::binding::Binding;
 use super::document::{Document, called};
 use super::nodes::Nodes;
 use super::primitive::{self, Triangles};
+use super::skin::Skin;
 
 /// The mesh under way.
 #[derive(Default)]
@@ -20,7 +22,6 @@ pub(super) struct Assembly {
     triangles: Vec<[u32; 3]>,
     /// Some primitive has normals.
     smooth: bool,
-    skinned: bool,
     morphed: bool,
     left_out: LeftOut,
     /// The nodes whose scale left meshes without an area.
@@ -42,13 +43,15 @@ impl Assembly {
         };
         let mesh = document.meshes.get(index);
         let mesh = mesh.ok_or_else(|| format!("there is no mesh {index}"))?;
-        // A skinned mesh is placed by its joints and not by its node (glTF 2.0, section 3.7.3.3): as it was bound, it
-        // stands in the scene's space.
-        let to_scene = match node.skin {
+        // A skinned mesh is placed by its joints and not by its node (glTF 2.0, section 3.7.3.3).
+        let skin = node
+            .skin
+            .map(|skin| Skin::read(skin, document, accessors, nodes));
+        let skin = skin.transpose()?;
+        let to_scene = match skin {
             Some(_) => DAffine3::IDENTITY,
             None => nodes.placed(number)?,
         };
-        self.skinned |= node.skin.is_some();
         if of_normals(to_scene.matrix3) == DMat3::ZERO {
             let flat = nodes.flat(number).unwrap_or(number);
             self.flat.push(nodes.label(flat));
@@ -63,7 +66,12 @@ impl Assembly {
             let Some(read) = read.map_err(within)? else {
                 continue;
             };
-            self.place(read, |_| to_scene).map_err(within)?;
+            match &skin {
+                None => self.place(read, |_| to_scene),
+                Some(skin) => Binding::read(primitive, read.positions.len(), skin, accessors)
+                    .and_then(|binding| self.place(read, |vertex| binding.to_scene(vertex))),
+            }
+            .map_err(within)?;
             self.morphed |= primitive.targets.is_some();
         }
         Ok(())
@@ -87,7 +95,7 @@ impl Assembly {
             self.smooth = true;
         }
         self.normals.resize(self.positions.len(), DVec3::ZERO);
-        // A mirrored triangle is seen from behind.
+        // A mirrored triangle is seen from behind. Of one that is skinned the first corner tells.
         let mirrored = |i: u32| to_scene(i as usize).matrix3.determinant() < 0.0;
         let outward = |[a, b, c]: [u32; 3]| if mirrored(a) { [a, c, b] } else { [a, b, c] };
         let placed = read.triangles.into_iter().map(outward);
@@ -110,9 +118,6 @@ impl Assembly {
             });
         }
         warnings.extend(left_out);
-        if self.skinned {
-            warnings.push("a skinned mesh is shown as it was bound".to_owned());
-        }
         if self.morphed {
             warnings.push("morph targets are left out".to_owned());
         }

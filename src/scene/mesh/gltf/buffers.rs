@@ -1,4 +1,4 @@
-//! The buffers that meshes are read from: the chunk of a GLB, files beside the document, data within it.
+//! The buffers that meshes and skins are read from: the chunk of a GLB, files beside the document, data within it.
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -91,8 +91,14 @@ impl<'a> Buffers<'a> {
 fn needed(document: &Document) -> Vec<bool> {
     let primitives = document.meshes.iter().flat_map(|mesh| &mesh.primitives);
     let of_meshes = primitives.flat_map(|p| p.attributes.values().chain(&p.indices));
+    let of_skins = document
+        .skins
+        .iter()
+        .filter_map(|skin| skin.inverse_bind_matrices.as_ref());
     let mut needed = vec![false; document.buffers.len()];
-    let accessors = of_meshes.filter_map(|i| document.accessors.get(*i));
+    let accessors = of_meshes
+        .chain(of_skins)
+        .filter_map(|i| document.accessors.get(*i));
     for view in accessors.flat_map(views) {
         let buffer = document.buffer_views.get(view).map(|view| view.buffer);
         if let Some(needed) = buffer.and_then(|buffer| needed.get_mut(buffer)) {

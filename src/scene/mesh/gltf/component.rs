@@ -34,7 +34,7 @@ impl Component {
         }
     }
 
-    /// May number vertices.
+    /// May number vertices or joints.
     pub(super) fn is_index(self) -> bool {
         matches!(self, Self::U8 | Self::U16 | Self::U32)
     }

@@ -19,6 +19,7 @@ pub(super) struct Document {
     pub(super) scenes: Vec<Scene>,
     pub(super) nodes: Vec<Node>,
     pub(super) meshes: Vec<Mesh>,
+    pub(super) skins: Vec<Skin>,
     pub(super) accessors: Vec<Accessor>,
     pub(super) buffer_views: Vec<View>,
     pub(super) buffers: Vec<Buffer>,
@@ -61,6 +62,16 @@ pub(super) struct Primitive {
     pub(super) targets: Option<Vec<IgnoredAny>>,
     #[serde(default)]
     pub(super) extensions: Extensions,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct Skin {
+    pub(super) name: Option<String>,
+    /// Nodes.
+    pub(super) joints: Vec<usize>,
+    /// An accessor.
+    pub(super) inverse_bind_matrices: Option<usize>,
 }
 
 #[derive(Deserialize)]

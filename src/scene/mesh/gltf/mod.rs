@@ -1,14 +1,16 @@
 //! glTF 2.0 and GLB (Khronos, *glTF 2.0 Specification*, 2021).
 //!
-//! All triangles of the default scene are one mesh, each node's placed by its transform; without a default scene
-//! those of the first, without any scene those of all nodes. Points and lines are skipped, materials and
-//! pictures are not looked at. A skinned mesh is read as it was bound, morph targets are left at 0.
+//! All triangles of the default scene are one mesh, each node's placed by its transform, or by the joints that it is bound
+//! to; without a default scene those of the first, without any scene those of all nodes. Points and lines are skipped,
+//! materials and pictures are not looked at. Animations are not read: joints stand as their nodes have them, morph targets
+//! are left at 0.
 //!
 //! No index is trusted: each one is looked up.
 
 mod accessors;
 mod address;
 mod assembly;
+mod binding;
 mod buffers;
 mod component;
 mod container;
@@ -17,6 +19,7 @@ mod nodes;
 mod primitive;
 mod requirements;
 mod scenes;
+mod skin;
 mod topology;
 
 use std::path::Path;

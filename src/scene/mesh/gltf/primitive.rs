@@ -95,15 +95,22 @@ fn corners(
     }
 }
 
-/// How many vertices or corners, whichever are more, a node's mesh asks for.
+/// How much a node's mesh asks for: vertices or corners, whichever are more, as often as vertices have joints; and the
+/// joints of its skin.
 pub(super) fn asked(node: &Node, document: &Document) -> u64 {
     let mesh = node.mesh.and_then(|mesh| document.meshes.get(mesh));
     let primitives = mesh.iter().flat_map(|mesh| &mesh.primitives);
     let count = |accessor: &usize| document.accessors.get(*accessor).map_or(0, |a| a.count);
+    let of_primitive = |primitive: &Primitive| {
+        let names = primitive.attributes.keys();
+        let sets = names.filter(|name| name.starts_with("JOINTS_")).count() as u64;
+        let accessors = primitive.attributes.values().chain(&primitive.indices);
+        let most = accessors.map(count).max().unwrap_or(0);
+        most.saturating_mul(sets.max(1))
+    };
+    let skin = node.skin.and_then(|skin| document.skins.get(skin));
+    let joints = skin.map_or(0, |skin| skin.joints.len() as u64);
     primitives
-        .map(|primitive| {
-            let accessors = primitive.attributes.values().chain(&primitive.indices);
-            accessors.map(count).max().unwrap_or(0)
-        })
-        .fold(0, u64::saturating_add)
+        .map(of_primitive)
+        .fold(joints, u64::saturating_add)
 }
