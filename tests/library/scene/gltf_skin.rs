@@ -4,6 +4,7 @@ use glam::DVec3;
 use serde_json::{Value, json};
 
 use super::gltf::{CORNERS, one, read, vectors};
+use super::gltf_bad::never_panics;
 use super::gltf_writer::{Buffer, F32, U8, U16};
 
 const ONE: [f64; 16] = [
@@ -173,6 +174,15 @@ fn chains_of_joints_may_be_long() {
     let document = skinned.document(&json!(nodes), &json!([1, length]));
     let said = read(&document, &skinned.buffer.bytes).expect_err("a circle");
     assert_eq!(said.to_string(), "skin 0: node 20000 is its own ancestor");
+}
+
+#[test]
+fn damaged_skins_never_panic() {
+    let mut skinned = Skinned::new(&[[0., 1., 0., 0.]; 3], &[[0.25, 0.75, 0., 0.]; 3]);
+    let matrices = skinned.buffer.vectors(F32, &[ONE, bound_at([1., 2., 3.])]);
+    let mut document = skinned.document(&json!([{"children": [2]}, {}]), &json!([1, 2]));
+    document["skins"][0]["inverseBindMatrices"] = json!(matrices);
+    never_panics(&document, &skinned.buffer.bytes);
 }
 
 /// A pointer into the document, what is put there, and what is said.

@@ -37,7 +37,7 @@ impl Skin {
             )));
         }
         let joint = |(number, (node, inverse)): (usize, (&usize, &[f64; 16]))| {
-            // The last row is 0 0 0 1 (section 3.7.3.1); viewers do not look at it.
+            // The last row is 0 0 0 1 (glTF 2.0, section 3.7.3.1); viewers do not look at it.
             let inverse = DAffine3::from_mat4(DMat4::from_cols_array(inverse));
             match inverse.is_finite() {
                 true => Ok(nodes.placed(*node)? * inverse),
