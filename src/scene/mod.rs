@@ -77,6 +77,9 @@ pub fn read_from(source: impl io::Read, path: &Path, strict: bool) -> Result<Rea
             "{name} is longer than 256 MiB: this is no scene file"
         )));
     }
+    if let Some(what) = mesh::foreign(&bytes).filter(|_| !bytes.is_empty()) {
+        return Err(refused(format!("{name}: {what}")));
+    }
     if bytes.contains(&0) {
         return Err(refused(format!("{name} is not text: it holds a zero byte")));
     }

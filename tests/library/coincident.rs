@@ -155,7 +155,7 @@ fn glass_touches_glass_whatever_it_is_made_of() {
     let cube = cube();
     let mesh = format!("mesh {} 0 0 -1 1", cube.path().display());
     let touch = |shapes: &str| {
-        let scene = prepared(&format!("{GLASS}{shapes}"));
+        let scene = prepared(&format!("background 1 1 1\n{GLASS}{shapes}"));
         assert_eq!(scene.warnings, Vec::<String>::new());
         let touches = entries(&scene).iter().filter(|e| e.2).count();
         assert!(touches.is_multiple_of(2), "each is in the other's list");

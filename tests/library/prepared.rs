@@ -109,7 +109,7 @@ fn overlapping_glass_is_said_once() {
 /// 2⁹⁶ = 7.92e28: 2³² samples of it add up to 2¹²⁸, the end of single precision.
 #[test]
 fn a_radiance_whose_samples_do_not_add_up_is_warned_of() {
-    let warnings = |line: &str| prepared(&format!("{VIEW}{line}\nsphere 0 0 0 1\n")).warnings;
+    let warnings = |line: &str| prepared(&format!("{VIEW}{line}\nsphere 0 0 -5 1\n")).warnings;
     for line in ["light 1 7.93e28 1", "background 3e38 0 0"] {
         let warnings = warnings(line);
         assert_eq!(warnings.len(), 1, "{line}: {warnings:?}");
@@ -225,7 +225,7 @@ fn what_is_too_small_for_where_it_is_is_warned_of() {
 #[test]
 fn an_eye_on_the_surface_of_glass_is_warned_of() {
     let told = |material: &str, shape: &str, eye: &str| {
-        let text = format!("screen 40 30\ncamera {eye} .2\n{material}{shape}\n");
+        let text = format!("screen 40 30\ncamera {eye} .2\n{material}{shape}\n{SKY}");
         let warnings = prepared(&text).warnings;
         assert!(warnings.len() <= 1, "{warnings:?}");
         warnings

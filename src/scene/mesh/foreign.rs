@@ -1,4 +1,5 @@
-//! Files that hold no mesh at all, as people meet them: told by name rather than by what a reader stumbles over.
+//! Files that are no mesh and no scene at all, as people meet them: told by name rather than by what a reader stumbles
+//! over.
 
 /// How a file of another kind begins, and what is said of it.
 const BEGINNINGS: [(&[u8], &str); 6] = [
@@ -8,19 +9,16 @@ const BEGINNINGS: [(&[u8], &str); 6] = [
     ),
     (
         b"<!doctype html",
-        "it is a web page and no mesh: download the file itself",
+        "it is a web page: download the file itself",
     ),
-    (
-        b"<html",
-        "it is a web page and no mesh: download the file itself",
-    ),
+    (b"<html", "it is a web page: download the file itself"),
     (b"PK\x03\x04", "it is a ZIP archive: unpack it"),
     (b"\x1f\x8b", "it is compressed by gzip: unpack it"),
     (b"\x28\xb5\x2f\xfd", "it is compressed by zstd: unpack it"),
 ];
 
-/// What `bytes` are, if they are no mesh in any format.
-pub(super) fn foreign(bytes: &[u8]) -> Option<&'static str> {
+/// What `bytes` are, if they are nothing that is read.
+pub fn foreign(bytes: &[u8]) -> Option<&'static str> {
     if bytes.is_empty() {
         return Some("it is empty");
     }

@@ -13,6 +13,8 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 
+pub use foreign::foreign;
+
 /// The formats that [`read_mesh`] reads, as messages name them.
 pub const MESH_FORMATS: &str = "PLY (.ply), OBJ (.obj), glTF (.gltf, .glb)";
 
@@ -86,7 +88,7 @@ pub fn read_mesh(path: &Path) -> Result<MeshFile, MeshError> {
 /// As [`read_mesh`].
 pub fn parse_mesh(bytes: &[u8], path: &Path) -> Result<MeshFile, MeshError> {
     let format = format(path)?;
-    if let Some(what) = foreign::foreign(bytes) {
+    if let Some(what) = foreign(bytes) {
         return Err(MeshError::Malformed(what.into()));
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);

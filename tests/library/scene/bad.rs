@@ -319,6 +319,20 @@ fn files_that_are_no_text_are_refused() {
         said(&errors.diagnostics)[0].3,
         format!("{} is not text: it holds a zero byte", path.display())
     );
+    let text = "screen 4 3\ncamera 0 0 0 1\n";
+    let big = text.encode_utf16().flat_map(u16::to_be_bytes);
+    let little = text.encode_utf16().flat_map(u16::to_le_bytes);
+    let marked = [0xff, 0xfe].into_iter().chain(little.clone());
+    let encodings: [Vec<u8>; 3] = [big.collect(), little.collect(), marked.collect()];
+    for bytes in encodings {
+        std::fs::write(&path, bytes).expect("a file");
+        let errors = vkpt::scene::read(&path, false).expect_err("UTF-16");
+        let name = path.display();
+        assert_eq!(
+            said(&errors.diagnostics)[0].3,
+            format!("{name}: it is UTF-16: save it as UTF-8")
+        );
+    }
     std::fs::write(&path, b"# caf\xe9 in Latin-1\nscreen 4 3\ncamera 0 0 0 1").expect("a file");
     assert!(vkpt::scene::read(&path, true).is_ok());
 }

@@ -10,7 +10,7 @@ const ENDINGS: [&str; 4] = ["ply", "obj", "gltf", "glb"];
 
 #[test]
 fn files_of_other_kinds_are_told_by_name() {
-    let page = "it is a web page and no mesh: download the file itself";
+    let page = "it is a web page: download the file itself";
     let rows: [(&[u8], &str); 8] = [
         (b"", "it is empty"),
         (
