@@ -16,17 +16,17 @@ const MAGIC: [u8; 8] = *b"vkptkc01";
 const HEADER: usize = 16;
 /// The ending of all files, and what [`CacheFolder::trim`] goes by: a folder may hold others' files too.
 const ENDING: &str = "vkpt-cache";
-/// The folder that `VKPT_CACHE` names, none where that is empty; else the user's, `~/.cache/vkpt` on most systems.
+
+/// The folder that `VKPT_CACHE` names, none where that is empty; else the user's, `~/.cache/vkpt` on most systems, if it has a
+/// place of its own: a relative one would be another in every working directory.
 pub fn from_env() -> Option<PathBuf> {
     match std::env::var_os("VKPT_CACHE") {
         Some(folder) if folder.is_empty() => None,
         Some(folder) => Some(folder.into()),
-        None => Some(
-            etcetera::choose_base_strategy()
-                .ok()?
-                .cache_dir()
-                .join("vkpt"),
-        ),
+        None => {
+            let user = etcetera::choose_base_strategy().ok()?.cache_dir();
+            user.is_absolute().then(|| user.join("vkpt"))
+        }
     }
 }
 
