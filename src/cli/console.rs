@@ -15,7 +15,7 @@ pub enum Console {
 impl Console {
     /// Stdout, if none of the files goes there.
     pub fn beside<'a>(files: impl IntoIterator<Item = &'a Destination>) -> Self {
-        match files.into_iter().any(|file| *file == Destination::Stdout) {
+        match files.into_iter().any(Destination::is_stdout) {
             true => Self::Stderr,
             false => Self::Stdout,
         }

@@ -2,12 +2,16 @@
 
 use std::ffi::OsString;
 use std::fmt;
-use std::io::{self, Cursor, Seek, Write};
+use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
 
+use same_file::Handle;
+
 use super::exit::Failure;
-use super::streams::put;
-use crate::image::file::{FileError, check_writable, write_whole};
+use super::identity;
+use super::streams::Stream;
+use crate::image::file::{FileError, Sink, write_whole};
+use crate::image::place::Place;
 
 /// What a flag that takes a FILE names.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -16,11 +20,6 @@ pub enum Destination {
     Stdout,
     File(PathBuf),
 }
-
-/// What is written to: encoders of pictures go back to fill in sizes.
-pub trait Sink: Write + Seek {}
-
-impl<T: Write + Seek> Sink for T {}
 
 impl From<OsString> for Destination {
     fn from(word: OsString) -> Self {
@@ -41,11 +40,38 @@ impl fmt::Display for Destination {
 }
 
 impl Destination {
-    /// The file, if it is one.
+    /// The name of the file, if it has one.
     pub fn path(&self) -> Option<&Path> {
         match self {
             Self::Stdout => None,
             Self::File(path) => Some(path),
+        }
+    }
+
+    /// The name of the file, if others can stand beside it: not of a device, a pipe or stdout.
+    pub fn neighbour(&self) -> Option<&Path> {
+        let is_file = |path: &&Path| !matches!(Place::of(path), Ok(Place::Straight(_)));
+        self.path().filter(is_file)
+    }
+
+    /// What it is written to, where that is open already.
+    pub fn stream(&self) -> Option<Stream> {
+        match self {
+            Self::Stdout => Some(Stream::Stdout),
+            Self::File(path) => Stream::of(path),
+        }
+    }
+
+    /// Whether it is stdout, by whatever name.
+    pub fn is_stdout(&self) -> bool {
+        self.stream() == Some(Stream::Stdout)
+    }
+
+    /// Which file it is, if there is one.
+    pub fn identity(&self) -> Option<Handle> {
+        match self {
+            Self::Stdout => identity::of_stdout(),
+            Self::File(path) => identity::of(path),
         }
     }
 
@@ -54,54 +80,16 @@ impl Destination {
     where
         E: std::error::Error + Send + Sync + 'static,
     {
-        match self {
-            Self::File(path) => write_whole(path, |out| fill(out)),
-            Self::Stdout => {
-                let mut bytes = Cursor::new(Vec::new());
-                fill(&mut bytes).map_err(|error| FileError {
-                    path: PathBuf::from("stdout"),
-                    cause: io::Error::other(error),
-                })?;
-                put(bytes.get_ref())
-            }
-        }
-    }
-
-    /// Where it is, whatever name its folder has.
-    fn place(&self) -> Self {
-        let Self::File(path) = self else {
-            return Self::Stdout;
+        let stream = match (self, self.stream()) {
+            (Self::File(path), None) => return write_whole(path, fill),
+            (_, stream) => stream.unwrap_or(Stream::Stdout),
         };
-        let folder = match path.parent() {
-            Some(folder) if folder != Path::new("") => folder,
-            _ => Path::new("."),
-        };
-        match (folder.canonicalize(), path.file_name()) {
-            (Ok(folder), Some(name)) => Self::File(folder.join(name)),
-            _ => self.clone(),
-        }
-    }
-}
-
-/// Every file can be written, and no two go to one place. Found out before the work starts, and without a trace.
-pub fn check<'a>(files: impl IntoIterator<Item = &'a Destination>) -> Result<(), Failure> {
-    let files: Vec<&Destination> = files.into_iter().collect();
-    all_written(
-        files
-            .iter()
-            .filter_map(|file| file.path())
-            .map(check_writable),
-    )?;
-    let places: Vec<Destination> = files.iter().map(|file| file.place()).collect();
-    let twice = (1..files.len()).find(|&i| places[..i].contains(&places[i]));
-    match twice.map(|i| files[i]) {
-        None => Ok(()),
-        Some(Destination::Stdout) => Err(Failure::Usage(
-            "two outputs would be written to stdout: give one of them a name".to_owned(),
-        )),
-        Some(file) => Err(Failure::Usage(format!(
-            "two outputs would be written to one file, {file}"
-        ))),
+        let mut bytes = Cursor::new(Vec::new());
+        fill(&mut bytes).map_err(|error| FileError {
+            path: stream.name(),
+            cause: io::Error::other(error),
+        })?;
+        stream.put(bytes.get_ref())
     }
 }
 
@@ -141,28 +129,5 @@ mod tests {
         for name in ["./-", "-.png", "--", "a"] {
             assert_eq!(of(name).path(), Some(Path::new(name)));
         }
-    }
-
-    #[test]
-    fn one_place_by_two_names_is_a_mistake_of_the_command_line() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let path = |name: &str| match name {
-            "-" => Destination::Stdout,
-            _ => Destination::File(folder.path().join(name)),
-        };
-        std::fs::create_dir(folder.path().join("in")).expect("a folder");
-        let check = |names: [&str; 3]| check(&names.map(path));
-        assert!(check(["a", "b", "-"]).is_ok());
-        assert!(check(["a", "in/a", "in/b"]).is_ok());
-        for same in [
-            ["a", "b", "a"],
-            ["a", "in/../a", "b"],
-            ["./in/b", "-", "in/b"],
-            ["-", "a", "-"],
-        ] {
-            assert!(matches!(check(same), Err(Failure::Usage(_))), "{same:?}");
-        }
-        let errors = check(["none/a", "in", "-"]);
-        assert!(matches!(errors, Err(Failure::Files(told)) if told.len() == 2));
     }
 }

@@ -1,9 +1,10 @@
 //! `vkpt doctor`: what a device is like, and whether its pictures can be trusted.
 
 use super::console::Console;
-use super::destination::{self, Destination, all_written, json, whole};
+use super::destination::{Destination, all_written, json, whole};
 use super::exit::{Ending, Failure};
 use super::values;
+use super::writable;
 use crate::doctor::Examiner;
 use crate::gpu::{Device, Selector};
 use crate::report::doctor::page;
@@ -36,7 +37,7 @@ pub struct DoctorArguments {
 
 /// Prints the page, writes the record where it is asked for.
 pub fn doctor(arguments: &DoctorArguments) -> Result<Ending, Failure> {
-    destination::check(&arguments.json)?;
+    writable::check(&arguments.json)?;
     let selector = arguments.device.as_ref().unwrap_or(&Selector::Best);
     let examiner = Examiner {
         exhaustive: arguments.exhaustive,

@@ -12,6 +12,8 @@ mod doctor;
 mod exit;
 mod explain;
 mod export;
+mod identity;
+mod inputs;
 mod integrator;
 mod interrupt;
 mod job;
@@ -24,6 +26,7 @@ mod stderr;
 mod streams;
 mod values;
 mod view;
+mod writable;
 
 pub use arguments::{Arguments, Task, task};
 pub use check::{CheckArguments, check};

@@ -1,10 +1,13 @@
 //! Files that appear whole or not at all.
 
-use std::fs::{self, Permissions};
-use std::io::{self, BufWriter, Write};
+use std::fs::{self, OpenOptions, Permissions};
+use std::io::{self, BufWriter, Cursor, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, NamedTempFile};
+
+use super::place::{Place, folder};
+use super::straight;
 
 /// Why a file could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -13,6 +16,11 @@ pub struct FileError {
     pub path: PathBuf,
     pub cause: io::Error,
 }
+
+/// What is written to: encoders of pictures go back to fill in sizes.
+pub trait Sink: Write + Seek {}
+
+impl<T: Write + Seek> Sink for T {}
 
 /// Where the standard errors of a picture stand: `NAME-stderr.exr` beside `NAME.png` or `NAME.exr`.
 pub fn stderr_path(picture: &Path) -> PathBuf {
@@ -23,14 +31,15 @@ pub fn stderr_path(picture: &Path) -> PathBuf {
 
 /// Whether `path` can be written, found out before a rendering is spent on it. Leaves no trace.
 pub fn check_writable(path: &Path) -> Result<(), FileError> {
-    let check = || {
-        if path.is_dir() {
-            return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a folder"));
+    let check = || match Place::of(path)? {
+        Place::File(path) => {
+            // What may not be written may not be replaced either, though its folder would allow it.
+            if path.exists() {
+                OpenOptions::new().write(true).open(&path)?;
+            }
+            temporary(&path).map(drop)
         }
-        if is_special(path) {
-            return Ok(());
-        }
-        temporary(path).map(drop)
+        Place::Straight(path) => straight::check(&path),
     };
     check().map_err(|cause| FileError {
         path: path.to_owned(),
@@ -39,30 +48,22 @@ pub fn check_writable(path: &Path) -> Result<(), FileError> {
 }
 
 /// Writes what `fill` writes: to a temporary name in the same folder, renamed once all of it is there. On an
-/// error the temporary file is removed and what stood at `path` stays. Devices and pipes stay too: they are written to.
+/// error the temporary file is removed and what stood at `path` stays. A link stays too: the file that it leads to is
+/// replaced. So do devices and pipes: they are written to.
 pub fn write_whole<E>(
     path: &Path,
-    fill: impl FnOnce(&mut BufWriter<fs::File>) -> Result<(), E>,
+    fill: impl FnOnce(&mut dyn Sink) -> Result<(), E>,
 ) -> Result<(), FileError>
 where
     E: std::error::Error + Send + Sync + 'static,
 {
-    let write = || {
-        let special = is_special(path);
-        let temporary = match special {
-            true => NamedTempFile::new(),
-            false => temporary(path),
-        }?;
-        let mut out = BufWriter::new(temporary.as_file().try_clone()?);
-        fill(&mut out).map_err(io::Error::other)?;
-        out.flush()?;
-        if special {
-            let mut place = fs::OpenOptions::new().write(true).open(path)?;
-            io::copy(&mut temporary.reopen()?, &mut place)?;
-        } else {
-            temporary.persist(path)?;
+    let write = || match Place::of(path)? {
+        Place::File(path) => replace(&path, fill),
+        Place::Straight(path) => {
+            let mut bytes = Cursor::new(Vec::new());
+            fill(&mut bytes).map_err(io::Error::other)?;
+            straight::write(&path, bytes.get_ref())
         }
-        Ok(())
     };
     write().map_err(|cause| FileError {
         path: path.to_owned(),
@@ -70,22 +71,46 @@ where
     })
 }
 
-/// Whether a device or a pipe is there, such as /dev/null: no file may take its place.
-fn is_special(path: &Path) -> bool {
-    fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir())
+/// Puts a new file in the place of what is at `path`, with the permissions of that.
+fn replace<E>(path: &Path, fill: impl FnOnce(&mut dyn Sink) -> Result<(), E>) -> io::Result<()>
+where
+    E: std::error::Error + Send + Sync + 'static,
+{
+    let temporary = temporary(path)?;
+    let mut out = BufWriter::new(temporary.as_file());
+    fill(&mut out).map_err(io::Error::other)?;
+    out.flush()?;
+    drop(out);
+    if let Ok(there) = fs::metadata(path) {
+        // A file system without permissions is no reason to lose the file.
+        let _ = temporary.as_file().set_permissions(there.permissions());
+    }
+    temporary.persist(path)?;
+    Ok(())
 }
 
 /// A file beside `path`, removed when dropped; it gets the permissions of any new file.
 fn temporary(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = match path.parent() {
-        Some(folder) if folder != Path::new("") => folder,
-        _ => Path::new("."),
-    };
     let mut builder = Builder::new();
     builder.prefix(".vkpt-");
     #[cfg(unix)]
     builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
-    builder.tempfile_in(folder)
+    let folder = folder(path);
+    match folder.exists() {
+        true => builder.tempfile_in(folder).map_err(nameless),
+        false => Err(io::Error::new(
+            ErrorKind::NotFound,
+            "its folder is not there",
+        )),
+    }
+}
+
+/// The cause alone: `tempfile` adds the temporary name, which nobody has asked for.
+fn nameless(error: io::Error) -> io::Error {
+    match error.to_string().split_once(" at path ") {
+        Some((cause, _)) => io::Error::new(error.kind(), cause),
+        None => error,
+    }
 }
 
 #[cfg(test)]
@@ -135,8 +160,28 @@ mod tests {
         std::os::unix::fs::symlink("/dev/null", &path).expect("a link");
         check_writable(&path).expect("writable");
         write_whole(&path, |out| out.write_all(b"new")).expect("written");
-        assert!(is_special(&path));
+        assert!(path.is_symlink() && !fs::metadata(&path).expect("a device").is_file());
         assert_eq!(names(folder.path()), ["null.png"]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_and_the_permissions_stay() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().expect("folder");
+        let (link, path) = (folder.path().join("link"), folder.path().join("a.png"));
+        std::os::unix::fs::symlink("a.png", &link).expect("a link");
+        for mode in [0o666, 0o640, 0o604] {
+            if mode != 0o666 {
+                fs::set_permissions(&path, Permissions::from_mode(mode)).expect("permissions");
+            }
+            write_whole(&link, |out| out.write_all(b"new")).expect("written");
+            let there = fs::symlink_metadata(&path).expect("a file");
+            assert!(there.is_file() && link.is_symlink());
+            // A new file has those that the umask leaves.
+            assert!(mode == 0o666 || there.permissions().mode() & 0o777 == mode);
+        }
+        assert_eq!(fs::read(&path).expect("the file"), b"new");
     }
 
     #[test]
@@ -145,6 +190,9 @@ mod tests {
         check_writable(&folder.path().join("a.png")).expect("writable");
         assert!(names(folder.path()).is_empty());
         assert!(check_writable(folder.path()).is_err());
-        assert!(check_writable(&folder.path().join("none/a.png")).is_err());
+        let none = check_writable(&folder.path().join("none/a.png"));
+        assert!(none.is_err_and(|e| e.to_string().ends_with(": its folder is not there")));
+        let long = check_writable(&folder.path().join("a".repeat(256)));
+        assert!(long.is_err_and(|e| e.to_string().contains("too long")));
     }
 }

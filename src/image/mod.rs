@@ -1,11 +1,13 @@
 //! Pictures in files: films written and films read, and files that appear whole or not at all.
 
 pub mod file;
+pub mod place;
 mod precision;
 mod primaries;
 mod read;
 pub mod rgbe;
 pub mod srgb;
+pub mod straight;
 mod write;
 
 pub use precision::Precision;

@@ -5,11 +5,12 @@ mod outputs;
 
 use super::command::typed;
 use super::console::Console;
-use super::destination::{self, all_written};
+use super::destination::all_written;
 use super::exit::{Ending, Failure, warn};
 use super::integrator::no_eye_paths;
 use super::interrupt::stop_flag;
 use super::progress::Display;
+use super::writable;
 use crate::check::both::bidirectional;
 use crate::check::measure::CheckError;
 use crate::check::run::{Bench, run};
@@ -32,7 +33,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
     if selected.is_empty() {
         return Err(unknown(arguments, &all));
     }
-    destination::check(outputs::files(arguments))?;
+    writable::check(outputs::files(arguments))?;
     let selector = arguments.device.clone().unwrap_or(Selector::Best);
     let device = Device::open(&selector).map_err(|e| Failure::Render(e.into()))?;
     let stop = stop_flag();

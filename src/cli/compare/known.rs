@@ -1,9 +1,10 @@
 //! A picture and how well it is known.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::arguments::PictureArguments;
 use crate::cli::exit::Failure;
+use crate::cli::inputs::Input;
 use crate::cli::stderr::standard_errors;
 use crate::image::file::stderr_path;
 use crate::image::{self, Picture};
@@ -13,7 +14,8 @@ use crate::metrics::blocks::{Estimate, Stderr};
 pub struct Known {
     pub path: PathBuf,
     pub picture: Picture,
-    stderr: Option<Picture>,
+    /// With the name of their file.
+    stderr: Option<(PathBuf, Picture)>,
 }
 
 impl Known {
@@ -35,24 +37,45 @@ impl Known {
             }
         };
         let errors: Vec<Option<PathBuf>> = errors;
-        let (mut known, mut unreadable) = (Vec::new(), Vec::new());
-        for (path, stderr) in arguments.paths().zip(&errors) {
-            let stderr = stderr.as_deref().map(image::read).transpose();
-            match (image::read(path), stderr) {
-                (Ok(picture), Ok(stderr)) => known.push(Self {
-                    path: path.clone(),
-                    picture,
-                    stderr,
-                }),
-                (a, b) => unreadable.extend([a.err(), b.err()].into_iter().flatten()),
+        let (mut known, mut wrong) = (Vec::new(), Vec::new());
+        for (path, stderr) in arguments.paths().zip(errors) {
+            match Self::read(path, stderr) {
+                Ok(picture) => known.push(picture),
+                Err(messages) => wrong.extend(messages),
             }
         }
-        if unreadable.is_empty() {
-            Ok(known)
-        } else {
-            let told = unreadable.iter().map(ToString::to_string);
-            Err(Failure::Pictures(told.collect()))
+        match wrong.is_empty() {
+            true => Ok(known),
+            false => Err(Failure::Pictures(wrong)),
         }
+    }
+
+    /// Picture and standard errors; otherwise everything that is wrong.
+    fn read(path: &Path, stderr: Option<PathBuf>) -> Result<Self, Vec<String>> {
+        let picture = image::read(path);
+        let errors = stderr.map(|path| image::read(&path).map(|errors| (path, errors)));
+        match (picture, errors.transpose()) {
+            (Ok(picture), Ok(stderr)) => {
+                Ok(Self {
+                    path: path.to_owned(),
+                    picture,
+                    stderr,
+                })
+            }
+            (picture, errors) => {
+                let all = [picture.err(), errors.err()].into_iter().flatten();
+                Err(all.map(|error| error.to_string()).collect())
+            }
+        }
+    }
+
+    /// The files that it was read from.
+    pub fn inputs(&self) -> impl Iterator<Item = Input> {
+        let errors = self.stderr.iter();
+        let errors = errors.map(|(path, _)| Input::new("the standard errors of a picture", path));
+        [Input::new("a picture to compare", &self.path)]
+            .into_iter()
+            .chain(errors)
     }
 
     pub fn name(&self) -> String {
@@ -61,7 +84,7 @@ impl Known {
 
     /// The picture with its standard errors; otherwise what is missing.
     pub fn estimate(&self) -> Result<Estimate<'_>, String> {
-        let stderr = self.stderr.as_ref().ok_or_else(|| {
+        let (_, stderr) = self.stderr.as_ref().ok_or_else(|| {
             format!(
                 "there are no standard errors of {}: vkpt writes them with --aov stderr to {}, --stderr names others",
                 self.name(),

@@ -3,8 +3,10 @@
 use super::arguments::PictureArguments;
 use super::known::Known;
 use crate::cli::console::Console;
-use crate::cli::destination::{self, Destination, Written, all_written};
+use crate::cli::destination::{Destination, Written, all_written};
 use crate::cli::exit::{Ending, Failure};
+use crate::cli::inputs::spare;
+use crate::cli::writable;
 use crate::film::Film;
 use crate::image::{Format, Frame, Labels, encode};
 use crate::metrics::blocks::{ALPHA, BlockTest, z_test};
@@ -14,8 +16,10 @@ use crate::report::{self, Comparison, Tested};
 
 /// Compares A with B, or both with the reference. The flags decide which differences are a failure.
 pub fn pictures(arguments: &PictureArguments) -> Result<Ending, Failure> {
-    destination::check(&arguments.heatmap)?;
+    writable::check(&arguments.heatmap)?;
     let known = Known::read_all(arguments)?;
+    let inputs: Vec<_> = known.iter().flat_map(Known::inputs).collect();
+    spare(&inputs, &arguments.heatmap)?;
     let Some((reference, tested)) = known.split_last() else {
         return Err(Failure::Usage("two pictures are needed".to_owned()));
     };

@@ -14,10 +14,12 @@ use std::sync::atomic::AtomicBool;
 use self::reference::References;
 use self::variants::Variants;
 use super::console::Console;
-use super::destination::{self, all_written};
+use super::destination::all_written;
 use super::exit::{Ending, Failure, warn};
+use super::inputs::spare;
 use super::interrupt::stop_flag;
 use super::progress::Display;
+use super::writable;
 use crate::converge::{Measured, Plan, Variant, measure};
 use crate::metrics::flip::Viewing;
 use crate::render::{Engine, Job};
@@ -26,7 +28,7 @@ pub use arguments::ConvergeArguments;
 
 /// Renders replicates of every variant, judges them and tells what came out.
 pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
-    destination::check(outputs::files(arguments))?;
+    writable::check(outputs::files(arguments))?;
     let plan = Plan {
         seeds: arguments.seeds()?,
         seconds: arguments.time,
@@ -37,6 +39,8 @@ pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
         },
     };
     let variants = Variants::new(arguments)?;
+    spare(&variants.inputs, outputs::files(arguments))?;
+    spare(&reference::inputs(arguments), outputs::files(arguments))?;
     let given = reference::given(arguments, variants.size(arguments))?;
     let engine = Engine::open(&arguments.target()).map_err(Failure::Render)?;
     let stop = stop_flag();

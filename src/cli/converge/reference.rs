@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::arguments::ConvergeArguments;
 use super::kept::Kept;
 use crate::cli::exit::{Failure, warn};
+use crate::cli::inputs::Input;
 use crate::cli::integrator::{Settled, settled};
 use crate::cli::progress::Display;
 use crate::cli::stderr::standard_errors;
@@ -78,6 +79,18 @@ impl References {
     }
 }
 
+/// The files of `--reference`.
+pub fn inputs(arguments: &ConvergeArguments) -> Vec<Input> {
+    let path = arguments.reference.as_deref();
+    let files = path.map(|path| {
+        [
+            Input::new("the reference", path),
+            Input::new("its standard errors", &stderr_path(path)),
+        ]
+    });
+    files.into_iter().flatten().collect()
+}
+
 /// The picture of `--reference`, with its standard errors where these stand beside it; `size` is that of the
 /// renderings.
 pub fn given(arguments: &ConvergeArguments, size: [u32; 2]) -> Result<Option<Named>, Failure> {
@@ -88,6 +101,9 @@ pub fn given(arguments: &ConvergeArguments, size: [u32; 2]) -> Result<Option<Nam
 fn from_file(path: &Path, size: [u32; 2]) -> Result<Named, Failure> {
     let told = |message: String| Failure::Pictures(vec![message]);
     let picture = image::read(path).map_err(|e| told(e.to_string()))?;
+    let errors = stderr_path(path);
+    let stderr = errors.exists().then(|| image::read(&errors));
+    let stderr = stderr.transpose().map_err(|e| told(e.to_string()))?;
     let (film, name) = (picture.film, path.display().to_string());
     if [film.width, film.height] != size {
         return Err(told(format!(
@@ -100,9 +116,6 @@ fn from_file(path: &Path, size: [u32; 2]) -> Result<Named, Failure> {
             "{name} is a PNG: what it rounds or clips counts as error"
         ));
     }
-    let errors = stderr_path(path);
-    let stderr = errors.exists().then(|| image::read(&errors));
-    let stderr = stderr.transpose().map_err(|e| told(e.to_string()))?;
     let reference = Reference::picture(film, stderr.as_ref().map(standard_errors))
         .map_err(|e| told(format!("{name}: {e}")))?;
     Ok(Named { name, reference })

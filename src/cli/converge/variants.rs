@@ -3,6 +3,7 @@
 use super::arguments::ConvergeArguments;
 use super::vary::{Combination, combinations};
 use crate::cli::exit::Failure;
+use crate::cli::inputs::Input;
 use crate::cli::integrator::settled;
 use crate::cli::job::{Loaded, Request};
 use crate::prepared::Prepared;
@@ -16,6 +17,8 @@ pub struct Variants {
     pub models: Vec<(Model, Prepared)>,
     /// The text of the scene file.
     pub text: String,
+    /// What was read.
+    pub inputs: Vec<Input>,
 }
 
 /// Lets the scene choose the integrator of the combinations that leave it to the scene: the same for all of them, so that they
@@ -64,6 +67,7 @@ impl Variants {
         Ok(Self {
             combinations,
             models,
+            inputs: Input::of_scene(&arguments.scene, &loaded.scene),
             text: loaded.text,
         })
     }

@@ -1,10 +1,12 @@
 //! `vkpt explain SCENE`: what a rendering would bring to a device and why, without rendering.
 
 mod arguments;
+mod outputs;
 
 use super::console::Console;
-use super::destination::{self, Destination, all_written};
+use super::destination::{Destination, all_written};
 use super::exit::{Ending, Failure};
+use super::inputs::Input;
 use super::job::Loaded;
 use crate::explain::{Preset, Subject, explain as explanation};
 use crate::gpu::{Device, Options, Selector, Statistic};
@@ -16,8 +18,8 @@ pub use arguments::ExplainArguments;
 
 /// Prints the page, or the kernel's GLSL; writes its SPIR-V where it is asked for.
 pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
-    destination::check(&arguments.spirv)?;
-    if arguments.glsl && arguments.spirv == Some(Destination::Stdout) {
+    let spirv_on_stdout = arguments.spirv.as_ref().is_some_and(Destination::is_stdout);
+    if arguments.glsl && spirv_on_stdout {
         return Err(Failure::Usage(
             "--glsl and --spirv - would both be written to stdout".to_owned(),
         ));
@@ -35,6 +37,8 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
         .as_ref()
         .map_or(PlanLimits::default(), PlanLimits::of);
     let plan = Plan::new(&job, limits).map_err(Failure::Render)?;
+    let inputs = Input::of_scene(request.scene, &loaded.scene);
+    let files = outputs::check(arguments, plan.kernels.len(), &inputs)?;
     let spirv = plan.compile().map_err(Failure::Render)?;
     let text = if arguments.glsl {
         plan.kernels.iter().map(Composed::by_file).collect()
@@ -61,31 +65,10 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
         };
         page(&explanation(&subject, &spirv, (&full, &full_spirv), counts))
     };
-    let to = arguments.spirv.iter().cycle();
-    let written = to
-        .zip(&spirv)
-        .enumerate()
-        .map(|(i, (to, spirv))| numbered(to, i).write(|out| out.write_all(spirv.bytes())));
-    let written: Vec<_> = written.collect();
-    let told = Console::beside(&arguments.spirv).print(&text);
+    let written = outputs::write(&files, &spirv);
+    let told = Console::beside(&files).print(&text);
     all_written(written.into_iter().chain([told]))?;
     Ok(Ending::Complete)
-}
-
-/// Where kernel `i` goes: the first to FILE itself, the next to FILE-2.
-fn numbered(to: &Destination, i: usize) -> Destination {
-    match (to.path(), i) {
-        (None, _) | (_, 0) => to.clone(),
-        (Some(path), i) => {
-            let mut name = path.file_stem().unwrap_or_default().to_owned();
-            name.push(format!("-{}", i + 1));
-            let mut numbered = path.with_file_name(name);
-            if let Some(suffix) = path.extension() {
-                numbered.set_extension(suffix);
-            }
-            Destination::File(numbered)
-        }
-    }
 }
 
 /// Whose limits hold where there is no device.

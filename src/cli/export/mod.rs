@@ -4,10 +4,12 @@ mod arguments;
 
 use std::path::Path;
 
-use super::destination::{self, Destination, all_written};
+use super::destination::{Destination, all_written};
 use super::exit::{Ending, Failure};
+use super::inputs::{Input, spare};
 use super::job::Loaded;
 use super::values::Peer;
+use super::writable;
 use crate::export::{Subject, mitsuba, setting};
 pub use arguments::ExportArguments;
 
@@ -39,7 +41,9 @@ pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
     let places = (export.meshes.iter())
         .map(|mesh| beside(&to, &mesh.name))
         .collect::<Result<Vec<_>, _>>()?;
-    destination::check(places.iter().chain([&to]))?;
+    writable::check(places.iter().chain([&to]))?;
+    let inputs = Input::of_scene(request.scene, &loaded.scene);
+    spare(&inputs, places.iter().chain([&to]))?;
     let written = (places.iter().zip(&export.meshes))
         .map(|(to, mesh)| to.write(|out| out.write_all(&mesh.bytes)));
     // The scene last: where it is, its meshes are.
@@ -65,11 +69,10 @@ fn output(arguments: &ExportArguments) -> Result<Destination, Failure> {
 
 /// Where a mesh goes.
 fn beside(to: &Destination, name: &str) -> Result<Destination, Failure> {
-    match to.path() {
+    match to.neighbour() {
         Some(path) => Ok(Destination::File(path.with_file_name(name))),
-        None => Err(Failure::Usage(
-            "meshes are written beside the scene, and stdout has no place beside it: use -o FILE"
-                .to_owned(),
-        )),
+        None => Err(Failure::Usage(format!(
+            "meshes are written beside the scene, and {to} has no place beside it: use -o FILE"
+        ))),
     }
 }

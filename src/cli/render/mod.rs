@@ -14,8 +14,9 @@ use self::record::record;
 use self::trace::trace;
 use crate::cli::destination::{json, whole};
 use crate::cli::exit::{Ending, Failure, warn};
+use crate::cli::inputs::{Input, spare};
 use crate::cli::interrupt::stop_flag;
-use crate::cli::job::Ready;
+use crate::cli::job::{Loaded, Ready};
 use crate::cli::progress::Display;
 use crate::film::Film;
 use crate::image::file::FileError;
@@ -30,7 +31,13 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
         return trace(arguments, path);
     }
     let outputs = Outputs::check(arguments)?;
-    let ready = Ready::new(&arguments.request()?)?;
+    let request = arguments.request()?;
+    let loaded = Loaded::new(&request)?;
+    spare(
+        &Input::of_scene(request.scene, &loaded.scene),
+        outputs.all(),
+    )?;
+    let ready = loaded.prepare(&request)?;
     let (best, outcome) = develop(arguments, &ready)?;
     if outcome.spp == 0 {
         warn("interrupted before the first sample was done: nothing is written");

@@ -3,8 +3,9 @@
 use super::arguments::RenderArguments;
 use super::pictures::{Picture, beside, pictures};
 use crate::cli::console::Console;
-use crate::cli::destination::{self, Destination};
+use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
+use crate::cli::writable;
 use crate::film::Aov;
 use crate::image::file::FileError;
 use crate::image::{Frame, Labels, encode};
@@ -32,7 +33,7 @@ impl<'a> Outputs<'a> {
             stderr,
             json,
         };
-        destination::check(outputs.all())?;
+        writable::check(outputs.all())?;
         Ok(outputs)
     }
 
@@ -41,7 +42,8 @@ impl<'a> Outputs<'a> {
         Console::beside(self.all())
     }
 
-    fn all(&self) -> impl Iterator<Item = &Destination> {
+    /// All of them.
+    pub fn all(&self) -> impl Iterator<Item = &Destination> {
         let pictures = self.pictures.iter().chain(&self.stderr);
         pictures.map(|picture| &picture.to).chain(self.json)
     }

@@ -87,7 +87,7 @@ pub fn beside(pictures: &[Picture], spp: u32) -> Result<Vec<Picture>, Failure> {
         ));
     }
     let mut paths: Vec<PathBuf> = Vec::new();
-    for picture in pictures.iter().filter_map(|picture| picture.to.path()) {
+    for picture in pictures.iter().filter_map(|picture| picture.to.neighbour()) {
         let path = stderr_path(picture);
         if pictures.iter().any(|other| other.to.path() == Some(&path)) {
             return Err(Failure::Usage(format!(
@@ -101,7 +101,8 @@ pub fn beside(pictures: &[Picture], spp: u32) -> Result<Vec<Picture>, Failure> {
     }
     if paths.is_empty() {
         return Err(Failure::Usage(
-            "--aov stderr is written beside a picture, and stdout has no place beside it: add -o FILE".to_owned(),
+            "--aov stderr is written beside a picture, and stdout, a device or a pipe has no place beside it: add -o FILE"
+                .to_owned(),
         ));
     }
     let picture = |path| Picture {

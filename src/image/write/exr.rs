@@ -13,7 +13,7 @@ use super::{EncodeError, Frame, Labels};
 pub fn encode(
     frame: &Frame,
     labels: &Labels,
-    out: &mut (impl Write + Seek),
+    out: &mut (impl Write + Seek + ?Sized),
 ) -> std::result::Result<(), EncodeError> {
     let film = frame.film;
     let (width, height) = (film.width as usize, film.height as usize);

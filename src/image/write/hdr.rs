@@ -13,7 +13,7 @@ use crate::image::rgbe;
 ///
 /// The crate's encoder truncates, and wraps the exponent of what is too large or too small; what it is given here
 /// is already a pixel of the format, which it keeps to the bit.
-pub fn encode(film: &Film, out: &mut impl Write) -> Result<(), EncodeError> {
+pub fn encode(film: &Film, out: &mut (impl Write + ?Sized)) -> Result<(), EncodeError> {
     let pixels: Vec<_> = film.rgb.iter().map(|&p| Rgb(rgbe::nearest(p))).collect();
     let (width, height) = (film.width as usize, film.height as usize);
     Ok(HdrEncoder::new(out).encode(&pixels, width, height)?)

@@ -53,7 +53,7 @@ pub fn encode(
     frame: &Frame,
     format: Format,
     labels: &Labels,
-    out: &mut (impl Write + Seek),
+    out: &mut (impl Write + Seek + ?Sized),
 ) -> Result<(), EncodeError> {
     let Film {
         width,

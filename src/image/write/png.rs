@@ -7,7 +7,11 @@ use crate::film::Film;
 use crate::image::srgb;
 
 /// Writes the film × 2^`exposure`, through the sRGB transfer, clamped.
-pub fn encode(film: &Film, exposure: f64, out: &mut impl Write) -> Result<(), EncodeError> {
+pub fn encode(
+    film: &Film,
+    exposure: f64,
+    out: &mut (impl Write + ?Sized),
+) -> Result<(), EncodeError> {
     let scale = exposure.exp2();
     let bytes: Vec<u8> = film
         .rgb

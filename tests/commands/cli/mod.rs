@@ -12,6 +12,8 @@ mod help;
 mod integrator;
 mod interrupt;
 mod memory;
+#[cfg(target_os = "linux")]
+mod outputs;
 mod paired;
 pub mod program;
 mod readme;

@@ -11,6 +11,13 @@ use crate::common::needs::Need;
 /// A scene that any renderer can render in no time.
 pub const SCENE: &str = "screen 8 6\ncamera 0 0 5 0.3\nlight 1 1 1\nsphere 0 0 0 1\n";
 
+/// A triangle.
+pub const MESH: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+    element face 1\nproperty list uchar int vertex_indices\nend_header\n-1 -1 0\n1 -1 0\n0 1 0\n3 0 1 2\n";
+
+/// A scene with the mesh `m.ply`, which any other renderer has an equal of.
+pub const MESHED: &str = "screen 8 6\ncamera 0 0 5 0.3\nbrdf .5 .5 .5 0 0 0 1 0 0 0 1\nmesh m.ply 0 0 0 1\nlight 1 1 1\nsphere 0 0 0 1\n";
+
 /// What a run left.
 #[derive(Debug)]
 pub struct Run {
@@ -39,6 +46,17 @@ pub fn command(folder: &Path, arguments: &[&str]) -> Command {
 /// Runs to its end.
 pub fn run(folder: &Path, arguments: &[&str]) -> Run {
     finish(&mut command(folder, arguments))
+}
+
+/// Runs a line of the shell in `folder`, where `$VKPT` is the program.
+pub fn shell(folder: &Path, line: &str) -> Run {
+    let mut shell = Command::new("bash");
+    let shell = shell.args(["-c", line]).current_dir(folder);
+    finish(
+        shell
+            .env("VKPT", env!("CARGO_BIN_EXE_vkpt"))
+            .env("NO_COLOR", "1"),
+    )
 }
 
 /// Runs a command to its end.

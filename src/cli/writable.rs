@@ -1,0 +1,87 @@
+//! What is to be written, looked at before the work starts: that it can be, and that nothing is lost by it.
+
+use std::path::PathBuf;
+
+use same_file::Handle;
+
+use super::destination::{Destination, all_written};
+use super::exit::Failure;
+use super::streams::Stream;
+use crate::image::file::check_writable;
+use crate::image::place::{Place, folder};
+
+/// Every file can be written, and no two go to one place. Leaves no trace.
+pub fn check<'a>(files: impl IntoIterator<Item = &'a Destination>) -> Result<(), Failure> {
+    let files: Vec<&Destination> = files.into_iter().collect();
+    let named = files.iter().filter(|file| file.stream().is_none());
+    all_written(named.filter_map(|file| file.path()).map(check_writable))?;
+    let goals: Vec<Option<Goal>> = files.iter().map(|file| Goal::of(file)).collect();
+    let twice = |i: &usize| goals[*i].is_some() && goals[..*i].contains(&goals[*i]);
+    let Some(i) = (1..files.len()).find(twice) else {
+        return Ok(());
+    };
+    Err(Failure::Usage(match files[i].stream() {
+        Some(stream) => format!(
+            "two outputs would be written to {}: give one of them a name",
+            stream.name().display()
+        ),
+        None => format!("two outputs would be written to one file, {}", files[i]),
+    }))
+}
+
+/// Where one output alone may go.
+#[derive(Debug, PartialEq, Eq)]
+enum Goal {
+    Stream(Stream),
+    /// A file that is there.
+    Known(Handle),
+    /// One to be made: its folder's own name, and the file's.
+    New(PathBuf),
+}
+
+impl Goal {
+    /// None for what any number of outputs may go to, such as /dev/null.
+    fn of(to: &Destination) -> Option<Self> {
+        if let Some(stream) = to.stream() {
+            return Some(Self::Stream(stream));
+        }
+        if let Some(file) = to.identity() {
+            return Some(Self::Known(file));
+        }
+        match Place::of(to.path()?).ok()? {
+            Place::Straight(_) => None,
+            Place::File(path) => {
+                let folder = folder(&path).canonicalize().ok()?;
+                Some(Self::New(folder.join(path.file_name()?)))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_place_by_two_names_is_a_mistake_of_the_command_line() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = |name: &str| match name {
+            "-" => Destination::Stdout,
+            _ => Destination::File(folder.path().join(name)),
+        };
+        std::fs::create_dir(folder.path().join("in")).expect("a folder");
+        let check = |names: [&str; 3]| check(&names.map(path));
+        assert!(check(["a", "b", "-"]).is_ok());
+        assert!(check(["a", "in/a", "in/b"]).is_ok());
+        for same in [
+            ["a", "b", "a"],
+            ["a", "in/../a", "b"],
+            ["./in/b", "-", "in/b"],
+            ["-", "a", "-"],
+        ] {
+            assert!(matches!(check(same), Err(Failure::Usage(_))), "{same:?}");
+        }
+        let errors = check(["none/a", "in", "-"]);
+        assert!(matches!(errors, Err(Failure::Files(told)) if told.len() == 2));
+    }
+}
