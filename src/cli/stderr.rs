@@ -1,8 +1,11 @@
 //! Standard errors from a file.
 
+use std::path::Path;
+
+use super::exit::warn;
 use crate::image::Picture;
 use crate::metrics::StandardErrors;
-use crate::report::noted_freedom;
+use crate::report::{differences, is_noted, noted_freedom};
 
 /// The standard errors of a file, with the degrees of freedom that it notes; those of other programs are taken for exact.
 pub fn standard_errors(picture: &Picture) -> StandardErrors<'_> {
@@ -10,4 +13,30 @@ pub fn standard_errors(picture: &Picture) -> StandardErrors<'_> {
         film: &picture.film,
         freedom: noted_freedom(&picture.notes).unwrap_or(f64::INFINITY),
     }
+}
+
+/// Refuses standard errors that were made with another picture, as both files note it; `advice` says what else helps.
+///
+/// Of two files by other programs nothing is known. Where the picture alone is silent, somebody should look.
+pub fn belongs(
+    (errors, theirs): (&Path, &Picture),
+    (picture, its): (&Path, &Picture),
+    advice: &str,
+) -> Result<(), String> {
+    let (errors, picture) = (errors.display(), picture.display());
+    let differences = differences(&theirs.notes, &its.notes);
+    match differences.as_deref() {
+        Some([]) => {}
+        Some(all) => {
+            let all = all.join(", ");
+            return Err(format!(
+                "{errors} does not belong to {picture}: {all}; render again with --aov stderr, or {advice}"
+            ));
+        }
+        None if is_noted(&theirs.notes) => warn(&format!(
+            "{picture} does not say what it was made from: nobody knows whether {errors} belongs to it"
+        )),
+        None => {}
+    }
+    Ok(())
 }

@@ -47,7 +47,105 @@ const FREEDOM: &str = "degrees of freedom";
 
 /// The degrees of freedom that standard errors with these notes have, as a file has them; `None` where they do not say.
 pub fn noted_freedom(notes: &str) -> Option<f64> {
+    let freedom = noted(notes, FREEDOM)?.parse().ok();
+    freedom.filter(|&freedom: &f64| freedom > 0.0)
+}
+
+/// The names of [`notes`].
+const NAMES: [&str; 8] = [
+    "scene", "size", "crop", SETTINGS, "spp", "seed", "device", "version",
+];
+
+const SETTINGS: &str = "settings";
+
+/// Whether a file notes what it was made from.
+pub fn is_noted(notes: &str) -> bool {
+    NAMES.iter().any(|name| noted(notes, name).is_some())
+}
+
+/// What one file was made from and another was not, such as `spp is 16 there and 64 here`; `None` where one of them does not
+/// note what it was made from.
+pub fn differences(there: &str, here: &str) -> Option<Vec<String>> {
+    if !is_noted(there) || !is_noted(here) {
+        return None;
+    }
+    let difference = |name: &&str| {
+        let [there, here] = [there, here].map(|notes| noted(notes, name).unwrap_or("none"));
+        let [there, here] = match *name {
+            SETTINGS => [others(there, here), others(here, there)],
+            _ => [there, here].map(str::to_owned),
+        };
+        (there != here).then(|| format!("{name} is {there} there and {here} here"))
+    };
+    Some(NAMES.iter().filter_map(difference).collect())
+}
+
+/// The words of one text that another has not; the rest are many.
+fn others(of: &str, than: &str) -> String {
+    let known: Vec<&str> = than.split(' ').collect();
+    let words: Vec<&str> = of.split(' ').filter(|w| !known.contains(w)).collect();
+    match words.is_empty() {
+        true => "the default".to_owned(),
+        false => words.join(" "),
+    }
+}
+
+fn noted<'a>(notes: &'a str, name: &str) -> Option<&'a str> {
     let mut lines = notes.lines().filter_map(|l| l.split_once(": "));
-    let (_, value) = lines.find(|(name, _)| *name == FREEDOM)?;
-    value.parse().ok().filter(|&freedom: &f64| freedom > 0.0)
+    lines
+        .find(|(found, _)| *found == name)
+        .map(|(_, value)| value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_note_that_differs_is_told() {
+        let notes = "aov: a\nscene: a.txt\nsize: 4x3\nsettings: lobe=norms max-depth=none\nspp: 16\nseed: 0\n\
+            device: cpu-f32\nversion: vkpt 1\n";
+        let of = |here: &str| differences(notes, here);
+        assert_eq!(of(notes), Some(Vec::new()));
+        assert_eq!(of(&notes.replace("aov: a", "aov: b")), Some(Vec::new()));
+        for (there, here, said) in [
+            (
+                "scene: a",
+                "scene: b",
+                "scene is a.txt there and b.txt here",
+            ),
+            ("4x3", "5x3", "size is 4x3 there and 5x3 here"),
+            (
+                "\nseed",
+                "\ncrop: 0,0,1,1\nseed",
+                "crop is none there and 0,0,1,1 here",
+            ),
+            (
+                "none",
+                "3",
+                "settings is max-depth=none there and max-depth=3 here",
+            ),
+            (
+                " max",
+                " sampler=a max",
+                "settings is the default there and sampler=a here",
+            ),
+            ("16", "64", "spp is 16 there and 64 here"),
+            ("seed: 0", "seed: 1", "seed is 0 there and 1 here"),
+            ("f32", "f64", "device is cpu-f32 there and cpu-f64 here"),
+            (
+                "vkpt 1",
+                "vkpt 2",
+                "version is vkpt 1 there and vkpt 2 here",
+            ),
+        ] {
+            let told = of(&notes.replace(there, here));
+            assert_eq!(told, Some(vec![said.to_owned()]));
+        }
+        let two = notes.replace("16", "64").replace("seed: 0", "seed: 1");
+        assert_eq!(of(&two).map(|all| all.len()), Some(2));
+        for silent in ["", "Rendered by another program", "exposure: 1"] {
+            assert_eq!((of(silent), differences(silent, notes)), (None, None));
+        }
+    }
 }

@@ -18,7 +18,7 @@ mod summary;
 mod table;
 
 pub use comparison::{Comparison, Tested, comparison};
-pub use header::{noted_freedom, notes, stderr_notes};
+pub use header::{differences, is_noted, noted_freedom, notes, stderr_notes};
 pub use record::{Dropped, ErrorAt, Job, Kernel, Largest, Machine, Memory, Record, Seconds, Work};
 pub use settings::SettingsRecord;
 pub use summary::{concerns, summary};

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::arguments::PictureArguments;
 use crate::cli::exit::Failure;
 use crate::cli::inputs::Input;
-use crate::cli::stderr::standard_errors;
+use crate::cli::stderr::{belongs, standard_errors};
 use crate::image::file::stderr_path;
 use crate::image::{self, Picture};
 use crate::metrics::blocks::{Estimate, Stderr};
@@ -50,12 +50,16 @@ impl Known {
         }
     }
 
-    /// Picture and standard errors; otherwise everything that is wrong.
+    /// Picture and standard errors, which must belong to it; otherwise everything that is wrong.
     fn read(path: &Path, stderr: Option<PathBuf>) -> Result<Self, Vec<String>> {
         let picture = image::read(path);
         let errors = stderr.map(|path| image::read(&path).map(|errors| (path, errors)));
         match (picture, errors.transpose()) {
             (Ok(picture), Ok(stderr)) => {
+                if let Some((file, errors)) = &stderr {
+                    let advice = "name the right one with --stderr";
+                    belongs((file, errors), (path, &picture), advice).map_err(|e| vec![e])?;
+                }
                 Ok(Self {
                     path: path.to_owned(),
                     picture,

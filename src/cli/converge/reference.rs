@@ -9,7 +9,7 @@ use crate::cli::exit::{Failure, warn};
 use crate::cli::inputs::Input;
 use crate::cli::integrator::{Settled, settled};
 use crate::cli::progress::Display;
-use crate::cli::stderr::standard_errors;
+use crate::cli::stderr::{belongs, standard_errors};
 use crate::converge::{ConvergeError, Halves, Plan, halves};
 use crate::image::file::stderr_path;
 use crate::image::{self, Precision};
@@ -104,6 +104,10 @@ fn from_file(path: &Path, size: [u32; 2]) -> Result<Named, Failure> {
     let errors = stderr_path(path);
     let stderr = errors.exists().then(|| image::read(&errors));
     let stderr = stderr.transpose().map_err(|e| told(e.to_string()))?;
+    if let Some(stderr) = &stderr {
+        let advice = "remove it";
+        belongs((&errors, stderr), (path, &picture), advice).map_err(told)?;
+    }
     let (film, name) = (picture.film, path.display().to_string());
     if [film.width, film.height] != size {
         return Err(told(format!(

@@ -75,3 +75,94 @@ fn pictures_of_any_sampler_are_compared_by_their_errors() {
         "converge scene.scn --device cpu-f32 --spp 2 --time 9 --quiet --reference a.exr",
     );
 }
+
+/// Errors that another rendering left are found out, whatever it is that differs.
+#[test]
+fn errors_of_another_picture_are_refused() {
+    let folder = folder(LIT);
+    let path = |name: &str| folder.path().join(name);
+    std::fs::copy(path("scene.scn"), path("other.scn")).expect("a scene");
+    let rows = [
+        ("scene.scn", "--spp 16", "spp is 16 there and 32 here"),
+        ("scene.scn", "--seed 5", "seed is 5 there and 0 here"),
+        (
+            "scene.scn",
+            "--connect light",
+            "settings is connect=light there and connect=mis here",
+        ),
+        (
+            "scene.scn",
+            "--max-depth 3",
+            "settings is max-depth=3 there and max-depth=none here",
+        ),
+        (
+            "scene.scn",
+            "--integrator light",
+            "settings is integrator=light there and the default here",
+        ),
+        (
+            "scene.scn",
+            "--crop 0,0,12,7",
+            "crop is 0,0,12,7 there and none here",
+        ),
+        ("scene.scn", "--size 6x4", "size is 6x4 there and 12x8 here"),
+        ("scene.scn", "--device cpu-f64", "device is "),
+        (
+            "other.scn",
+            "",
+            "scene is other.scn there and scene.scn here",
+        ),
+    ];
+    let render = |scene: &str, more: &str, name: &str| {
+        // A flag of its own takes the place of that of all.
+        let flags = RENDER.split(' ').skip(1).collect::<Vec<_>>().join(" ");
+        let flags = match more.split_once(' ') {
+            Some(("--spp", _)) => flags.replace("--spp 32 ", ""),
+            Some(("--device", _)) => flags.replace("--device cpu-f32 ", ""),
+            _ => flags,
+        };
+        let line = format!("{scene} {flags} {more} -o {name}");
+        let ran = run(folder.path(), &line.split_whitespace().collect::<Vec<_>>());
+        assert_eq!(ran.code, Some(0), "{line}: {}", ran.err);
+    };
+    render("scene.scn", "", "a.exr");
+    render("scene.scn", "", "b.exr");
+    silent(folder.path(), "compare a.exr b.exr --z-test");
+    let converge = "converge scene.scn --device cpu-f32 --spp 2 --time 9 --quiet --reference b.exr";
+    silent(folder.path(), converge);
+    for (scene, more, said) in rows {
+        render(scene, more, "c.exr");
+        std::fs::rename(path("c-stderr.exr"), path("b-stderr.exr")).expect("renamed");
+        let said = format!("error: b-stderr.exr does not belong to b.exr: {said}");
+        for (line, advice) in [
+            ("compare a.exr b.exr", "name the right one with --stderr"),
+            (
+                "compare a.exr b.exr --stderr a-stderr.exr --stderr b-stderr.exr",
+                "--stderr",
+            ),
+            (converge, "or remove it"),
+        ] {
+            let ran = words(folder.path(), line);
+            assert_eq!(ran.code, Some(3), "{more}: {}", ran.err);
+            assert!(
+                ran.err.starts_with(&said) && ran.err.contains(advice),
+                "{more}: {}",
+                ran.err
+            );
+        }
+    }
+    let right = "compare a.exr b.exr --stderr a-stderr.exr --stderr a-stderr.exr";
+    silent(folder.path(), right);
+}
+
+/// A PNG notes nothing: somebody has to know.
+#[test]
+fn errors_beside_a_picture_without_notes_are_used_with_a_warning() {
+    let folder = folder(LIT);
+    silent(folder.path(), &format!("{RENDER} -o a.png -o a.exr"));
+    let ran = words(folder.path(), "compare a.png a.exr");
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let said = "warning: a.png does not say what it was made from: nobody knows whether a-stderr.exr belongs to it\n";
+    assert_eq!(ran.err, said);
+    assert!(ran.out.contains("z-test"), "{}", ran.out);
+}
