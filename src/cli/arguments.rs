@@ -9,6 +9,7 @@ use super::doctor::DoctorArguments;
 use super::exit::Failure;
 use super::explain::ExplainArguments;
 use super::export::ExportArguments;
+use super::numbers::negative;
 use super::render::RenderArguments;
 
 const EXIT_CODES: &str = "\
@@ -70,7 +71,7 @@ pub enum Task {
 
 /// Reads the command line; help, version and errors end the program here.
 pub fn task() -> Result<Task, Failure> {
-    let matches = Arguments::command().get_matches();
+    let matches = command().get_matches();
     if let Some(("compare", matches)) = matches.subcommand()
         && let Some(message) = CompareArguments::misplaced(matches)
     {
@@ -88,4 +89,10 @@ pub fn task() -> Result<Task, Failure> {
         Some(Command::Explain(arguments)) => Task::Explain(arguments),
         Some(Command::Export(arguments)) => Task::Export(arguments),
     })
+}
+
+/// All commands with all flags.
+fn command() -> clap::Command {
+    let command = Arguments::command().mut_args(negative);
+    command.mut_subcommands(|command| command.mut_args(negative))
 }

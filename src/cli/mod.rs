@@ -18,6 +18,7 @@ mod integrator;
 mod interrupt;
 mod job;
 mod memory;
+mod numbers;
 mod progress;
 mod render;
 mod settings;

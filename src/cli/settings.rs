@@ -1,5 +1,6 @@
 //! The flags of the settings, which every command that renders takes.
 
+use super::numbers;
 use super::values::{self, IntegratorRule, Preset, choice};
 use crate::settings::{
     Absorption, Connect, DistributionRule, Fresnel, Integrator, Lights, LobeChoice, Normals,
@@ -41,7 +42,7 @@ pub struct SettingArguments {
     pub radiance_scaling: Option<bool>,
 
     /// Longest path in bounces: 0 shows emitters, 1 adds direct light [default: no cap]
-    #[arg(long, value_name = "N", help_heading = MODEL)]
+    #[arg(long, value_name = "N", help_heading = MODEL, value_parser = numbers::whole(0))]
     pub max_depth: Option<u32>,
 
     /// Which paths find the light: those from the eye; those from the lights, each vertex joined to
@@ -65,7 +66,7 @@ pub struct SettingArguments {
 
     /// Let paths survive by their throughput, with a constant probability such as 0.8, or always:
     /// throughput, P or off [default: throughput]
-    #[arg(long, value_name = "RULE", help_heading = ESTIMATOR, value_parser = values::roulette)]
+    #[arg(long, value_name = "RULE", help_heading = ESTIMATOR, value_parser = numbers::roulette)]
     pub roulette: Option<Roulette>,
 
     /// Find light by connecting to it, by paths that hit it, or by both, weighted: light, bsdf or

@@ -1,19 +1,19 @@
 //! The flags of what is looked at in a scene, which every command that reads one takes.
 
 use super::job::Request;
+use super::numbers;
 use super::settings::SettingArguments;
 use super::source::Source;
-use super::values;
 
 /// Which pixels there are, and what is taken for wrong.
 #[derive(clap::Args, Debug)]
 pub struct ViewArguments {
     /// Width and height in pixels [default: the scene's]
-    #[arg(long, value_name = "WxH", value_parser = values::size)]
+    #[arg(long, value_name = "WxH", value_parser = numbers::size)]
     pub size: Option<[u32; 2]>,
 
     /// Only these pixels, counted from the top left; X1 and Y1 are excluded
-    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = values::crop)]
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::crop)]
     pub crop: Option<[u32; 4]>,
 
     /// Take every warning about the scene as an error

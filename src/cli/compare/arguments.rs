@@ -7,6 +7,7 @@ use clap::{ArgMatches, Args, Id};
 
 use crate::cli::destination::Destination;
 use crate::cli::job::Request;
+use crate::cli::numbers;
 use crate::cli::settings::SettingArguments;
 use crate::cli::source::Source;
 use crate::cli::values;
@@ -19,7 +20,8 @@ Exit codes:
     1  --max-relmse or --z-test failed; a Vulkan device of the CPU differs from cpu-f32 in a bit, or
        the paths that parted are biased; rendering failed
     2  the command line is wrong
-    3  a picture can't be read or compared; the scene or one of its meshes is wrong
+    3  a picture can't be read or compared, or its standard errors are of another; the scene or one
+       of its meshes is wrong
     4  there is no such Vulkan device, or none at all
     5  the heat map or stdout could not be written
   130  interrupted by ctrl-c";
@@ -85,18 +87,18 @@ pub struct PictureArguments {
 
     /// Stops by which FLIP brightens the pictures before it looks at them as PNGs
     #[arg(long, value_name = "EV", help_heading = PICTURES, default_value = "0")]
-    #[arg(allow_negative_numbers = true, value_parser = values::exposure)]
+    #[arg(value_parser = numbers::exposure)]
     pub exposure: f64,
 
     /// Write the relative squared error of each pixel as a colour; with --reference both maps, side
     /// by side; - for stdout
     #[arg(long, value_name = "FILE.png", help_heading = PICTURES)]
-    #[arg(value_parser = values::png)]
+    #[arg(value_parser = values::png())]
     pub heatmap: Option<Destination>,
 
     /// Fail (exit code 1) if a relMSE is above X
     #[arg(long, value_name = "X", help_heading = PICTURES)]
-    #[arg(value_parser = values::bound)]
+    #[arg(value_parser = numbers::bound)]
     pub max_relmse: Option<f64>,
 
     /// Fail (exit code 1) if the means of blocks of 25x25 pixels differ by more than the standard
@@ -115,11 +117,12 @@ pub struct PairedArguments {
 
     /// Samples per pixel
     #[arg(long, value_name = "N", help_heading = PAIRED, default_value = "16")]
-    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(value_parser = numbers::whole(1))]
     pub spp: u32,
 
     /// Seed of the random numbers
     #[arg(long, value_name = "N", help_heading = PAIRED, default_value = "0")]
+    #[arg(value_parser = numbers::whole(0))]
     pub seed: u32,
 
     #[command(flatten, next_help_heading = PAIRED)]

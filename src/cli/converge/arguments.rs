@@ -6,6 +6,7 @@ use super::vary::{Vary, vary};
 use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
 use crate::cli::job::Request;
+use crate::cli::numbers;
 use crate::cli::settings::SettingArguments;
 use crate::cli::source::Source;
 use crate::cli::values;
@@ -34,19 +35,17 @@ pub struct ConvergeArguments {
 
     /// The most seconds of sampling, of all replicates and variants together; a step that would not
     /// fit is not begun, which may leave up to half. Compiling, judging and the reference come on top
-    #[arg(long, value_name = "S", help_heading = EXPERIMENT, default_value = "60", value_parser = values::seconds)]
-    #[arg(allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", help_heading = EXPERIMENT, default_value = "60", value_parser = numbers::seconds)]
     pub time: f64,
 
     /// Independent renderings of each variant, 2 to 1000; three or more tell whether they converge
     /// to the reference
     #[arg(long, value_name = "N", help_heading = EXPERIMENT, default_value = "8", value_parser = replicates)]
-    #[arg(allow_hyphen_values = true)]
     pub replicates: u32,
 
     /// The most samples per pixel
     #[arg(long, value_name = "N", help_heading = EXPERIMENT, default_value = "1048576")]
-    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(value_parser = numbers::whole(1))]
     pub spp: u32,
 
     /// Render with each of these values of a setting, such as connect=mis,light; repeated, with all
@@ -62,11 +61,12 @@ pub struct ConvergeArguments {
     /// Stops by which the pictures are brightened before FLIP looks at them as PNGs, and those of
     /// --html
     #[arg(long, value_name = "EV", help_heading = EXPERIMENT, default_value = "0")]
-    #[arg(allow_negative_numbers = true, value_parser = values::exposure)]
+    #[arg(value_parser = numbers::exposure)]
     pub exposure: f64,
 
     /// Seed of the first replicate; the others have those that follow
     #[arg(long, value_name = "N", help_heading = EXPERIMENT, default_value = "0")]
+    #[arg(value_parser = numbers::whole(0))]
     pub seed: u32,
 
     #[command(flatten, next_help_heading = EXPERIMENT)]

@@ -3,9 +3,10 @@
 use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
 use crate::cli::job::Request;
+use crate::cli::numbers::{self, SamplePath};
 use crate::cli::settings::SettingArguments;
 use crate::cli::source::Source;
-use crate::cli::values::{self, SamplePath, choice};
+use crate::cli::values::{self, choice};
 use crate::cli::view::ViewArguments;
 use crate::film::Aov;
 use crate::gpu::Selector;
@@ -45,23 +46,21 @@ pub struct RenderArguments {
 
     /// Stops by which .png is brightened; negative: darkened
     #[arg(long, value_name = "EV", help_heading = "Picture", default_value = "0")]
-    #[arg(allow_negative_numbers = true, value_parser = values::exposure)]
+    #[arg(value_parser = numbers::exposure)]
     pub exposure: f64,
 
     /// Samples per pixel, the most where --time or --target-error are given [default: 64, or with
     /// one of those no end]
     #[arg(long, value_name = "N", help_heading = "Rendering")]
-    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(value_parser = numbers::whole(1))]
     spp: Option<u32>,
 
     /// End after so many seconds of rendering, with whole samples in every pixel
-    #[arg(long, value_name = "S", help_heading = "Rendering", value_parser = values::seconds)]
-    #[arg(allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", help_heading = "Rendering", value_parser = numbers::seconds)]
     pub time: Option<f64>,
 
     /// End once the relMSE is below this, with 95 % confidence
-    #[arg(long, value_name = "E", help_heading = "Rendering", value_parser = values::target_error)]
-    #[arg(allow_hyphen_values = true)]
+    #[arg(long, value_name = "E", help_heading = "Rendering", value_parser = numbers::target_error)]
     pub target_error: Option<f64>,
 
     /// Seed of the random numbers: the same seed gives the same picture, bit for bit
@@ -71,6 +70,7 @@ pub struct RenderArguments {
         help_heading = "Rendering",
         default_value = "0"
     )]
+    #[arg(value_parser = numbers::whole(0))]
     pub seed: u32,
 
     /// A Vulkan device by its index or part of its name (`vkpt devices` lists them), or the
@@ -102,7 +102,7 @@ pub struct RenderArguments {
     pub quiet: bool,
 
     /// Render nothing; print the path of sample I of pixel X,Y (from the top left), vertex by vertex
-    #[arg(long, value_name = "X,Y,I", help_heading = "Reports", value_parser = values::sample_path)]
+    #[arg(long, value_name = "X,Y,I", help_heading = "Reports", value_parser = numbers::sample_path)]
     pub trace: Option<SamplePath>,
 }
 

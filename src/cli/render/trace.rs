@@ -5,8 +5,8 @@ use crate::cli::destination::all_written;
 use crate::cli::exit::{Ending, Failure};
 use crate::cli::integrator::needs_eye_paths;
 use crate::cli::job::Ready;
+use crate::cli::numbers::SamplePath;
 use crate::cli::streams::put;
-use crate::cli::values::SamplePath;
 use crate::render;
 
 /// Prints the path of one sample on stdout; writes no file.

@@ -92,6 +92,83 @@ fn a_wrong_command_line_is_2() {
     }
 }
 
+/// Whatever a number begins with, the flag says what it takes.
+#[test]
+fn a_wrong_number_is_told_by_its_flag() {
+    let samples = "must be a whole number from 1 to 4294967295";
+    let number = "must be a whole number from 0 to 4294967295";
+    let stops = "must be a finite number of stops";
+    let rows: [(&[&str], &str, &str, &str); 23] = [
+        (&[], "--spp", "1e3", samples),
+        (&[], "--spp", "-1", samples),
+        (&[], "--seed", "-1", number),
+        (&[], "--seed", "1.5", number),
+        (&[], "--seed", "4294967296", number),
+        (&[], "--max-depth", "-1", number),
+        (&[], "--exposure", "-inf", stops),
+        (&[], "--exposure", "-nan", stops),
+        (
+            &[],
+            "--crop",
+            "-1,0,4,4",
+            "must be four whole numbers from 0",
+        ),
+        (&[], "--size", "-1x3", "must be two whole numbers from 1"),
+        (
+            &[],
+            "--trace",
+            "-1,0,0",
+            "must be three whole numbers from 0",
+        ),
+        (&[], "--roulette", "-0.5", "must be above 0 and at most 1"),
+        (
+            &[],
+            "--roulette",
+            "-on",
+            "must be throughput, off, or a probability",
+        ),
+        (
+            &[],
+            "--time",
+            "-inf",
+            "must be a finite number of seconds above 0",
+        ),
+        (
+            &[],
+            "--target-error",
+            "-x",
+            "must be a finite number above 0",
+        ),
+        (&["compare", "a", "b"], "--max-relmse", "-1e-3", "from 0 up"),
+        (&["compare", "a", "b"], "--exposure", "-inf", stops),
+        (&["compare", "--paired"], "--spp", "1e3", samples),
+        (&["converge"], "--replicates", "-1", "from 2 to 1000"),
+        (&["converge"], "--seed", "-1", number),
+        (&["converge"], "--exposure", "-nan", stops),
+        (
+            &["explain"],
+            "--crop",
+            "-1,0,4,4",
+            "must be four whole numbers",
+        ),
+        (&["export"], "--size", "-1x3", "must be two whole numbers"),
+    ];
+    for (command, flag, value, said) in rows {
+        let scene: &[&str] = match command {
+            ["compare", "a", "b"] => &[],
+            _ => &["scene.scn"],
+        };
+        let arguments = [command, scene, &[flag, value]].concat();
+        refused(SCENE, &arguments, 2, said);
+        refused(
+            SCENE,
+            &arguments,
+            2,
+            &format!("invalid value '{value}' for '{flag}"),
+        );
+    }
+}
+
 #[test]
 fn a_wrong_scene_is_3_and_shows_every_line() {
     let scene =
