@@ -24,6 +24,7 @@ fn main() -> ExitCode {
         Ok(Task::Export(arguments)) => cli::export(&arguments),
         Ok(Task::Doctor(arguments)) => cli::doctor(&arguments),
         Ok(Task::Devices) => cli::devices(),
+        Ok(Task::Help(text)) => cli::help(&text),
         Err(failure) => Err(failure),
     };
     cli::exit(ending)

@@ -5,12 +5,14 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use super::check::CheckArguments;
 use super::compare::CompareArguments;
 use super::converge::ConvergeArguments;
+use super::destination::all_written;
 use super::doctor::DoctorArguments;
-use super::exit::Failure;
+use super::exit::{Ending, Failure};
 use super::explain::ExplainArguments;
 use super::export::ExportArguments;
 use super::numbers::negative;
 use super::render::RenderArguments;
+use super::streams::print_help;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -67,18 +69,24 @@ pub enum Task {
     Export(Box<ExportArguments>),
     Doctor(DoctorArguments),
     Devices,
+    /// Help or version, as clap has it.
+    Help(clap::Error),
 }
 
-/// Reads the command line; help, version and errors end the program here.
+/// Reads the command line.
 pub fn task() -> Result<Task, Failure> {
-    let matches = command().get_matches();
+    let matches = match command().try_get_matches() {
+        Ok(matches) => matches,
+        Err(wrong) if wrong.use_stderr() => return Err(Failure::CommandLine(wrong)),
+        Err(help) => return Ok(Task::Help(help)),
+    };
     if let Some(("compare", matches)) = matches.subcommand()
         && let Some(message) = CompareArguments::misplaced(matches)
     {
         return Err(Failure::Usage(message));
     }
     let Arguments { command, render } =
-        Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+        Arguments::from_arg_matches(&matches).map_err(Failure::CommandLine)?;
     Ok(match command {
         None => Task::Render(Box::new(render)),
         Some(Command::Devices) => Task::Devices,
@@ -89,6 +97,12 @@ pub fn task() -> Result<Task, Failure> {
         Some(Command::Explain(arguments)) => Task::Explain(arguments),
         Some(Command::Export(arguments)) => Task::Export(arguments),
     })
+}
+
+/// Prints what was asked for in place of a task.
+pub fn help(text: &clap::Error) -> Result<Ending, Failure> {
+    all_written([print_help(text)])?;
+    Ok(Ending::Complete)
 }
 
 /// All commands with all flags.

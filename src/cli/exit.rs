@@ -24,6 +24,8 @@ pub enum Ending {
 pub enum Failure {
     /// The command line is wrong in a way that clap does not find by itself.
     Usage(String),
+    /// In a way that clap finds.
+    CommandLine(clap::Error),
     Scene(Errors),
     Prepare(PrepareError),
     /// What a scene says and another renderer cannot.
@@ -69,7 +71,7 @@ impl Failure {
         match self {
             Self::Render(error) if error.is_no_device() => 4,
             Self::Render(_) | Self::Comparison(_) | Self::Unhealthy(_) => 1,
-            Self::Usage(_) => 2,
+            Self::Usage(_) | Self::CommandLine(_) => 2,
             Self::Scene(_)
             | Self::Prepare(_)
             | Self::Untranslatable(_)
@@ -85,6 +87,8 @@ impl Failure {
             Self::Usage(message) => {
                 error(&format!("{message}\n\nFor more information, try '--help'."))
             }
+            // Where that fails there is nowhere left to say so.
+            Self::CommandLine(wrong) => drop(wrong.print()),
             Self::Scene(errors) => {
                 let sum = errors.to_string();
                 point_out(errors.diagnostics);

@@ -29,7 +29,7 @@ mod values;
 mod view;
 mod writable;
 
-pub use arguments::{Arguments, Task, task};
+pub use arguments::{Arguments, Task, help, task};
 pub use check::{CheckArguments, check};
 pub use compare::{CompareArguments, compare};
 pub use converge::{ConvergeArguments, converge};

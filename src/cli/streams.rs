@@ -75,3 +75,9 @@ pub fn tell(line: impl Display) {
 pub fn put(bytes: &[u8]) -> Result<(), FileError> {
     Stream::Stdout.put(bytes)
 }
+
+/// Writes clap's help or version to stdout, in colours where that is a terminal.
+pub fn print_help(text: &clap::Error) -> Result<(), FileError> {
+    let printed = text.print().and_then(|()| io::stdout().flush());
+    Stream::Stdout.written(printed)
+}

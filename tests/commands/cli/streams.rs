@@ -7,7 +7,7 @@ use std::process::{Output, Stdio};
 
 use serde_json::Value;
 
-use super::program::{SCENE, command, folder, names, run, without_vulkan};
+use super::program::{MESH, SCENE, command, folder, names, run, without_vulkan};
 
 /// Runs with a text as stdin.
 fn piped(folder: &Path, arguments: &[&str], stdin: &str) -> Output {
@@ -160,10 +160,6 @@ fn a_check_and_an_examination_report_to_stdout() {
     }
 }
 
-/// A triangle in the working directory, named by the scene.
-const MESH: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
-    element face 1\nproperty list uchar int vertex_indices\nend_header\n-1 -1 0\n1 -1 0\n0 1 0\n3 0 1 2\n";
-
 #[test]
 fn a_scene_from_stdin_is_that_of_the_file() {
     let scene = format!("{SCENE}mesh in/a.ply 0 0 0 1\n");
@@ -297,12 +293,31 @@ fn a_stdout_that_cannot_be_written_is_5() {
         &report,
         &summary,
         &trace,
+        &["explain", "scene.scn"],
         &["explain", "scene.scn", "--glsl"],
         &["explain", "scene.scn", "--spirv", "-"],
+        &["export", "scene.scn", "--to", "mitsuba", "-o", "-"],
+        &["compare", "b.png", "b.png"],
         &["compare", "b.png", "b.png", "--heatmap", "-"],
+        &[
+            "converge",
+            "scene.scn",
+            "--device",
+            "cpu-f32",
+            "--spp",
+            "1",
+            "--time",
+            "0.1",
+        ],
+        &["--help"],
+        &["--version"],
+        &["explain", "--help"],
     ];
     if !without_vulkan() {
         rows.push(&["devices"]);
+        rows.push(&["doctor"]);
+        rows.push(&["check", "--case", "camera/one-pixel"]);
+        rows.push(&["compare", "--paired", "scene.scn", "--spp", "1"]);
     }
     for arguments in rows {
         let full = File::create("/dev/full").expect("Linux has it");
@@ -322,7 +337,13 @@ fn a_broken_pipe_ends_quietly() {
     let folder = folder(SCENE);
     let picture = rendering(&["-o", "-", "--format", "png", "--quiet"]);
     let summary = rendering(&["-o", "a.png"]);
-    let rows: [&[&str]; 3] = [&picture, &summary, &["explain", "scene.scn", "--glsl"]];
+    let rows: [&[&str]; 5] = [
+        &picture,
+        &summary,
+        &["explain", "scene.scn", "--glsl"],
+        &["--help"],
+        &["--version"],
+    ];
     for arguments in rows {
         let (reader, writer) = std::io::pipe().expect("a pipe");
         drop(reader);
