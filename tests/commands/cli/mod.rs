@@ -6,6 +6,8 @@ mod converge;
 mod converge_refusals;
 mod doctor;
 mod ends;
+#[cfg(target_os = "linux")]
+mod environment;
 mod explain;
 mod export;
 mod help;
