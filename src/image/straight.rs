@@ -6,10 +6,13 @@ use std::path::Path;
 
 /// Whether it can be written to.
 pub(super) fn check(path: &Path) -> io::Result<()> {
-    // Whoever reads a pipe would take a writer that goes away again for its end.
-    match is_pipe(path) {
-        true => Ok(()),
-        false => open(path).map(drop),
+    match kind(path)? {
+        // Whoever reads a pipe would take a writer that goes away again for its end.
+        Kind::Pipe => Ok(()),
+        Kind::Socket => Err(io::Error::other(
+            "is a socket, which cannot be opened by its name",
+        )),
+        Kind::Other => open(path).map(drop),
     }
 }
 
@@ -32,13 +35,38 @@ fn open(path: &Path) -> io::Result<File> {
     OpenOptions::new().write(true).append(is_file).open(path)
 }
 
+enum Kind {
+    Pipe,
+    Socket,
+    Other,
+}
+
 #[cfg(unix)]
-fn is_pipe(path: &Path) -> bool {
+fn kind(path: &Path) -> io::Result<Kind> {
     use std::os::unix::fs::FileTypeExt;
-    fs::metadata(path).is_ok_and(|there| there.file_type().is_fifo())
+    let kind = fs::metadata(path)?.file_type();
+    Ok(match (kind.is_fifo(), kind.is_socket()) {
+        (true, _) => Kind::Pipe,
+        (_, true) => Kind::Socket,
+        _ => Kind::Other,
+    })
 }
 
 #[cfg(not(unix))]
-fn is_pipe(_: &Path) -> bool {
-    false
+fn kind(_: &Path) -> io::Result<Kind> {
+    Ok(Kind::Other)
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sockets_are_refused_and_devices_tried() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("socket");
+        let _socket = std::os::unix::net::UnixListener::bind(&path).expect("a socket");
+        assert!(check(&path).is_err_and(|e| e.to_string().contains("is a socket")));
+        assert!(check(Path::new("/dev/null")).is_ok());
+    }
 }

@@ -8,6 +8,7 @@ use super::destination::{Destination, all_written};
 use super::exit::{Ending, Failure};
 use super::inputs::Input;
 use super::job::Loaded;
+use super::writable;
 use crate::explain::{Preset, Subject, explain as explanation};
 use crate::gpu::{Device, Options, Selector, Statistic};
 use crate::kernel::{Composed, Spirv};
@@ -18,6 +19,7 @@ pub use arguments::ExplainArguments;
 
 /// Prints the page, or the kernel's GLSL; writes its SPIR-V where it is asked for.
 pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
+    writable::check(&arguments.spirv)?;
     let spirv_on_stdout = arguments.spirv.as_ref().is_some_and(Destination::is_stdout);
     if arguments.glsl && spirv_on_stdout {
         return Err(Failure::Usage(

@@ -16,6 +16,7 @@ pub use arguments::ExportArguments;
 /// Writes the scene and its meshes, all that is said of it or nothing.
 pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
     let to = output(arguments)?;
+    writable::check([&to])?;
     let request = arguments.request();
     if let Some(message) = setting(&request.settings.model) {
         return Err(Failure::Usage(message.to_owned()));

@@ -16,6 +16,8 @@ mod interrupt;
 mod memory;
 #[cfg(target_os = "linux")]
 mod outputs;
+#[cfg(target_os = "linux")]
+mod overwriting;
 mod paired;
 pub mod program;
 mod readme;
@@ -23,3 +25,5 @@ mod refusals;
 mod rendering;
 mod standard_errors;
 mod streams;
+#[cfg(target_os = "linux")]
+mod unwritable;

@@ -1,30 +1,13 @@
-//! Files that are written: through links, to devices and pipes, and never over what is read.
+//! Files that are written: through links, and to devices and pipes.
 
 use std::fs;
 use std::os::unix::fs::{FileTypeExt, PermissionsExt, symlink};
 use std::path::Path;
 
-use super::program::{
-    MESH, MESHED, Run, SCENE, command, finish, folder, names, run, shell, without_vulkan,
-};
+use super::program::{MESH, MESHED, SCENE, folder, names, shell, words};
 
 /// What all renderings here are: the same picture.
 const RENDER: &str = "scene.scn --device cpu-f32 --spp 2 --quiet";
-
-/// Every file in a folder, with its content.
-fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    let files = names(folder)
-        .into_iter()
-        .map(|name| (folder.join(&name), name));
-    let files = files.filter(|(path, _)| path.is_file());
-    files
-        .map(|(path, name)| (name, fs::read(path).expect("a file")))
-        .collect()
-}
-
-fn words(folder: &Path, line: &str) -> Run {
-    run(folder, &line.split(' ').collect::<Vec<_>>())
-}
 
 /// Each line leaves the whole picture and nothing else in `a`; a device or a link that it wrote to is there as before.
 #[test]
@@ -124,106 +107,6 @@ fn links_stay_and_lead_to_what_is_written() {
     assert_eq!(twice.code, Some(2), "{}", twice.err);
 }
 
-/// By every name that leads to it; nothing is touched.
-#[test]
-fn nothing_that_is_read_is_written_over() {
-    let folder = folder(&MESHED.replace("m.ply", "in/m.ply"));
-    let path = |name: &str| folder.path().join(name);
-    fs::create_dir(path("in")).expect("a folder");
-    fs::write(path("in/m.ply"), MESH).expect("a mesh");
-    fs::copy(path("scene.scn"), path("as.png")).expect("a scene");
-    fs::copy(path("scene.scn"), path("as-stderr.exr")).expect("a scene");
-    fs::hard_link(path("scene.scn"), path("hard.exr")).expect("a link");
-    symlink("scene.scn", path("soft.exr")).expect("a link");
-    for seed in [1, 2] {
-        let line = format!("{RENDER} --seed {seed} --aov stderr -o {seed}.exr -o {seed}.png");
-        assert_eq!(words(folder.path(), &line).code, Some(0));
-    }
-    let by = "--device cpu-f32 --spp 4294967295";
-    let rows = [
-        (
-            format!("scene.scn {by} --json scene.scn"),
-            "scene.scn",
-            "the scene",
-        ),
-        (
-            format!("scene.scn {by} --json in/../scene.scn"),
-            "in/../scene.scn",
-            "the scene scene.scn",
-        ),
-        (
-            format!("scene.scn {by} -o hard.exr"),
-            "hard.exr",
-            "the scene scene.scn",
-        ),
-        (
-            format!("soft.exr {by} -o hard.exr"),
-            "hard.exr",
-            "the scene soft.exr",
-        ),
-        (
-            format!("scene.scn {by} -o a.png -o soft.exr"),
-            "soft.exr",
-            "the scene scene.scn",
-        ),
-        (format!("as.png {by}"), "as.png", "the scene"),
-        (
-            format!("as-stderr.exr {by} -o as.exr --aov stderr"),
-            "as-stderr.exr",
-            "the scene",
-        ),
-        (
-            format!("scene.scn {by} --json in/m.ply"),
-            "in/m.ply",
-            "a mesh of the scene",
-        ),
-        (
-            format!("- {by} --json scene.scn"),
-            "scene.scn",
-            "the scene <stdin>",
-        ),
-        (
-            format!("converge scene.scn {by} --svg scene.scn"),
-            "scene.scn",
-            "the scene",
-        ),
-        (
-            format!("converge scene.scn {by} --reference 1.exr --csv 1.exr"),
-            "1.exr",
-            "the reference",
-        ),
-        (
-            format!("converge scene.scn {by} --reference 1.exr --csv 1-stderr.exr"),
-            "1-stderr.exr",
-            "its standard errors",
-        ),
-        (
-            "compare 1.png 2.png --heatmap 1.png".to_owned(),
-            "1.png",
-            "a picture to compare",
-        ),
-        (
-            "explain scene.scn --spirv in/m.ply".to_owned(),
-            "in/m.ply",
-            "a mesh of the scene",
-        ),
-        (
-            "export scene.scn --to mitsuba -o scene.scn".to_owned(),
-            "scene.scn",
-            "the scene",
-        ),
-    ];
-    let before = [folder.path(), &path("in")].map(contents);
-    for (line, to, what) in rows {
-        let ran = shell(folder.path(), &format!("$VKPT {line} < scene.scn"));
-        assert_eq!(ran.code, Some(2), "{line}: {}", ran.err);
-        let said = format!("error: {to} would be overwritten: it is {what}; give ");
-        assert!(ran.err.contains(&said), "{line}: {}", ran.err);
-        let after = [folder.path(), &path("in")].map(contents);
-        assert!(before == after, "{line}");
-    }
-}
-
 /// What stands beside a picture or a scene has no place beside a device.
 #[test]
 fn nothing_is_written_beside_a_device() {
@@ -246,85 +129,4 @@ fn nothing_is_written_beside_a_device() {
     let kernels = "explain scene.scn --integrator bidirectional --spirv /dev/null";
     assert_eq!(words(folder.path(), kernels).code, Some(0));
     assert!(!Path::new("/dev/null-2").exists());
-}
-
-/// Found out before the first of 2³² samples, of the default names too: nobody can make a file in /proc.
-#[test]
-fn a_folder_that_takes_no_files_is_told_before_the_work() {
-    let folder = folder(SCENE);
-    let scene = folder.path().join("scene.scn");
-    let scene = scene.to_str().expect("a name");
-    words(folder.path(), &format!("{RENDER} -o a.png"));
-    let picture = folder.path().join("a.png");
-    let picture = picture.to_str().expect("a name");
-    let endless = ["--device", "cpu-f32", "--spp", "4294967295"];
-    let mut rows: Vec<(Vec<&str>, &str)> = vec![
-        ([&[scene][..], &endless].concat(), "scene.png"),
-        ([&[scene, "-o", "b.hdr"][..], &endless].concat(), "b.hdr"),
-        (
-            [&["converge", scene, "--csv", "c.csv"][..], &endless].concat(),
-            "c.csv",
-        ),
-        (
-            vec!["compare", picture, picture, "--heatmap", "d.png"],
-            "d.png",
-        ),
-        (vec!["explain", scene, "--spirv", "e.spv"], "e.spv"),
-        (vec!["export", scene, "--to", "mitsuba"], "scene.xml"),
-        (vec!["check", "--json", "f.json"], "f.json"),
-    ];
-    if !without_vulkan() {
-        rows.push((vec!["doctor", "--json", "g.json"], "g.json"));
-    }
-    for (arguments, name) in rows {
-        let ran = finish(command(Path::new("/proc"), &arguments).current_dir("/proc"));
-        assert_eq!(ran.code, Some(5), "{arguments:?}: {}", ran.err);
-        let said = format!("error: cannot write {name}: ");
-        assert!(ran.err.starts_with(&said), "{arguments:?}: {}", ran.err);
-        assert!(!ran.err.contains(".vkpt-"), "{}", ran.err);
-        assert_eq!(ran.out, "", "{arguments:?}");
-    }
-}
-
-/// Its folder would let another file take its place. Root may write it, and does.
-#[test]
-fn a_file_that_may_not_be_written_is_not_replaced() {
-    let folder = folder(SCENE);
-    let path = folder.path().join("a.exr");
-    fs::write(&path, "old").expect("a file");
-    fs::set_permissions(&path, fs::Permissions::from_mode(0o444)).expect("mode");
-    let may = fs::OpenOptions::new().write(true).open(&path).is_ok();
-    let ran = words(folder.path(), &format!("{RENDER} -o a.exr"));
-    assert_eq!(ran.code, Some(if may { 0 } else { 5 }), "{}", ran.err);
-    let kept = fs::read(&path).expect("a file") == b"old";
-    assert_eq!(kept, !may);
-    assert_eq!(names(folder.path()), ["a.exr", "scene.scn"]);
-}
-
-#[test]
-fn names_that_no_file_can_have_are_told_before_the_work() {
-    let folder = folder(SCENE);
-    let (most, more) = ("n".repeat(251) + ".exr", "n".repeat(252) + ".exr");
-    let endless = RENDER.replace("--spp 2", "--spp 4294967295");
-    let picture = format!("{endless} -o {most} --aov stderr");
-    for (line, said) in [
-        (format!("{endless} -o {more}"), "too long"),
-        (picture, "n-stderr.exr: File name too long"),
-        (
-            format!("{endless} --json none/"),
-            "cannot write none/: is no name of a file",
-        ),
-        (format!("{endless} --json "), "is no name of a file"),
-        (
-            format!("{endless} --json scene.scn/a"),
-            "cannot write scene.scn/a: ",
-        ),
-    ] {
-        let ran = words(folder.path(), &line);
-        assert_eq!(ran.code, Some(5), "{}: {}", line, ran.err);
-        assert!(ran.err.contains(said), "{}: {}", line, ran.err);
-        assert_eq!(names(folder.path()), ["scene.scn"]);
-    }
-    let ran = words(folder.path(), &format!("{RENDER} -o {most}"));
-    assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
 }

@@ -48,6 +48,11 @@ pub fn run(folder: &Path, arguments: &[&str]) -> Run {
     finish(&mut command(folder, arguments))
 }
 
+/// Runs with the words of a line, which blanks part.
+pub fn words(folder: &Path, line: &str) -> Run {
+    run(folder, &line.split(' ').collect::<Vec<_>>())
+}
+
 /// Runs a line of the shell in `folder`, where `$VKPT` is the program.
 pub fn shell(folder: &Path, line: &str) -> Run {
     let mut shell = Command::new("bash");

@@ -4,12 +4,8 @@
 use std::path::Path;
 
 use super::converge::LIT;
-use super::program::{Run, folder, run};
+use super::program::{folder, run, words};
 use super::rendering::read_exr;
-
-fn words(folder: &Path, line: &str) -> Run {
-    run(folder, &line.split(' ').collect::<Vec<_>>())
-}
 
 /// Runs to a good end, without a warning.
 fn silent(folder: &Path, line: &str) {

@@ -1,0 +1,120 @@
+//! Nothing that is read is written over.
+
+use std::fs;
+use std::os::unix::fs::symlink;
+use std::path::Path;
+
+use super::program::{MESH, MESHED, folder, names, shell, words};
+
+const RENDER: &str = "scene.scn --device cpu-f32 --spp 2 --quiet";
+
+/// Every file in a folder, with its content.
+fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let files = names(folder)
+        .into_iter()
+        .map(|name| (folder.join(&name), name));
+    let files = files.filter(|(path, _)| path.is_file());
+    files
+        .map(|(path, name)| (name, fs::read(path).expect("a file")))
+        .collect()
+}
+
+/// By every name that leads to it; nothing is touched.
+#[test]
+fn nothing_that_is_read_is_written_over() {
+    let folder = folder(&MESHED.replace("m.ply", "in/m.ply"));
+    let path = |name: &str| folder.path().join(name);
+    fs::create_dir(path("in")).expect("a folder");
+    fs::write(path("in/m.ply"), MESH).expect("a mesh");
+    fs::copy(path("scene.scn"), path("as.png")).expect("a scene");
+    fs::copy(path("scene.scn"), path("as-stderr.exr")).expect("a scene");
+    fs::hard_link(path("scene.scn"), path("hard.exr")).expect("a link");
+    symlink("scene.scn", path("soft.exr")).expect("a link");
+    for seed in [1, 2] {
+        let line = format!("{RENDER} --seed {seed} --aov stderr -o {seed}.exr -o {seed}.png");
+        assert_eq!(words(folder.path(), &line).code, Some(0));
+    }
+    let by = "--device cpu-f32 --spp 4294967295";
+    let rows = [
+        (
+            format!("scene.scn {by} --json scene.scn"),
+            "scene.scn",
+            "the scene",
+        ),
+        (
+            format!("scene.scn {by} --json in/../scene.scn"),
+            "in/../scene.scn",
+            "the scene scene.scn",
+        ),
+        (
+            format!("scene.scn {by} -o hard.exr"),
+            "hard.exr",
+            "the scene scene.scn",
+        ),
+        (
+            format!("soft.exr {by} -o hard.exr"),
+            "hard.exr",
+            "the scene soft.exr",
+        ),
+        (
+            format!("scene.scn {by} -o a.png -o soft.exr"),
+            "soft.exr",
+            "the scene scene.scn",
+        ),
+        (format!("as.png {by}"), "as.png", "the scene"),
+        (
+            format!("as-stderr.exr {by} -o as.exr --aov stderr"),
+            "as-stderr.exr",
+            "the scene",
+        ),
+        (
+            format!("scene.scn {by} --json in/m.ply"),
+            "in/m.ply",
+            "a mesh of the scene",
+        ),
+        (
+            format!("- {by} --json scene.scn"),
+            "scene.scn",
+            "the scene <stdin>",
+        ),
+        (
+            format!("converge scene.scn {by} --svg scene.scn"),
+            "scene.scn",
+            "the scene",
+        ),
+        (
+            format!("converge scene.scn {by} --reference 1.exr --csv 1.exr"),
+            "1.exr",
+            "the reference",
+        ),
+        (
+            format!("converge scene.scn {by} --reference 1.exr --csv 1-stderr.exr"),
+            "1-stderr.exr",
+            "its standard errors",
+        ),
+        (
+            "compare 1.png 2.png --heatmap 1.png".to_owned(),
+            "1.png",
+            "a picture to compare",
+        ),
+        (
+            "explain scene.scn --spirv in/m.ply".to_owned(),
+            "in/m.ply",
+            "a mesh of the scene",
+        ),
+        (
+            "export scene.scn --to mitsuba -o scene.scn".to_owned(),
+            "scene.scn",
+            "the scene",
+        ),
+    ];
+    let before = [folder.path(), &path("in")].map(contents);
+    for (line, to, what) in rows {
+        let ran = shell(folder.path(), &format!("$VKPT {line} < scene.scn"));
+        assert_eq!(ran.code, Some(2), "{line}: {}", ran.err);
+        let said = format!("error: {to} would be overwritten: it is {what}; give ");
+        assert!(ran.err.contains(&said), "{line}: {}", ran.err);
+        let after = [folder.path(), &path("in")].map(contents);
+        assert!(before == after, "{line}");
+    }
+}
