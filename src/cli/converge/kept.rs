@@ -1,6 +1,7 @@
 //! References of one's own, kept on disk for later runs.
 
 use std::fmt::{self, Write};
+use std::fs;
 use std::hash::{DefaultHasher, Hasher};
 use std::path::PathBuf;
 
@@ -20,10 +21,22 @@ pub struct Kept {
     key: String,
 }
 
+/// The folder of all references.
+fn folder() -> Option<PathBuf> {
+    cache::from_env().map(|folder| folder.join("references"))
+}
+
+/// The files that earlier runs left, any of which may be read.
+pub fn files() -> Vec<PathBuf> {
+    let entries = folder().and_then(|folder| fs::read_dir(folder).ok());
+    let entries = entries.into_iter().flatten().flatten();
+    entries.map(|entry| entry.path()).collect()
+}
+
 impl Kept {
     pub fn new(job: &Job) -> Self {
         Self {
-            folder: cache::from_env().map(|folder| folder.join("references")),
+            folder: folder(),
             key: key(job),
         }
     }

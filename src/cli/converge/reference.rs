@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use super::arguments::ConvergeArguments;
-use super::kept::Kept;
+use super::kept::{self, Kept};
 use crate::cli::exit::{Failure, warn};
 use crate::cli::inputs::Input;
 use crate::cli::integrator::{Settled, settled};
@@ -79,16 +79,17 @@ impl References {
     }
 }
 
-/// The files of `--reference`.
+/// The files that a reference may be read from.
 pub fn inputs(arguments: &ConvergeArguments) -> Vec<Input> {
-    let path = arguments.reference.as_deref();
-    let files = path.map(|path| {
-        [
+    match &arguments.reference {
+        Some(path) => vec![
             Input::new("the reference", path),
             Input::new("its standard errors", &stderr_path(path)),
-        ]
-    });
-    files.into_iter().flatten().collect()
+        ],
+        None => (kept::files().iter())
+            .map(|path| Input::new("a reference that is kept", path))
+            .collect(),
+    }
 }
 
 /// The picture of `--reference`, with its standard errors where these stand beside it; `size` is that of the

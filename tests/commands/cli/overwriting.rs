@@ -4,7 +4,7 @@ use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::Path;
 
-use super::program::{MESH, MESHED, folder, names, shell, words};
+use super::program::{MESH, MESHED, SCENE, folder, names, shell, words};
 
 const RENDER: &str = "scene.scn --device cpu-f32 --spp 2 --quiet";
 
@@ -117,4 +117,22 @@ fn nothing_that_is_read_is_written_over() {
         let after = [folder.path(), &path("in")].map(contents);
         assert!(before == after, "{line}");
     }
+}
+
+/// Nor is a reference that an earlier run has left in the cache.
+#[test]
+fn a_kept_reference_is_not_written_over() {
+    let folder = folder(SCENE);
+    let converge = "VKPT_CACHE=cache $VKPT converge scene.scn --device cpu-f32 --spp 1 --time 0.05";
+    let first = shell(folder.path(), &format!("{converge} --quiet"));
+    assert_eq!((first.code, first.err.as_str()), (Some(0), ""));
+    let kept = folder.path().join("cache/references");
+    let before = contents(&kept);
+    assert_eq!(before.len(), 1);
+    let to = format!("cache/references/{}", before[0].0);
+    let ran = shell(folder.path(), &format!("{converge} --csv {to}"));
+    assert_eq!(ran.code, Some(2), "{}", ran.err);
+    let said = format!("error: {to} would be overwritten: it is a reference that is kept; ");
+    assert!(ran.err.starts_with(&said), "{}", ran.err);
+    assert!(contents(&kept) == before);
 }
