@@ -14,6 +14,7 @@ pub mod gpu;
 pub mod image;
 pub mod kernel;
 pub mod layout;
+pub mod memory;
 pub mod metrics;
 pub mod prepared;
 pub mod reference;

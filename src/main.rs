@@ -15,6 +15,7 @@ use std::process::ExitCode;
 use vkpt::cli::{self, Task};
 
 fn main() -> ExitCode {
+    cli::expect_abort();
     let ending = match cli::task() {
         Ok(Task::Render(arguments)) => cli::render(&arguments),
         Ok(Task::Compare(arguments)) => cli::compare(&arguments),

@@ -22,6 +22,7 @@ Exit codes:
     3  the scene or one of its meshes is wrong; nothing was written
     4  there is no such Vulkan device, or none at all
     5  a file or stdout could not be written
+    6  there is not enough memory; a driver that aborts ends so too
   130  interrupted by ctrl-c; the pictures hold the samples done by then";
 
 /// A headless path tracer on Vulkan: a scene file goes in, pictures come out

@@ -1,8 +1,12 @@
 //! How the program ends: exit codes, and errors told on stderr.
 
 use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use miette::Severity;
+use signal_hook::consts::SIGABRT;
+use signal_hook::flag::register_conditional_shutdown;
 
 use super::streams::tell;
 use crate::converge::ConvergeError;
@@ -33,6 +37,8 @@ pub enum Failure {
     /// Warnings that `--strict` makes errors.
     Strict(Vec<String>),
     Render(RenderError),
+    /// A scene does not fit into memory.
+    Memory(String),
     /// What was compared is not the same.
     Comparison(Vec<String>),
     /// By the Vulkan loader or for want of a device.
@@ -53,6 +59,17 @@ impl From<ConvergeError> for Failure {
     }
 }
 
+/// The exit code where memory does not suffice.
+const MEMORY: u8 = 6;
+
+/// Where an allocation fails, Rust says its size and aborts: from now on with an exit code of its own. So does a driver that
+/// gives up.
+pub fn expect_abort() {
+    let always = Arc::new(AtomicBool::new(true));
+    // Where no handler can be had, the process ends by the signal.
+    let _ = register_conditional_shutdown(SIGABRT, MEMORY.into(), always);
+}
+
 /// Tells a failure and gives the program's exit code.
 pub fn exit(ending: Result<Ending, Failure>) -> ExitCode {
     match ending {
@@ -70,6 +87,7 @@ impl Failure {
     fn code(&self) -> u8 {
         match self {
             Self::Render(error) if error.is_no_device() => 4,
+            Self::Render(RenderError::Memory { .. }) | Self::Memory(_) => MEMORY,
             Self::Render(_) | Self::Comparison(_) | Self::Unhealthy(_) => 1,
             Self::Usage(_) | Self::CommandLine(_) => 2,
             Self::Scene(_)
@@ -102,7 +120,7 @@ impl Failure {
             }
             Self::Render(e) => error(&e),
             Self::Comparison(differences) => differences.iter().for_each(|d| error(d)),
-            Self::NoDevice(message) => error(&message),
+            Self::NoDevice(message) | Self::Memory(message) => error(&message),
             Self::Unhealthy(device) => error(&format!("{device} is not healthy")),
             Self::Untranslatable(messages) | Self::Pictures(messages) => {
                 messages.iter().for_each(|message| error(message))

@@ -64,7 +64,7 @@ impl Loaded {
     /// The scene by the settings of the request.
     pub fn prepare(&self, request: &Request) -> Result<Ready, Failure> {
         integrator::check(&request.settings)?;
-        memory::announce(&self.scene);
+        memory::announce(&self.scene)?;
         let start = Instant::now();
         let prepared = self.prepare_in_silence(request)?;
         let prepare_s = start.elapsed().as_secs_f64();

@@ -1,6 +1,7 @@
-//! The host's memory: what is free, and what this process took.
+//! What a scene takes of the host's memory, said before it does.
 
-use super::exit::{note, warn};
+use super::exit::{Failure, note, warn};
+use crate::memory::free;
 use crate::prepared::triangles_and_peak;
 use crate::report::human::{bytes, thousands};
 use crate::scene::Scene;
@@ -8,35 +9,26 @@ use crate::scene::Scene;
 /// Scenes that take more say so before they do.
 const LARGE: u64 = 1 << 30;
 
-/// Says what a large scene will take; warns where that is not free.
-pub fn announce(scene: &Scene) {
+/// Says what a large scene will take; warns where that is not free without swapping, and fails where it is not free at
+/// all.
+pub fn announce(scene: &Scene) -> Result<(), Failure> {
     let (triangles, needed) = triangles_and_peak(scene);
     let what = format!(
         "{} triangles take about {} of memory",
         thousands(triangles),
         bytes(needed)
     );
-    match available().filter(|&free| free < needed) {
-        Some(free) => warn(&format!("{what}, and {} are free", bytes(free))),
-        None if needed > LARGE => note(&what),
-        None => {}
+    match free() {
+        Some(free) if free.all < needed => {
+            let free = bytes(free.all);
+            return Err(Failure::Memory(format!("{what}, and {free} are free")));
+        }
+        Some(free) if free.quick < needed => {
+            let quick = bytes(free.quick);
+            warn(&format!("{what}, and {quick} are free without swapping"));
+        }
+        _ if needed > LARGE => note(&what),
+        _ => {}
     }
-}
-
-/// The most memory that this process has held at once, where Linux tells.
-pub fn peak() -> Option<u64> {
-    kibibytes("/proc/self/status", "VmHWM:")
-}
-
-/// What the machine can give without swapping, where Linux tells.
-fn available() -> Option<u64> {
-    kibibytes("/proc/meminfo", "MemAvailable:")
-}
-
-/// A line `NAME 123 kB` of a file, in bytes.
-fn kibibytes(file: &str, name: &str) -> Option<u64> {
-    let text = std::fs::read_to_string(file).ok()?;
-    let line = text.lines().find_map(|line| line.strip_prefix(name))?;
-    let kib: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
-    Some(kib * 1024)
+    Ok(())
 }

@@ -35,7 +35,7 @@ pub use compare::{CompareArguments, compare};
 pub use converge::{ConvergeArguments, converge};
 pub use devices::devices;
 pub use doctor::{DoctorArguments, doctor};
-pub use exit::{Ending, Failure, exit};
+pub use exit::{Ending, Failure, exit, expect_abort};
 pub use explain::{ExplainArguments, explain};
 pub use export::{ExportArguments, export};
 pub use render::{RenderArguments, render};

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::exit::warn;
-use crate::image::Picture;
+use crate::image::{Picture, Precision};
 use crate::metrics::StandardErrors;
-use crate::report::{differences, is_noted, noted_freedom};
+use crate::report::{differences, digest, is_noted, noted_digest, noted_freedom};
 
 /// The standard errors of a file, with the degrees of freedom that it notes; those of other programs are taken for exact.
 pub fn standard_errors(picture: &Picture) -> StandardErrors<'_> {
@@ -24,7 +24,15 @@ pub fn belongs(
     advice: &str,
 ) -> Result<(), String> {
     let (errors, picture) = (errors.display(), picture.display());
-    let differences = differences(&theirs.notes, &its.notes);
+    let mut differences = differences(&theirs.notes, &its.notes);
+    // Other formats round: what is read from them is not what was digested.
+    let exact = its.precision == Precision::Single;
+    if let Some(theirs) = noted_digest(&theirs.notes).filter(|_| exact) {
+        let all = differences.get_or_insert_default();
+        if all.is_empty() && theirs != digest(&its.film) {
+            all.push("it was made with a picture of other values, from another version of the scene perhaps".into());
+        }
+    }
     match differences.as_deref() {
         Some([]) => {}
         Some(all) => {

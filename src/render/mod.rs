@@ -6,6 +6,7 @@ mod course;
 mod cpu;
 mod host_film;
 mod light_film;
+mod memory;
 mod paired;
 mod pixels;
 mod plan;
@@ -247,6 +248,15 @@ pub enum RenderError {
          Try another driver, or --device cpu-f32"
     )]
     Loops(u64),
+    #[error(
+        "the films of the picture take {:.1} GiB of memory, and {:.1} GiB are free: --size or --crop make them smaller",
+        gib(*.needed), gib(*.free)
+    )]
+    Memory { needed: u64, free: u64 },
+}
+
+fn gib(bytes: u64) -> f64 {
+    bytes as f64 / f64::from(1 << 30)
 }
 
 impl RenderError {
@@ -272,6 +282,7 @@ pub fn render(
 ) -> Result<Outcome, RenderError> {
     match target {
         Target::Vulkan(selector) => {
+            memory::check::<f32>(job, 1)?;
             let start = Instant::now();
             let device = Device::open(selector)?;
             let limits = DispatchLimits::of(&device)?;
@@ -280,8 +291,14 @@ pub fn render(
             outcome.stats.set_up.device = opened;
             Ok(outcome)
         }
-        Target::CpuF32 => Ok(cpu::render::<f32>(job, "cpu-f32", stop, progress)),
-        Target::CpuF64 => Ok(cpu::render::<f64>(job, "cpu-f64", stop, progress)),
+        Target::CpuF32 => {
+            memory::check::<f32>(job, 1)?;
+            Ok(cpu::render::<f32>(job, "cpu-f32", stop, progress))
+        }
+        Target::CpuF64 => {
+            memory::check::<f64>(job, 1)?;
+            Ok(cpu::render::<f64>(job, "cpu-f64", stop, progress))
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::{DispatchLimits, Job, RenderError, Target, cpu, vulkan};
+use super::{DispatchLimits, Job, RenderError, Target, cpu, memory, vulkan};
 use crate::film::Film;
 use crate::gpu::Device;
 
@@ -75,6 +75,10 @@ impl<'a> Replicates<'a> {
     /// # Errors
     /// Those of a rendering, before and in its first dispatch.
     pub fn new(job: &'a Job<'a>, engine: &'a Engine, seeds: &[u32]) -> Result<Self, RenderError> {
+        match engine {
+            Engine::Vulkan(..) | Engine::CpuF32 => memory::check::<f32>(job, seeds.len())?,
+            Engine::CpuF64 => memory::check::<f64>(job, seeds.len())?,
+        }
         Ok(Self(match engine {
             Engine::Vulkan(device, limits) => vulkan::replicates(job, device, *limits, seeds)?,
             Engine::CpuF32 => cpu::replicates::<f32>(job, seeds),

@@ -1,8 +1,9 @@
 //! What a picture's header tells: all that the picture depends on, and nothing else.
 
+use super::digest::digest;
 use super::names::Named;
 use super::{Job, SOFTWARE};
-use crate::film::Aov;
+use crate::film::{Aov, Film};
 use crate::settings::Sampler;
 
 /// Names and values, in a fixed order. Two runs that make the same picture have the same notes.
@@ -25,8 +26,14 @@ pub fn notes(job: &Job, device: &str) -> Vec<(&'static str, String)> {
     notes
 }
 
-/// The notes of standard errors, after lines that say what the values are and with how many degrees of freedom.
-pub fn stderr_notes(freedom: f64, job: &Job, device: &str) -> Vec<(&'static str, String)> {
+/// The notes of standard errors, after lines that say what the values are, with how many degrees of freedom, and of which
+/// picture: one has the same name, settings and seed after its scene was changed.
+pub fn stderr_notes(
+    freedom: f64,
+    picture: &Film,
+    job: &Job,
+    device: &str,
+) -> Vec<(&'static str, String)> {
     let from = match job.settings.sampler == Sampler::Random.name() {
         true => "the spread of independent samples",
         false => "the difference of two independent groups of samples",
@@ -38,12 +45,19 @@ pub fn stderr_notes(freedom: f64, job: &Job, device: &str) -> Vec<(&'static str,
             format!("{name}: standard error of the mean, per pixel and channel, from {from}"),
         ),
         (FREEDOM, freedom.to_string()),
+        (PICTURE, digest(picture)),
     ];
     all.extend(notes(job, device));
     all
 }
 
 const FREEDOM: &str = "degrees of freedom";
+const PICTURE: &str = "digest of the picture";
+
+/// The [`digest`] of the picture that standard errors with these notes were made with, as a file has it.
+pub fn noted_digest(notes: &str) -> Option<&str> {
+    noted(notes, PICTURE)
+}
 
 /// The degrees of freedom that standard errors with these notes have, as a file has them; `None` where they do not say.
 pub fn noted_freedom(notes: &str) -> Option<f64> {

@@ -5,6 +5,7 @@
 pub mod check;
 mod comparison;
 pub mod convergence;
+mod digest;
 pub mod doctor;
 mod error;
 pub mod explanation;
@@ -18,7 +19,8 @@ mod summary;
 mod table;
 
 pub use comparison::{Comparison, Tested, comparison};
-pub use header::{differences, is_noted, noted_freedom, notes, stderr_notes};
+pub use digest::digest;
+pub use header::{differences, is_noted, noted_digest, noted_freedom, notes, stderr_notes};
 pub use record::{Dropped, ErrorAt, Job, Kernel, Largest, Machine, Memory, Record, Seconds, Work};
 pub use settings::SettingsRecord;
 pub use summary::{concerns, summary};

@@ -1,6 +1,7 @@
 //! A record as JSON, as lines to read and as a picture's header.
 
 use serde_json::{Value, json};
+use vkpt::film::Film;
 use vkpt::report::{
     Dropped, ErrorAt, Job, Kernel, Largest, Machine, Memory, Record, SOFTWARE, Seconds, Work,
     concerns, noted_freedom, notes, stderr_notes, summary,
@@ -319,9 +320,14 @@ fn notes_of_standard_errors_tell_their_degrees_of_freedom_and_no_others_do() {
             .map(|(name, value)| format!("{name}: {value}\n"));
         noted_freedom(&lines.collect::<String>())
     };
+    let film = Film {
+        width: 1,
+        height: 1,
+        rgb: vec![[0.5; 3]],
+    };
     for freedom in [1.0, 63.0, 4_294_967_294.0] {
         assert_eq!(
-            read(stderr_notes(freedom, &record().job, "d")),
+            read(stderr_notes(freedom, &film, &record().job, "d")),
             Some(freedom)
         );
     }

@@ -12,6 +12,7 @@ Exit codes:
     2  the command line is wrong
     4  there is no such Vulkan device, or none at all
     5  a report or stdout could not be written
+    6  there is not enough memory
   130  interrupted by ctrl-c; the cases done by then are told";
 
 /// Which cases run where.

@@ -24,6 +24,7 @@ Exit codes:
        of its meshes is wrong
     4  there is no such Vulkan device, or none at all
     5  the heat map or stdout could not be written
+    6  there is not enough memory
   130  interrupted by ctrl-c";
 
 /// What is to be compared.

@@ -24,6 +24,7 @@ Exit codes:
     3  the scene, one of its meshes or the reference is wrong; nothing was written
     4  there is no such Vulkan device, or none at all
     5  a file or stdout could not be written
+    6  there is not enough memory
   130  interrupted by ctrl-c; what was measured by then is told";
 
 /// What is to be measured.

@@ -17,7 +17,8 @@ Exit codes:
     2  the command line is wrong
     3  the scene or one of its meshes is wrong; nothing was written
     4  there is no such Vulkan device as --device asks for, or none for --statistics
-    5  a file or stdout could not be written";
+    5  a file or stdout could not be written
+    6  there is not enough memory";
 
 /// What is to be explained.
 #[derive(clap::Args, Debug)]

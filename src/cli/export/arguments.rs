@@ -12,7 +12,8 @@ Exit codes:
     0  written
     2  the command line is wrong, or a flag has no equal in the other renderer
     3  the scene or one of its meshes is wrong, or has no equal there; nothing was written
-    5  a file or stdout could not be written";
+    5  a file or stdout could not be written
+    6  there is not enough memory";
 
 /// What is to be written for whom.
 #[derive(clap::Args, Debug)]

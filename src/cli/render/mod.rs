@@ -104,7 +104,7 @@ fn write(
     let (mut written, mut errors) = write(&outputs.pictures, &outcome.film, &notes);
     if let Some(stderr) = &outcome.stderr {
         let freedom = render::freedom(settings.estimator.sampler, job.spp);
-        let notes = report::stderr_notes(freedom, job, device);
+        let notes = report::stderr_notes(freedom, &outcome.film, job, device);
         let (more, failed) = write(&outputs.stderr, stderr, &notes);
         written.extend(more);
         errors.extend(failed);

@@ -3,7 +3,7 @@
 use super::arguments::RenderArguments;
 use crate::cli::exit::Failure;
 use crate::cli::job::Ready;
-use crate::cli::memory;
+use crate::memory::peak;
 use crate::render::{self, Best, End, Outcome, Stats, Target};
 use crate::report::names::Named;
 use crate::report::{
@@ -67,7 +67,7 @@ pub fn record(
             kernel: kernel(arguments, &best.target, stats),
             memory: Memory {
                 device: stats.buffers.iter().map(|b| b.1).sum(),
-                peak: memory::peak(),
+                peak: peak(),
             },
         },
         work: Work::new(

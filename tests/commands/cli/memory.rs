@@ -52,3 +52,73 @@ fn a_small_scene_takes_too_little_to_be_spoken_of() {
     let page = run(Path::new("."), &["explain", "scenes/room.txt"]).out;
     assert!(!page.contains("at most"), "{page}");
 }
+
+/// Runs the program with so many KiB of address space.
+#[cfg(target_os = "linux")]
+fn within(folder: &Path, kib: u32, line: &str) -> (Option<i32>, String) {
+    let program = env!("CARGO_BIN_EXE_vkpt");
+    let run = std::process::Command::new("sh")
+        .current_dir(folder)
+        .env_remove("RUST_BACKTRACE")
+        .args(["-c", &format!("ulimit -v {kib}; exec {program} {line}")])
+        .output()
+        .expect("a shell");
+    let err = String::from_utf8_lossy(&run.stderr).into_owned();
+    (run.status.code(), err)
+}
+
+/// 2^28 pixels, of 80 bytes and more each.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_picture_that_cannot_fit_is_refused_before_its_first_sample() {
+    let folder = folder(&SCENE.replace("mesh blob.ply 0 0 0 1", "sphere 0 0 0 1"));
+    for line in [
+        "scene.scn --size 16384x16384 --device cpu-f32 -o a.exr",
+        "scene.scn --size 16384x16384 --device cpu-f64 -o a.exr",
+        "scene.scn --size 16384x16384 --integrator light -o a.exr",
+        "converge scene.scn --size 16384x16384 --device cpu-f32 --spp 1",
+    ] {
+        let (code, err) = within(folder.path(), 6_000_000, line);
+        assert_eq!(code, Some(6), "{line}: {err}");
+        assert!(
+            err.contains("error: the films of the picture take "),
+            "{line}: {err}"
+        );
+        assert!(
+            err.contains("--size or --crop make them smaller"),
+            "{line}: {err}"
+        );
+    }
+    let (code, err) = within(
+        folder.path(),
+        6_000_000,
+        "scene.scn --device cpu-f32 --quiet -o a.exr",
+    );
+    assert_eq!((code, &*err), (Some(0), ""));
+}
+
+/// Whatever memory there is, it suffices, the scene is refused by its own figure, or the allocation that fails is told.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_scene_that_cannot_fit_is_told_by_its_size() {
+    let folder = folder(SCENE);
+    let mesh = Icosphere::new(123, 0.1, 0);
+    fs::write(folder.path().join("blob.ply"), ply::bytes(&mesh, None)).expect("a mesh");
+    let line = "scene.scn --device cpu-f32 --spp 1 --quiet -o a.exr";
+    let (mut refused, mut failed, mut sufficed) = (0, 0, 0);
+    for kib in (100_000..900_000).step_by(50_000) {
+        let (code, err) = within(folder.path(), kib, line);
+        let is_refused = err.starts_with("error: 302,580 triangles take about ");
+        let has_failed = err.contains("memory allocation of ") && err.contains(" bytes failed");
+        match code {
+            Some(0) => sufficed += 1,
+            Some(6) if is_refused => refused += 1,
+            Some(6) if has_failed => failed += 1,
+            _ => panic!("{kib} KiB: {code:?} {err}"),
+        }
+    }
+    assert!(
+        refused > 0 && failed > 0 && sufficed > 0,
+        "{refused}, {failed}, {sufficed}"
+    );
+}

@@ -32,7 +32,8 @@ fn files_say_how_many_degrees_of_freedom_they_have() {
         );
         let file = read_exr(&folder.path().join(format!("{sampler}-stderr.exr")));
         let notes = format!(
-            "aov: stderr: standard error of the mean, per pixel and channel, from {from}\ndegrees of freedom: {freedom}\n"
+            "aov: stderr: standard error of the mean, per pixel and channel, from {from}\ndegrees of freedom: {freedom}\n\
+            digest of the picture: "
         );
         assert!(file.comments.starts_with(&notes), "{}", file.comments);
     }
@@ -149,6 +150,18 @@ fn errors_of_another_picture_are_refused() {
     }
     let right = "compare a.exr b.exr --stderr a-stderr.exr --stderr a-stderr.exr";
     silent(folder.path(), right);
+    // The same command, and another line in the scene.
+    let bright = LIT.replace("light 9 8 7", "light 9 8 7.0001");
+    std::fs::write(path("scene.scn"), bright).expect("a scene");
+    silent(
+        folder.path(),
+        "scene.scn --device cpu-f32 --spp 32 --quiet -o a.exr",
+    );
+    std::fs::remove_file(path("b-stderr.exr")).expect("removed");
+    let ran = words(folder.path(), "compare a.exr b.exr");
+    let said = "error: a-stderr.exr does not belong to a.exr: it was made with a picture of other values, from another \
+        version of the scene perhaps; render again with --aov stderr, or name the right one with --stderr\n";
+    assert_eq!((ran.code, ran.err.as_str()), (Some(3), said));
 }
 
 /// A PNG notes nothing: somebody has to know.
