@@ -14,15 +14,7 @@ pub(super) struct LeftOut {
 }
 
 impl LeftOut {
-    /// A normal as the scene has it: of unit length, or zero, and counted, where the file's has no direction.
-    /// Exporters write NaN or zero for vertices of faces without an area.
-    pub(super) fn direction(&mut self, normal: DVec3) -> DVec3 {
-        let unit = unit_or_zero(normal);
-        self.normals += usize::from(unit == DVec3::ZERO);
-        unit
-    }
-
-    /// The normals of vertices, as [`Self::direction`]; those that no triangle uses are not counted.
+    /// The normals of vertices, by [`unit_or_zero`]; those without a direction are counted where a triangle has them.
     pub(super) fn directions(
         &mut self,
         normals: impl Iterator<Item = DVec3>,
@@ -69,7 +61,9 @@ impl LeftOut {
     }
 }
 
-fn unit_or_zero(normal: DVec3) -> DVec3 {
+/// A normal as the scene has it: of unit length, or zero where the file's has no direction. Exporters write NaN or zero for
+/// vertices of faces without an area.
+pub(super) fn unit_or_zero(normal: DVec3) -> DVec3 {
     match normal.is_finite() {
         true => normal.normalize_or_zero(),
         false => DVec3::ZERO,

@@ -1,5 +1,6 @@
 //! OBJ files that a generator writes in all spellings of the format: each is read as the mesh that was meant.
 
+use std::collections::HashSet;
 use std::path::Path;
 
 use glam::DVec3;
@@ -82,12 +83,9 @@ impl Meant {
         let unit = |n: usize| self.normals[n].normalize_or_zero();
         let normals = pairs.iter().map(|(_, n)| n.map_or(DVec3::ZERO, unit));
         let smooth = pairs.iter().any(|(_, n)| n.is_some());
-        let zero = pairs
-            .iter()
-            .filter_map(|(_, n)| *n)
-            .filter(|n| unit(*n) == DVec3::ZERO)
-            .count();
-        let warning = match zero {
+        let used = pairs.iter().filter_map(|(_, n)| *n);
+        let zero: HashSet<usize> = used.filter(|n| unit(*n) == DVec3::ZERO).collect();
+        let warning = match zero.len() {
             0 => None,
             1 => {
                 Some("1 normal is zero or not finite: the faces' own normals are used there".into())

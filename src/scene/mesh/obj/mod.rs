@@ -6,10 +6,10 @@
 mod lines;
 mod statements;
 
-use foldhash::{HashMap, HashMapExt};
+use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::DVec3;
 
-use super::left_out::LeftOut;
+use super::left_out::unit_or_zero;
 use super::polygon::{Crossing, cut};
 use super::text::at_line;
 use super::{MeshError, MeshFile};
@@ -47,7 +47,7 @@ fn assemble(statements: &Statements, bytes: &[u8]) -> Result<MeshFile, MeshError
         let smooth = face.smooth && missing == 0;
         any_smooth |= smooth;
         for corner in of_face {
-            let index = vertices.index(corner, smooth, &mut left_out);
+            let index = vertices.index(corner, smooth);
             let what = "has a vertex that is not finite in single precision";
             corners.push(index.ok_or_else(|| at_line(bytes, face.line, what))?);
         }
@@ -57,6 +57,7 @@ fn assemble(statements: &Statements, bytes: &[u8]) -> Result<MeshFile, MeshError
     if triangles.is_empty() {
         return Err(MeshError::Empty("faces"));
     }
+    left_out.normals = vertices.without_direction.len();
     let warnings = left_out.warnings();
     Ok(MeshFile {
         files: Vec::new(),
@@ -78,6 +79,8 @@ struct Vertices<'a> {
     smooth: HashMap<(u32, u32), u32>,
     positions: Vec<DVec3>,
     normals: Vec<DVec3>,
+    /// The file's normals that have none.
+    without_direction: HashSet<u32>,
 }
 
 impl<'a> Vertices<'a> {
@@ -88,12 +91,13 @@ impl<'a> Vertices<'a> {
             smooth: HashMap::new(),
             positions: Vec::new(),
             normals: Vec::new(),
+            without_direction: HashSet::new(),
         }
     }
 
     /// The vertex at a corner, with its normal or flat; `None` where it is not finite.
-    fn index(&mut self, corner: &Corner, smooth: bool, left_out: &mut LeftOut) -> Option<u32> {
-        let (position, normal) = (corner.position as usize, corner.normal as usize);
+    fn index(&mut self, corner: &Corner, smooth: bool) -> Option<u32> {
+        let position = corner.position as usize;
         let known = match smooth {
             true => self
                 .smooth
@@ -108,10 +112,14 @@ impl<'a> Vertices<'a> {
             }
             *known = self.positions.len() as u32;
             self.positions.push(p);
-            self.normals.push(match smooth {
-                true => left_out.direction(self.statements.normals[normal]),
+            let normal = match smooth {
+                true => unit_or_zero(self.statements.normals[corner.normal as usize]),
                 false => DVec3::ZERO,
-            });
+            };
+            if smooth && normal == DVec3::ZERO {
+                self.without_direction.insert(corner.normal);
+            }
+            self.normals.push(normal);
         }
         Some(*known)
     }
