@@ -6,6 +6,7 @@ mod left_out;
 mod obj;
 mod ply;
 mod polygon;
+mod positions;
 mod text;
 
 use std::io;

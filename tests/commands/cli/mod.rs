@@ -13,6 +13,7 @@ mod export;
 mod help;
 mod integrator;
 mod interrupt;
+mod lamps;
 mod memory;
 #[cfg(target_os = "linux")]
 mod outputs;

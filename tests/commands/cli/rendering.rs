@@ -302,7 +302,7 @@ fn standard_errors_stand_beside_each_picture() {
         (picture.origin, picture.size, picture.full)
     );
     assert!(errors.rgb.iter().flatten().any(|&e| e > 0.0));
-    let mut notes = errors.comments.splitn(3, '\n');
+    let mut notes = errors.comments.splitn(4, '\n');
     let mut next = || notes.next().expect("notes");
     let first = next();
     assert!(
@@ -310,6 +310,8 @@ fn standard_errors_stand_beside_each_picture() {
         "{first}"
     );
     assert_eq!(next(), "degrees of freedom: 7");
+    let digest = next().strip_prefix("digest of the picture: ");
+    assert!(digest.is_some_and(|hex| hex.len() == 32), "{digest:?}");
     assert_eq!(next(), picture.comments);
 }
 

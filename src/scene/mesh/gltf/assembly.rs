@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::super::left_out::LeftOut;
+use super::super::positions::finite;
 use super::super::{MeshError, MeshFile};
 use super::accessors::Accessors;
 use super::binding::Binding;
@@ -86,8 +87,12 @@ impl Assembly {
         let first = self.positions.len() as u32;
         let positions = read.positions.iter().enumerate();
         let moved = positions.map(|(i, p)| to_scene(i).transform_point3(*p));
-        self.positions
-            .extend(finite(moved.collect(), &read.triangles)?);
+        let moved = finite(moved.collect(), &read.triangles);
+        self.positions.extend(
+            moved.map_err(|vertex| {
+                format!("its vertex {vertex} is not finite in single precision")
+            })?,
+        );
         if let Some(normals) = read.normals {
             let turn = |i| of_normals(to_scene(i).matrix3);
             let turned = normals.iter().enumerate().map(|(i, n)| turn(i) * *n);
@@ -139,23 +144,6 @@ impl Assembly {
         };
         Some(format!("the scale of {first} is zero: its mesh {more}"))
     }
-}
-
-/// `positions`, if all that triangles use are finite; the others, which may be anything, are moved onto one of those.
-fn finite(mut positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Result<Vec<DVec3>, String> {
-    let is_finite = |p: &DVec3| p.as_vec3().is_finite();
-    if !positions.iter().all(is_finite) {
-        let mut used = triangles.as_flattened().iter().map(|i| *i as usize);
-        if let Some(bad) = used.clone().find(|i| !is_finite(&positions[*i])) {
-            return Err(format!(
-                "its vertex {bad} is not finite in single precision"
-            ));
-        }
-        let somewhere = used.next().map_or(DVec3::ZERO, |i| positions[i]);
-        let bad = positions.iter_mut().filter(|p| !is_finite(p));
-        bad.for_each(|p| *p = somewhere);
-    }
-    Ok(positions)
 }
 
 /// What normals are transformed by where points are by `m`: its inverse transpose but for a positive factor, which is

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::header::{Element, Kind, Property};
+use super::declared::{Element, Kind, Property};
 use super::source::{Fault, Source};
 
 /// Names of the list of a face's corners.

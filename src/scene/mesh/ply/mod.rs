@@ -3,20 +3,22 @@
 //! An ASCII body is a stream of numbers, wherever its lines end, as other readers have it. A header's counts are held
 //! against the bytes that are there before they are used.
 
+mod declared;
 mod element;
+mod faces;
 mod header;
 mod source;
 
-use glam::DVec3;
-
-use element::{CORNERS, Lists, Rows};
-use header::{Element, Encoding, Header, Kind};
+use declared::{Element, Encoding, Kind};
+use element::{CORNERS, Rows};
+use faces::{polygons, strips};
+use header::Header;
 use source::{Binary, Fault, Source, Text};
 
 use super::left_out::LeftOut;
-use super::polygon::{Crossing, cut};
+use super::positions::finite;
 use super::text::{Tokens, at_line};
-use super::{MeshError, MeshFile, corners};
+use super::{MeshError, MeshFile};
 
 /// Reads the whole file `bytes`.
 ///
@@ -134,7 +136,7 @@ fn assemble(rows: Rows, with_normals: bool, file: &[u8]) -> Result<MeshFile, Mes
     if triangles.is_empty() {
         return Err(MeshError::Empty("faces"));
     }
-    let positions = finite(rows.positions, &triangles)?;
+    let positions = finite(rows.positions, &triangles).map_err(MeshError::NotFinite)?;
     let normals = with_normals.then(|| left_out.directions(rows.normals.into_iter(), &triangles));
     Ok(MeshFile {
         files: Vec::new(),
@@ -143,67 +145,4 @@ fn assemble(rows: Rows, with_normals: bool, file: &[u8]) -> Result<MeshFile, Mes
         triangles,
         warnings: left_out.warnings(),
     })
-}
-
-/// The positions, if all that a triangle has are finite. Scanners write NaN where they saw nothing: where no triangle is,
-/// any position will do.
-fn finite(mut positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Result<Vec<DVec3>, MeshError> {
-    let is_finite = |p: &DVec3| p.as_vec3().is_finite();
-    let mut corners = triangles.as_flattened().iter();
-    if let Some(bad) = corners.find(|i| !is_finite(&positions[**i as usize])) {
-        return Err(MeshError::NotFinite(*bad as usize));
-    }
-    let any = positions[triangles[0][0] as usize];
-    for p in positions.iter_mut().filter(|p| !is_finite(p)) {
-        *p = any;
-    }
-    Ok(positions)
-}
-
-/// The triangles of the faces.
-fn polygons(
-    rows: &Rows,
-    triangles: &mut Vec<[u32; 3]>,
-    left_out: &mut LeftOut,
-    file: &[u8],
-) -> Result<(), MeshError> {
-    let mut first = 0;
-    let mut polygon = Vec::new();
-    for (index, row) in rows.faces.rows.iter().enumerate() {
-        corners(
-            index,
-            &rows.faces.corners[first..row.end],
-            rows.positions.len(),
-            &mut polygon,
-        )?;
-        first = row.end;
-        if polygon.len() < 3 {
-            left_out.faces += 1;
-            continue;
-        }
-        let cut = cut(&polygon, |i| rows.positions[i as usize], triangles);
-        cut.map_err(|Crossing| match row.line {
-            0 => MeshError::Crossing(index),
-            line => at_line(file, line, "is a face that crosses itself"),
-        })?;
-    }
-    Ok(())
-}
-
-/// The triangles of strips: of (v₀, v₁, v₂), (v₂, v₁, v₃), … those that repeat a corner only join two strips.
-fn strips(strips: &Lists, vertices: usize, triangles: &mut Vec<[u32; 3]>) -> Result<(), MeshError> {
-    let mut strip = Vec::new();
-    let mut first = 0;
-    for (index, row) in strips.rows.iter().enumerate() {
-        for part in strips.corners[first..row.end].split(|corner| *corner == -1) {
-            corners(index, part, vertices, &mut strip)?;
-            let wound = strip.windows(3).enumerate().map(|(i, v)| match i % 2 {
-                0 => [v[0], v[1], v[2]],
-                _ => [v[1], v[0], v[2]],
-            });
-            triangles.extend(wound.filter(|[a, b, c]| a != b && b != c && c != a));
-        }
-        first = row.end;
-    }
-    Ok(())
 }

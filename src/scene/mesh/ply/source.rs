@@ -1,6 +1,6 @@
 //! The numbers of a PLY file's body, in text or in binary.
 
-use super::header::Scalar;
+use super::declared::Scalar;
 use crate::scene::mesh::text::{Tokens, float, integer};
 
 /// Where numbers come from, one after the other.
