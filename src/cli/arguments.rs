@@ -23,7 +23,8 @@ Exit codes:
     4  there is no such Vulkan device, or none at all
     5  a file or stdout could not be written
     6  there is not enough memory; a driver that aborts ends so too
-  130  interrupted by ctrl-c; the pictures hold the samples done by then";
+  130  interrupted by ctrl-c; the pictures hold the samples done by then
+  143  the same by SIGTERM, 129 by SIGHUP";
 
 /// A headless path tracer on Vulkan: a scene file goes in, pictures come out
 #[derive(Parser, Debug)]

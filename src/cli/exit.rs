@@ -8,6 +8,7 @@ use miette::Severity;
 use signal_hook::consts::SIGABRT;
 use signal_hook::flag::register_conditional_shutdown;
 
+use super::interrupt::exit_code;
 use super::streams::tell;
 use crate::converge::ConvergeError;
 use crate::image::file::FileError;
@@ -19,7 +20,7 @@ use crate::scene::{Diagnostic, Errors};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
     Complete,
-    /// By ctrl-c.
+    /// By ctrl-c or another signal.
     Interrupted,
 }
 
@@ -74,7 +75,7 @@ pub fn expect_abort() {
 pub fn exit(ending: Result<Ending, Failure>) -> ExitCode {
     match ending {
         Ok(Ending::Complete) => ExitCode::SUCCESS,
-        Ok(Ending::Interrupted) => ExitCode::from(130),
+        Ok(Ending::Interrupted) => ExitCode::from(exit_code()),
         Err(failure) => {
             let code = failure.code();
             failure.tell();

@@ -13,7 +13,8 @@ Exit codes:
     4  there is no such Vulkan device, or none at all
     5  a report or stdout could not be written
     6  there is not enough memory
-  130  interrupted by ctrl-c; the cases done by then are told";
+  130  interrupted by ctrl-c; the cases done by then are told
+  143  the same by SIGTERM, 129 by SIGHUP";
 
 /// Which cases run where.
 #[derive(clap::Args, Debug)]

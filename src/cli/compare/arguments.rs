@@ -25,7 +25,8 @@ Exit codes:
     4  there is no such Vulkan device, or none at all
     5  the heat map or stdout could not be written
     6  there is not enough memory
-  130  interrupted by ctrl-c";
+  130  interrupted by ctrl-c
+  143  the same by SIGTERM, 129 by SIGHUP";
 
 /// What is to be compared.
 #[derive(clap::Args, Debug)]

@@ -25,7 +25,8 @@ Exit codes:
     4  there is no such Vulkan device, or none at all
     5  a file or stdout could not be written
     6  there is not enough memory
-  130  interrupted by ctrl-c; what was measured by then is told";
+  130  interrupted by ctrl-c; what was measured by then is told
+  143  the same by SIGTERM, 129 by SIGHUP";
 
 /// What is to be measured.
 #[derive(clap::Args, Debug)]
