@@ -15,8 +15,7 @@ use std::process::ExitCode;
 use vkpt::cli::{self, Task};
 
 fn main() -> ExitCode {
-    cli::expect_abort();
-    let ending = match cli::task() {
+    let ending = match cli::meet_limits().and_then(|()| cli::task()) {
         Ok(Task::Render(arguments)) => cli::render(&arguments),
         Ok(Task::Compare(arguments)) => cli::compare(&arguments),
         Ok(Task::Converge(arguments)) => cli::converge(&arguments),

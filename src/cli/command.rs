@@ -89,6 +89,7 @@ mod tests {
             spp: 9,
             seed: 7,
             strict: true,
+            quiet: false,
         };
         let device = show(&request, &Target::Vulkan(Selector::Index(1)));
         let references = show(&request, &Target::CpuF64);

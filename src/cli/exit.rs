@@ -1,12 +1,8 @@
 //! How the program ends: exit codes, and errors told on stderr.
 
 use std::process::ExitCode;
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use miette::Severity;
-use signal_hook::consts::SIGABRT;
-use signal_hook::flag::register_conditional_shutdown;
 
 use super::interrupt::exit_code;
 use super::streams::tell;
@@ -38,7 +34,7 @@ pub enum Failure {
     /// Warnings that `--strict` makes errors.
     Strict(Vec<String>),
     Render(RenderError),
-    /// A scene does not fit into memory.
+    /// A scene does not fit into memory, or no threads can be made.
     Memory(String),
     /// What was compared is not the same.
     Comparison(Vec<String>),
@@ -60,16 +56,8 @@ impl From<ConvergeError> for Failure {
     }
 }
 
-/// The exit code where memory does not suffice.
-const MEMORY: u8 = 6;
-
-/// Where an allocation fails, Rust says its size and aborts: from now on with an exit code of its own. So does a driver that
-/// gives up.
-pub fn expect_abort() {
-    let always = Arc::new(AtomicBool::new(true));
-    // Where no handler can be had, the process ends by the signal.
-    let _ = register_conditional_shutdown(SIGABRT, MEMORY.into(), always);
-}
+/// The exit code where memory or threads do not suffice.
+pub const MEMORY: u8 = 6;
 
 /// Tells a failure and gives the program's exit code.
 pub fn exit(ending: Result<Ending, Failure>) -> ExitCode {
@@ -89,6 +77,7 @@ impl Failure {
         match self {
             Self::Render(error) if error.is_no_device() => 4,
             Self::Render(RenderError::Memory { .. }) | Self::Memory(_) => MEMORY,
+            Self::Scene(errors) if errors.lacks_memory => MEMORY,
             Self::Render(_) | Self::Comparison(_) | Self::Unhealthy(_) => 1,
             Self::Usage(_) | Self::CommandLine(_) => 2,
             Self::Scene(_)

@@ -21,6 +21,8 @@ pub struct Request<'a> {
     pub spp: u32,
     pub seed: u32,
     pub strict: bool,
+    /// Only warnings and errors are told.
+    pub quiet: bool,
 }
 
 /// A scene read, its warnings told.
@@ -64,7 +66,7 @@ impl Loaded {
     /// The scene by the settings of the request.
     pub fn prepare(&self, request: &Request) -> Result<Ready, Failure> {
         integrator::check(&request.settings)?;
-        memory::announce(&self.scene)?;
+        memory::announce(&self.scene, request.quiet)?;
         let start = Instant::now();
         let prepared = self.prepare_in_silence(request)?;
         let prepare_s = start.elapsed().as_secs_f64();

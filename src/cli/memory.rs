@@ -11,7 +11,7 @@ const LARGE: u64 = 1 << 30;
 
 /// Says what a large scene will take; warns where that is not free without swapping, and fails where it is not free at
 /// all.
-pub fn announce(scene: &Scene) -> Result<(), Failure> {
+pub fn announce(scene: &Scene, quiet: bool) -> Result<(), Failure> {
     let (triangles, needed) = triangles_and_peak(scene);
     let what = format!(
         "{} triangles take about {} of memory",
@@ -27,7 +27,7 @@ pub fn announce(scene: &Scene) -> Result<(), Failure> {
             let quick = bytes(free.quick);
             warn(&format!("{what}, and {quick} are free without swapping"));
         }
-        _ if needed > LARGE => note(&what),
+        _ if needed > LARGE && !quiet => note(&what),
         _ => {}
     }
     Ok(())

@@ -39,6 +39,7 @@ impl ViewArguments {
             spp,
             seed,
             strict: self.strict,
+            quiet: false,
         }
     }
 }

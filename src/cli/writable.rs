@@ -1,6 +1,6 @@
 //! What is to be written, looked at before the work starts: that it can be, and that nothing is lost by it.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use same_file::Handle;
 
@@ -37,6 +37,8 @@ enum Goal {
     Known(Handle),
     /// One to be made: its folder's own name, and the file's.
     New(PathBuf),
+    /// A pipe, by its device and number: whoever reads it would get both in one.
+    Pipe([u64; 2]),
 }
 
 impl Goal {
@@ -49,13 +51,26 @@ impl Goal {
             return Some(Self::Known(file));
         }
         match Place::of(to.path()?).ok()? {
-            Place::Straight(_) => None,
+            Place::Straight(path) => pipe(&path).map(Self::Pipe),
             Place::File(path) => {
                 let folder = folder(&path).canonicalize().ok()?;
                 Some(Self::New(folder.join(path.file_name()?)))
             }
         }
     }
+}
+
+#[cfg(unix)]
+fn pipe(path: &Path) -> Option<[u64; 2]> {
+    use std::os::unix::fs::{FileTypeExt, MetadataExt};
+    let there = path.metadata().ok()?;
+    let is_pipe = there.file_type().is_fifo();
+    is_pipe.then(|| [there.dev(), there.ino()])
+}
+
+#[cfg(not(unix))]
+fn pipe(_: &Path) -> Option<[u64; 2]> {
+    None
 }
 
 #[cfg(test)]

@@ -105,12 +105,18 @@ fn temporary(path: &Path) -> io::Result<NamedTempFile> {
     }
 }
 
-/// The cause alone: `tempfile` adds the temporary name, which nobody has asked for.
+/// The cause alone: `tempfile` adds the temporary name, which nobody has asked for. Of a folder that may not be written it
+/// is that folder.
 fn nameless(error: io::Error) -> io::Error {
-    match error.to_string().split_once(" at path ") {
-        Some((cause, _)) => io::Error::new(error.kind(), cause),
-        None => error,
-    }
+    let text = error.to_string();
+    let cause = text
+        .split_once(" at path ")
+        .map_or(&*text, |(cause, _)| cause);
+    let whose = match error.kind() {
+        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => "its folder: ",
+        _ => "",
+    };
+    io::Error::new(error.kind(), format!("{whose}{cause}"))
 }
 
 #[cfg(test)]

@@ -81,17 +81,25 @@ pub fn warn_of_small(placed: &Placed, space: &Space, warnings: &mut Vec<String>)
         return;
     };
     let away = space.unit * size.away;
+    let thick = space.unit * size.thickness;
     let others = match small.count() {
         0 => String::new(),
         n => format!(", and {n} more shapes that are as small where they are"),
     };
+    let line = first.line;
+    let why = match size.thickness < LEAST_LENGTH {
+        true => format!(
+            "in a scene of {:.1e}, beside which single precision has no squares of lengths below {:.0e}",
+            space.unit,
+            space.unit * LEAST_LENGTH
+        ),
+        false => format!(
+            "{away:.1e} from the middle of the scene, where single precision tells places apart by {:.0e}",
+            away * ULP
+        ),
+    };
     warnings.push(format!(
-        "the shape of line {} is {:.1e} thick, {:.1e} from the middle of the scene, where single precision tells places \
-         apart by {:.0e}: it is not where or what the file says{others}",
-        first.line,
-        space.unit * size.thickness,
-        away,
-        away * ULP,
+        "the shape of line {line} is {thick:.1e} thick, {why}: it is not where or what the file says{others}"
     ));
 }
 

@@ -111,9 +111,15 @@ impl<'t> Arguments<'t> {
 
     fn parse_number(&self, log: &mut Log, token: Token<'_>, field: Field) -> Option<Number> {
         let (text, place) = (token.text, token.place);
-        let length = number::prefix_length(text);
+        let is_not_finite = number::is_not_finite(text);
+        // `1.#QNAN` begins with a number.
+        let length = if is_not_finite {
+            0
+        } else {
+            number::prefix_length(text)
+        };
         let Ok(value) = text[..length].parse::<f64>() else {
-            let message = match number::is_not_finite(text) {
+            let message = match is_not_finite {
                 true => format!("`{}` is not a finite number", shorten(text)),
                 false => format!("`{}` is not a number", shorten(text)),
             };

@@ -89,6 +89,8 @@ pub struct Errors {
     pub(super) name: String,
     /// Warnings that became errors because the caller asked for it.
     pub(super) promoted: usize,
+    /// Memory does not suffice, rather than that something is wrong.
+    pub lacks_memory: bool,
 }
 
 impl fmt::Display for Errors {

@@ -13,6 +13,8 @@ pub(super) struct Log {
     source: Arc<NamedSource<String>>,
     diagnostics: Vec<Diagnostic>,
     errors: usize,
+    /// One of them is that memory does not suffice.
+    pub lacks_memory: bool,
 }
 
 impl Log {
@@ -25,6 +27,7 @@ impl Log {
             source,
             diagnostics: Vec::new(),
             errors: 0,
+            lacks_memory: false,
         }
     }
 
@@ -50,6 +53,7 @@ impl Log {
             diagnostics: self.diagnostics,
             name: self.name,
             promoted: 0,
+            lacks_memory: self.lacks_memory,
         }
     }
 
@@ -89,6 +93,7 @@ impl Log {
                 diagnostics: self.diagnostics,
                 name: self.name,
                 promoted,
+                lacks_memory: self.lacks_memory,
             }),
         }
     }

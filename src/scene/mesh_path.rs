@@ -42,7 +42,11 @@ pub(super) fn mesh_path(
     match spelled_otherwise(folder, bare) {
         Some(path) => {
             let message = format!("`{}` is read as {}", shorten(&name), path.display());
-            log.warning(place, message, "there is no file of this very name");
+            let label = match words.len() > 1 && bare == name && resolve(folder, bare) == path {
+                true => "blanks end a name",
+                false => "there is no file of this very name",
+            };
+            log.warning(place, message, label);
             words[1..].iter().for_each(|_| arguments.skip_one());
             Some(MeshPath { path, place })
         }

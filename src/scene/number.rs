@@ -38,6 +38,8 @@ pub(super) fn prefix_length(token: &str) -> usize {
 pub(super) fn is_not_finite(token: &str) -> bool {
     let word = token.trim_start_matches(['+', '-']).to_ascii_lowercase();
     matches!(word.as_str(), "nan" | "inf" | "infinity")
+        || word.starts_with("nan(")
+        || word.starts_with("1.#")
 }
 
 #[cfg(test)]

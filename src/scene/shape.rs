@@ -78,11 +78,15 @@ pub(super) fn mesh(builder: &mut Builder, arguments: &mut Arguments) {
     let log = &mut builder.log;
     match &read {
         Err(reason) => {
+            log.lacks_memory |= matches!(reason, MeshError::Memory(_));
             let error = log.error(place, format!("{}: {reason}", path.display()), "");
             if matches!(reason, MeshError::Missing) {
-                error.help(match similar(&folder, &path) {
+                let is_utf_8 = !path.to_string_lossy().contains(char::REPLACEMENT_CHARACTER);
+                error.help(match similar(&folder, &path).filter(|_| is_utf_8) {
                     Some(name) => format!("did you mean `{name}`?"),
-                    None => LOOKED_FOR.to_owned(),
+                    None if is_utf_8 => LOOKED_FOR.to_owned(),
+                    None => "the name is not UTF-8: save the scene as UTF-8, or rename the mesh"
+                        .to_owned(),
                 });
             }
         }

@@ -110,9 +110,13 @@ impl RenderArguments {
     /// The scene and what is to be rendered of it.
     pub fn request(&self) -> Result<Request<'_>, Failure> {
         let scene = self.scene()?;
-        Ok(self
+        let request = self
             .view
-            .request(scene, &self.settings, self.spp(), self.seed))
+            .request(scene, &self.settings, self.spp(), self.seed);
+        Ok(Request {
+            quiet: self.quiet,
+            ..request
+        })
     }
 
     /// The most samples that a pixel is to have.

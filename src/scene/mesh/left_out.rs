@@ -2,8 +2,10 @@
 
 use glam::DVec3;
 
+use crate::scene::text::quote;
+
 /// What was left out so far.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct LeftOut {
     /// Faces of fewer than three corners.
     pub(super) faces: usize,
@@ -11,9 +13,21 @@ pub(super) struct LeftOut {
     pub(super) normals: usize,
     /// Corners that name a normal which is not there.
     pub(super) references: usize,
+    /// Curves and surfaces of free form.
+    pub(super) surfaces: usize,
+    /// Lines that begin with no word of the format, and the first of them with its word.
+    unknown: usize,
+    first_unknown: Option<(usize, String)>,
 }
 
 impl LeftOut {
+    /// Counts line `number`, which begins with `word`.
+    pub(super) fn unknown(&mut self, number: usize, word: &str) {
+        self.unknown += 1;
+        self.first_unknown
+            .get_or_insert_with(|| (number, quote(word)));
+    }
+
     /// The normals of vertices, by [`unit_or_zero`]; those without a direction are counted where a triangle has them.
     pub(super) fn directions(
         &mut self,
@@ -36,7 +50,7 @@ impl LeftOut {
     }
 
     /// A sentence for each kind of thing that was left out.
-    pub(super) fn warnings(self) -> Vec<String> {
+    pub(super) fn warnings(&self) -> Vec<String> {
         let count = |n: usize, one: &str, more: &str| match n {
             0 => None,
             1 => Some(format!("1 {one}")),
@@ -57,7 +71,17 @@ impl LeftOut {
             "corner names a normal that the file lacks: the face's own normal is used there",
             "corners name normals that the file lacks: the faces' own normals are used there",
         );
-        [faces, normals, references].into_iter().flatten().collect()
+        let surfaces = count(
+            self.surfaces,
+            "curve or surface of free form is left out",
+            "curves and surfaces of free form are left out",
+        );
+        let unknown = (self.first_unknown.as_ref()).map(|(line, word)| match self.unknown {
+            1 => format!("its line {line} begins with `{word}`, which is not known, and is left out"),
+            n => format!("{n} lines begin with words that are not known and are left out, the first is line {line}, `{word}`"),
+        });
+        let all = [faces, normals, references, surfaces, unknown];
+        all.into_iter().flatten().collect()
     }
 }
 

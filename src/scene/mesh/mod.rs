@@ -38,6 +38,10 @@ pub struct MeshFile {
 pub enum MeshError {
     #[error("there is no such file")]
     Missing,
+    #[error("takes {0} bytes of memory, and they are not there")]
+    Memory(u64),
+    #[error("is no file")]
+    NoFile,
     #[error("cannot be read: {0}")]
     Unreadable(io::Error),
     #[error("its format is not read; these are: {MESH_FORMATS}")]
@@ -59,10 +63,12 @@ pub enum MeshError {
         index: i64,
         vertices: usize,
     },
-    #[error("face {0} (from 0) crosses itself")]
+    #[error("face {0} (from 0) crosses itself: cut it into triangles")]
     Crossing(usize),
     #[error("it has no {0}")]
     Empty(&'static str),
+    #[error("it has no faces{}{}", if .0.is_empty() { "" } else { ": " }, .0.join(", "))]
+    NoFaces(Vec<String>),
 }
 
 /// Reads a mesh; its ending tells the format.
@@ -75,8 +81,15 @@ pub fn read_mesh(path: &Path) -> Result<MeshFile, MeshError> {
     if path.is_dir() {
         return Err(MeshError::Unreadable(io::ErrorKind::IsADirectory.into()));
     }
+    // A pipe may never begin, a device never end.
+    if path.metadata().is_ok_and(|there| !there.is_file()) {
+        return Err(MeshError::NoFile);
+    }
     let bytes = std::fs::read(path).map_err(|reason| match reason.kind() {
         io::ErrorKind::NotFound => MeshError::Missing,
+        io::ErrorKind::OutOfMemory => {
+            MeshError::Memory(path.metadata().map_or(0, |there| there.len()))
+        }
         _ => MeshError::Unreadable(reason),
     })?;
     parse_mesh(&bytes, path)

@@ -7,6 +7,9 @@ use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation
 /// The numbers of text files have six digits: a polygon that is no wider than that has no area.
 const SIX_DIGITS: f64 = 1e-6;
 
+/// What is said of a line that is such a face.
+pub(super) const CROSSES: &str = "is a face that crosses itself, cut it into triangles";
+
 /// A polygon that crosses itself, or that lies in no plane.
 #[derive(Debug)]
 pub(super) struct Crossing;

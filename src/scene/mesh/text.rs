@@ -82,11 +82,14 @@ pub(super) fn float<T: FromStr + From<f32>>(token: &[u8]) -> Option<T> {
     text.parse().ok().or_else(|| {
         let word = text.trim_start_matches(['+', '-']).to_ascii_lowercase();
         let value = match &*word {
-            "1.#inf" if text.starts_with('-') => f32::NEG_INFINITY,
-            "1.#inf" => f32::INFINITY,
-            "1.#ind" | "1.#qnan" | "1.#snan" => f32::NAN,
             _ if word.starts_with("nan(") && word.ends_with(')') => f32::NAN,
-            _ => return None,
+            // `%f` pads them with zeros.
+            word => match word.trim_end_matches('0') {
+                "1.#inf" if text.starts_with('-') => f32::NEG_INFINITY,
+                "1.#inf" => f32::INFINITY,
+                "1.#ind" | "1.#qnan" | "1.#snan" => f32::NAN,
+                _ => return None,
+            },
         };
         Some(value.into())
     })

@@ -266,3 +266,15 @@ fn what_is_scaled_to_nothing_is_left_out() {
     let said = read(&document, &bin).expect_err("nothing").to_string();
     assert_eq!(said, format!("it has no triangles: {hidden} is left out"));
 }
+
+/// Each instance would be a mesh of its own.
+#[test]
+fn instances_are_missed_with_a_warning() {
+    let (mut document, bin) = plain();
+    document["extensionsUsed"] = json!(["EXT_mesh_gpu_instancing"]);
+    document["nodes"][0]["extensions"] =
+        json!({"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 0}}});
+    let mesh = read(&document, &bin).expect("a mesh");
+    let said = "of instances (EXT_mesh_gpu_instancing) only the first stands, at its node";
+    assert_eq!(mesh.warnings, [said]);
+}

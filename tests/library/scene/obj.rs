@@ -159,9 +159,12 @@ fn what_is_wrong_is_said_with_its_line() {
         ),
         (
             "f 1 3 2 4",
-            "its line 5 is a face that crosses itself: `f 1 3 2 4`",
+            "its line 5 is a face that crosses itself, cut it into triangles: `f 1 3 2 4`",
         ),
-        ("f 1 2", "it has no faces"),
+        (
+            "f 1 2",
+            "it has no faces: 1 face of fewer than three corners is left out",
+        ),
         ("l 1 2 3", "it has no faces"),
         ("", "it has no faces"),
     ];
@@ -176,9 +179,21 @@ fn what_is_wrong_is_said_with_its_line() {
             }
         }
     }
-    for bytes in [&b"\n"[..], b"\xff\x00", b"\\", b"#", b"solid cube\n"] {
+    let unknown = |word: &str| {
+        format!(
+            "it has no faces: its line 1 begins with `{word}`, which is not known, and is left out"
+        )
+    };
+    let rows = [
+        (&b"\n"[..], "it has no faces".to_owned()),
+        (b"#", "it has no faces".to_owned()),
+        (b"\\", "it has no faces".to_owned()),
+        (b"solid cube\n", unknown("solid")),
+        (b"F 1 2 3\n", unknown("F")),
+    ];
+    for (bytes, said) in rows {
         let read = parse_mesh(bytes, Path::new("mesh.obj"));
-        assert_eq!(read.expect_err("no mesh").to_string(), "it has no faces");
+        assert_eq!(read.expect_err("no mesh").to_string(), said);
     }
 }
 

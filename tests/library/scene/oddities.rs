@@ -213,7 +213,7 @@ fn faces_of_fewer_than_three_corners_are_left_out() {
 }
 
 /// The spellings of C, C++, Windows and Rust.
-const NOT_NUMBERS: [&str; 8] = [
+const NOT_NUMBERS: [&str; 10] = [
     "nan",
     "-nan",
     "NaN",
@@ -221,6 +221,8 @@ const NOT_NUMBERS: [&str; 8] = [
     "nan(0x8000)",
     "1.#QNAN",
     "-1.#IND",
+    "1.#QNAN0",
+    "-1.#IND00",
     "inf",
 ];
 
@@ -347,4 +349,71 @@ fn triangle_strips() {
         error,
         "face 0 (from 0) refers to vertex -2, and there are 5"
     );
+    let short = text
+        .replace("10 0 1 3 2 -1", "10 0 1 3 2 -1 0 1 -1")
+        .replace("10 0", "13 0");
+    let warnings = read(short.as_bytes(), "a.ply").expect("strips").warnings;
+    assert_eq!(warnings, ["1 face of fewer than three corners is left out"]);
+}
+
+/// What makes no triangles here is told where a person may miss it.
+#[test]
+fn statements_that_are_left_out() {
+    let rows = [
+        (
+            "surf 0 1 0 1 1 2 3 4",
+            "1 curve or surface of free form is left out",
+        ),
+        (
+            "curv 0 1 1 2\nsurf 0 1 0 1 1 2 3 4",
+            "2 curves and surfaces of free form are left out",
+        ),
+        (
+            "call other.obj 1",
+            "its line 9 begins with `call`, which is not known, and is left out",
+        ),
+        (
+            "F 1 2 3\nfrob",
+            "2 lines begin with words that are not known and are left out, the first is line 9, `F`",
+        ),
+    ];
+    for (row, warning) in rows {
+        is_read(format!("{OBJ}{row}\n").as_bytes(), "a.obj", &[warning]);
+    }
+    // `fo` is the older word for a face; a name may end in a back slash.
+    is_read(OBJ.replace("f 1 2 5", "fo 1 2 5").as_bytes(), "a.obj", &[]);
+    is_read(
+        OBJ.replace("f 1 2 5", "usemtl tex\\\nf 1 2 5").as_bytes(),
+        "a.obj",
+        &[],
+    );
+}
+
+#[test]
+fn of_a_file_that_contradicts_itself_the_culprit_is_told() {
+    let rows = [
+        (
+            PLY.replace("2 2 0", "2 2 0 7"),
+            "its line 13 has more than the 3 numbers that its header declares: `2 2 0 7`",
+        ),
+        (
+            PLY.replace("0 0 0", "nan 0 0"),
+            "vertex 0 (from 0) is not finite in single precision",
+        ),
+        (
+            PLY.replace("2 0 0", "2 1e39 0"),
+            "vertex 1 (from 0) is not finite in single precision",
+        ),
+    ];
+    for (text, said) in rows {
+        let error = read(text.as_bytes(), "a.ply").expect_err("refused");
+        assert_eq!(error.to_string(), said);
+    }
+    // Of two lists of corners the first counts.
+    let two = "property list uchar int vertex_index\nproperty list uchar int vertex_indices\nend";
+    let text = PLY.replace("property list uchar int vertex_indices\nend", two);
+    let text = text
+        .replace("4 0 1 2 3", "4 0 1 2 3 0")
+        .replace("3 0 1 4", "3 0 1 4 3 4 2 1");
+    is_read(text.as_bytes(), "a.ply", &[]);
 }

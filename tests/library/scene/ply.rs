@@ -180,7 +180,10 @@ fn what_is_wrong_is_said() {
         );
         let mut line = rows.clone();
         line[3] = vec![U8(2), I32(0), I32(1)];
-        assert_eq!(message(HEADER, &line), "it has no faces");
+        assert_eq!(
+            message(HEADER, &line),
+            "it has no faces: 1 face of fewer than three corners is left out"
+        );
         let none = HEADER.replace("face 1", "face 0");
         assert_eq!(message(&none, &rows[..3]), "it has no faces");
         let flat = HEADER.replace("property float z\n", "");
@@ -197,7 +200,10 @@ fn what_is_wrong_is_said() {
             no_faces
         );
         let twice = HEADER.replace("property float y\n", "property float x\nproperty float y\n");
-        assert_eq!(message(&twice, &rows), "a name stands twice in its header");
+        assert_eq!(
+            message(&twice, &rows),
+            "its line 5 has a name that stands above: `property float x`"
+        );
         for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
             let said = message(HEADER, &triangle(bad, [0, 1, 2]));
             assert_eq!(said, "vertex 0 (from 0) is not finite in single precision");
@@ -313,6 +319,19 @@ fn files_are_read_or_refused() {
         Err(MeshError::Unreadable(_))
     ));
     assert!(matches!(read_mesh(Path::new("")), Err(MeshError::Format)));
+    // A device never ends, and a pipe may never begin.
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("/dev/zero", path("zero.ply")).expect("a link");
+        let pipe = std::process::Command::new("mkfifo")
+            .arg(path("pipe.obj"))
+            .status();
+        assert!(pipe.expect("mkfifo runs").success());
+        for name in ["zero.ply", "pipe.obj"] {
+            let error = read_mesh(&path(name)).expect_err(name);
+            assert_eq!(error.to_string(), "is no file");
+        }
+    }
 }
 
 /// Headers whose counts would take a machine's memory, or its night, if they were believed.

@@ -24,6 +24,8 @@ pub(super) struct Assembly {
     /// Some primitive has normals.
     smooth: bool,
     morphed: bool,
+    /// Some node asks for many instances of its mesh, by EXT_mesh_gpu_instancing.
+    instanced: bool,
     left_out: LeftOut,
     /// The nodes whose scale left meshes without an area.
     flat: Vec<String>,
@@ -42,6 +44,7 @@ impl Assembly {
         let Some(index) = node.mesh else {
             return Ok(());
         };
+        self.instanced |= node.extensions.contains_key("EXT_mesh_gpu_instancing");
         let mesh = document.meshes.get(index);
         let mesh = mesh.ok_or_else(|| format!("there is no mesh {index}"))?;
         // A skinned mesh is placed by its joints and not by its node (glTF 2.0, section 3.7.3.3).
@@ -123,6 +126,12 @@ impl Assembly {
             });
         }
         warnings.extend(left_out);
+        if self.instanced {
+            warnings.push(
+                "of instances (EXT_mesh_gpu_instancing) only the first stands, at its node"
+                    .to_owned(),
+            );
+        }
         if self.morphed {
             warnings.push("morph targets are left out".to_owned());
         }

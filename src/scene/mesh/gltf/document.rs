@@ -44,6 +44,7 @@ pub(super) struct Node {
     pub(super) rotation: Option<[f64; 4]>,
     pub(super) scale: Option<[f64; 3]>,
     pub(super) translation: Option<[f64; 3]>,
+    pub(super) extensions: Extensions,
 }
 
 #[derive(Deserialize)]

@@ -13,7 +13,8 @@ pub(super) fn statements(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, st
     let mut lines = (1..).zip(lines(text).map(without_comment));
     iter::from_fn(move || {
         let (number, first) = lines.next()?;
-        let Some(first_part) = first.strip_suffix('\\') else {
+        // A name may end in a back slash, as those of folders do.
+        let Some(first_part) = first.strip_suffix('\\').filter(|line| !is_name(line)) else {
             return Some((number, first));
         };
         let mut joined = first_part.to_owned();
@@ -29,6 +30,12 @@ pub(super) fn statements(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, st
         }
         Some((number, joined.into()))
     })
+}
+
+/// Whether a statement names something, rather than to list numbers.
+fn is_name(statement: &str) -> bool {
+    let word = statement.split_whitespace().next();
+    word.is_some_and(|word| ["o", "g", "usemtl", "mtllib", "usemap", "maplib"].contains(&word))
 }
 
 fn without_comment(line: &[u8]) -> Cow<'_, str> {

@@ -10,7 +10,7 @@ use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::DVec3;
 
 use super::left_out::unit_or_zero;
-use super::polygon::{Crossing, cut};
+use super::polygon::{CROSSES, Crossing, cut};
 use super::text::at_line;
 use super::{MeshError, MeshFile};
 use statements::{Corner, Statements};
@@ -30,7 +30,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
 /// The file's mesh, which has an index for positions and one for normals, in the scene's form, which has one.
 fn assemble(statements: &Statements, bytes: &[u8]) -> Result<MeshFile, MeshError> {
     let mut vertices = Vertices::of(statements);
-    let mut left_out = statements.left_out;
+    let mut left_out = statements.left_out.clone();
     let mut triangles = Vec::with_capacity(statements.faces.len());
     let mut corners = Vec::new();
     let (mut first, mut any_smooth) = (0, false);
@@ -52,10 +52,10 @@ fn assemble(statements: &Statements, bytes: &[u8]) -> Result<MeshFile, MeshError
             corners.push(index.ok_or_else(|| at_line(bytes, face.line, what))?);
         }
         let cut = cut(&corners, |i| vertices.positions[i as usize], &mut triangles);
-        cut.map_err(|Crossing| at_line(bytes, face.line, "is a face that crosses itself"))?;
+        cut.map_err(|Crossing| at_line(bytes, face.line, CROSSES))?;
     }
     if triangles.is_empty() {
-        return Err(MeshError::Empty("faces"));
+        return Err(MeshError::NoFaces(left_out.warnings()));
     }
     left_out.normals = vertices.without_direction.len();
     let warnings = left_out.warnings();

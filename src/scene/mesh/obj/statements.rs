@@ -7,6 +7,47 @@ use glam::DVec3;
 use crate::scene::mesh::left_out::LeftOut;
 use crate::scene::mesh::text::float;
 
+/// Statements that make no triangles, but for those of curves and surfaces.
+const SKIPPED: [&str; 37] = [
+    "vt",
+    "vp",
+    "l",
+    "p",
+    "o",
+    "g",
+    "s",
+    "mg",
+    "usemtl",
+    "mtllib",
+    "usemap",
+    "maplib",
+    "cstype",
+    "deg",
+    "bmat",
+    "step",
+    "parm",
+    "trim",
+    "hole",
+    "scrv",
+    "sp",
+    "end",
+    "con",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "shadow_obj",
+    "trace_obj",
+    "ctech",
+    "stech",
+    "bsp",
+    "bzp",
+    "cdc",
+    "cdp",
+    "res",
+    "vc",
+];
+
 /// What is wrong with a line.
 type Fault = String;
 
@@ -46,7 +87,9 @@ impl Statements {
         match words.next() {
             Some("v") => self.positions.push(position(&mut words)?),
             Some("vn") => self.normals.push(vector(&mut words)?),
-            Some("f") => self.face(number, words)?,
+            Some("f" | "fo") => self.face(number, words)?,
+            Some("curv" | "curv2" | "surf") => self.left_out.surfaces += 1,
+            Some(word) if !SKIPPED.contains(&word) => self.left_out.unknown(number, word),
             _ => {}
         }
         Ok(())

@@ -69,9 +69,13 @@ impl Rows {
 impl Lists {
     fn read(&mut self, source: &mut impl Source, element: &Element) -> Result<(), Fault> {
         let mut line = 0;
-        for property in &element.properties {
+        let own = element
+            .properties
+            .iter()
+            .position(|p| CORNERS.contains(&&*p.name));
+        for (i, property) in element.properties.iter().enumerate() {
             match property.kind {
-                Kind::List { count, of } if CORNERS.contains(&&*property.name) => {
+                Kind::List { count, of } if own == Some(i) => {
                     let corners = length(source.whole(count)?, source)?;
                     line = source.line();
                     for _ in 0..corners {

@@ -4,7 +4,7 @@ use super::element::{Lists, Rows};
 use crate::scene::MeshError;
 use crate::scene::mesh::corners;
 use crate::scene::mesh::left_out::LeftOut;
-use crate::scene::mesh::polygon::{Crossing, cut};
+use crate::scene::mesh::polygon::{CROSSES, Crossing, cut};
 use crate::scene::mesh::text::at_line;
 
 /// The triangles of the faces.
@@ -28,10 +28,16 @@ pub(super) fn polygons(
             left_out.faces += 1;
             continue;
         }
+        let bad = polygon
+            .iter()
+            .find(|i| !rows.positions[**i as usize].as_vec3().is_finite());
+        if let Some(bad) = bad {
+            return Err(MeshError::NotFinite(*bad as usize));
+        }
         let cut = cut(&polygon, |i| rows.positions[i as usize], triangles);
         cut.map_err(|Crossing| match row.line {
             0 => MeshError::Crossing(index),
-            line => at_line(file, line, "is a face that crosses itself"),
+            line => at_line(file, line, CROSSES),
         })?;
     }
     Ok(())
@@ -42,12 +48,14 @@ pub(super) fn strips(
     strips: &Lists,
     vertices: usize,
     triangles: &mut Vec<[u32; 3]>,
+    left_out: &mut LeftOut,
 ) -> Result<(), MeshError> {
     let mut strip = Vec::new();
     let mut first = 0;
     for (index, row) in strips.rows.iter().enumerate() {
         for part in strips.corners[first..row.end].split(|corner| *corner == -1) {
             corners(index, part, vertices, &mut strip)?;
+            left_out.faces += usize::from(matches!(strip.len(), 1..3));
             let wound = strip.windows(3).enumerate().map(|(i, v)| match i % 2 {
                 0 => [v[0], v[1], v[2]],
                 _ => [v[1], v[0], v[2]],

@@ -17,10 +17,9 @@ pub(super) struct Header {
 /// Reads the header of the file `bytes`. Comments are of any encoding.
 pub(super) fn read(bytes: &[u8]) -> Result<Header, MeshError> {
     let mut all = (1..).zip(lines(bytes));
-    let wrong = |number| at_line(bytes, number, "is not understood");
     let (_, first) = all.next().unwrap_or_default();
     if first.trim_ascii() != b"ply" {
-        return Err(wrong(1));
+        return Err(at_line(bytes, 1, NOT_UNDERSTOOD));
     }
     // A binary body may begin with what looks like the second half of a line's end.
     let is_bare_cr =
@@ -30,7 +29,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header, MeshError> {
         let end = line.as_ptr() as usize - bytes.as_ptr() as usize + line.len();
         let text = str::from_utf8(line).unwrap_or_default();
         let words: Vec<&str> = text.split_whitespace().collect();
-        let understood = match words[..] {
+        let read = match words[..] {
             ["end_header"] => {
                 let ending = match &bytes[end..] {
                     [b'\r', b'\n', ..] if !is_bare_cr => 2,
@@ -45,15 +44,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header, MeshError> {
             }
             ["format", format, "1.0"] => {
                 encoding = encoding_of(format);
-                encoding.is_some()
+                encoding.map(drop).ok_or(NOT_UNDERSTOOD)
             }
-            ["element", name, count] => element(&mut elements, name, count)?,
-            ["property", ref words @ ..] => property(&mut elements, words)?,
-            _ => is_comment(line),
+            ["element", name, count] => element(&mut elements, name, count),
+            ["property", ref words @ ..] => property(&mut elements, words),
+            _ if is_comment(line) => Ok(()),
+            _ => Err(NOT_UNDERSTOOD),
         };
-        if !understood {
-            return Err(wrong(number));
-        }
+        read.map_err(|fault| at_line(bytes, number, fault))?;
     }
     Err(MeshError::Malformed("its header does not end".into()))
 }
@@ -76,49 +74,46 @@ fn is_comment(line: &[u8]) -> bool {
             .any(|word| line.starts_with(word))
 }
 
-/// `element NAME COUNT`; whether it is understood.
-fn element(elements: &mut Vec<Element>, name: &str, count: &str) -> Result<bool, MeshError> {
-    let Ok(count) = count.parse() else {
-        return Ok(false);
-    };
+/// What is wrong with a line.
+type Fault = &'static str;
+
+const NOT_UNDERSTOOD: Fault = "is not understood";
+
+/// `element NAME COUNT`
+fn element(elements: &mut Vec<Element>, name: &str, count: &str) -> Result<(), Fault> {
     unique(elements.iter().map(|element| &*element.name), name)?;
     elements.push(Element {
         name: name.into(),
-        count,
+        count: count.parse().map_err(|_| NOT_UNDERSTOOD)?,
         properties: Vec::new(),
     });
-    Ok(true)
+    Ok(())
 }
 
-/// The words after `property`: `TYPE NAME` or `list TYPE TYPE NAME`; whether they are understood.
-fn property(elements: &mut [Element], words: &[&str]) -> Result<bool, MeshError> {
-    let (kind, name) = match *words {
-        ["list", count, of, name] => match (Scalar::of(count), Scalar::of(of)) {
-            (Some(count), Some(of)) if count.is_integer() => (Kind::List { count, of }, name),
-            _ => return Ok(false),
+/// The words after `property`: `TYPE NAME` or `list TYPE TYPE NAME`.
+fn property(elements: &mut [Element], words: &[&str]) -> Result<(), Fault> {
+    let kind = match *words {
+        ["list", count, of, _] => match (Scalar::of(count), Scalar::of(of)) {
+            (Some(count), Some(of)) if count.is_integer() => Some(Kind::List { count, of }),
+            _ => None,
         },
-        [scalar, name] => match Scalar::of(scalar) {
-            Some(scalar) => (Kind::Scalar(scalar), name),
-            None => return Ok(false),
-        },
-        _ => return Ok(false),
+        [scalar, _] => Scalar::of(scalar).map(Kind::Scalar),
+        _ => None,
     };
-    let Some(element) = elements.last_mut() else {
-        return Ok(false);
+    let (Some(kind), Some(name), Some(element)) = (kind, words.last(), elements.last_mut()) else {
+        return Err(NOT_UNDERSTOOD);
     };
     let names = element.properties.iter().map(|property| &*property.name);
     unique(names, name)?;
-    let name = name.into();
+    let name = (*name).into();
     element.properties.push(Property { name, kind });
-    Ok(true)
+    Ok(())
 }
 
 /// With a name that stands twice it is not clear which of the two is meant.
-fn unique<'a>(mut names: impl Iterator<Item = &'a str>, name: &str) -> Result<(), MeshError> {
+fn unique<'a>(mut names: impl Iterator<Item = &'a str>, name: &str) -> Result<(), Fault> {
     match names.any(|other| other == name) {
-        true => Err(MeshError::Malformed(
-            "a name stands twice in its header".into(),
-        )),
+        true => Err("has a name that stands above"),
         false => Ok(()),
     }
 }

@@ -9,7 +9,7 @@ mod faces;
 mod header;
 mod source;
 
-use declared::{Element, Encoding, Kind};
+use declared::{Element, Encoding, Kind, Property};
 use element::{CORNERS, Rows};
 use faces::{polygons, strips};
 use header::Header;
@@ -17,7 +17,7 @@ use source::{Binary, Fault, Source, Text};
 
 use super::left_out::LeftOut;
 use super::positions::finite;
-use super::text::{Tokens, at_line};
+use super::text::{Tokens, at_line, lines};
 use super::{MeshError, MeshFile};
 
 /// Reads the whole file `bytes`.
@@ -32,13 +32,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
             let mut text = Text(Tokens::new(body, header.lines + 1));
             let rows = read_body(&mut text, &header, bytes)?;
             match text.0.next() {
-                Some(_) => {
-                    return Err(at_line(
-                        bytes,
-                        text.0.line(),
-                        "is more than its header declares",
-                    ));
-                }
+                Some(_) => return Err(too_many(&header, text.0.line(), bytes)),
                 None => rows,
             }
         }
@@ -127,14 +121,42 @@ fn read_body(source: &mut impl Source, header: &Header, file: &[u8]) -> Result<R
     Ok(rows)
 }
 
+/// An error: from line `left` on, there are more numbers than the header declares. What is told is the first row of a line of
+/// its own that has more than its scalars, where there is one: the numbers that are left are others.
+fn too_many(header: &Header, left: usize, file: &[u8]) -> MeshError {
+    let mut rows = (1..).zip(lines(file)).skip(header.lines);
+    let of_scalars = |element: &&Element| {
+        let is_scalar = |property: &Property| matches!(property.kind, Kind::Scalar(_));
+        element.properties.iter().all(is_scalar)
+    };
+    for element in header.elements.iter().take_while(of_scalars) {
+        for (number, line) in rows.by_ref().take(element.count) {
+            if Tokens::new(line, number).count() > element.properties.len() {
+                let declared = element.properties.len();
+                return at_line(
+                    file,
+                    number,
+                    &format!("has more than the {declared} numbers that its header declares"),
+                );
+            }
+        }
+    }
+    at_line(file, left, "is more than its header declares")
+}
+
 /// Vertices and faces, checked and put into the scene's form.
 fn assemble(rows: Rows, with_normals: bool, file: &[u8]) -> Result<MeshFile, MeshError> {
     let mut left_out = LeftOut::default();
     let mut triangles = Vec::with_capacity(rows.faces.rows.len());
     polygons(&rows, &mut triangles, &mut left_out, file)?;
-    strips(&rows.strips, rows.positions.len(), &mut triangles)?;
+    strips(
+        &rows.strips,
+        rows.positions.len(),
+        &mut triangles,
+        &mut left_out,
+    )?;
     if triangles.is_empty() {
-        return Err(MeshError::Empty("faces"));
+        return Err(MeshError::NoFaces(left_out.warnings()));
     }
     let positions = finite(rows.positions, &triangles).map_err(MeshError::NotFinite)?;
     let normals = with_normals.then(|| left_out.directions(rows.normals.into_iter(), &triangles));
