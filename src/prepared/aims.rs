@@ -19,16 +19,44 @@ pub fn aims(placed: &Placed, materials: &[Material]) -> Vec<Aim> {
             Aim { centre, radius }
         })
         .collect();
-    while all.len() > AIMS {
-        let pairs = (0..all.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
-        let size = |&(i, j): &(usize, usize)| both(&all[i], &all[j]).radius;
-        let Some((i, j)) = pairs.min_by(|a, b| size(a).total_cmp(&size(b))) else {
-            break;
-        };
-        let other = all.remove(j);
-        all[i] = both(&all[i], &other);
-    }
+    join(&mut all, AIMS);
     all
+}
+
+/// Joins balls until there are `most`: always the two that make the smallest one, the first of those that are as small.
+///
+/// For each ball the best of those before it is kept, so that a join costs time in proportion to their number, and not to its
+/// square.
+fn join(all: &mut Vec<Aim>, most: usize) {
+    let mut best: Vec<(f64, usize)> = (0..all.len()).map(|j| best_before(all, j)).collect();
+    while all.len() > most {
+        let Some(j) = (0..all.len()).min_by(|&a, &b| best[a].0.total_cmp(&best[b].0)) else {
+            return;
+        };
+        let i = best[j].1;
+        all[i] = both(&all[i], &all[j]);
+        all.remove(j);
+        best.remove(j);
+        best[i] = best_before(all, i);
+        for k in i + 1..all.len() {
+            let (size, partner) = best[k];
+            if partner == i || partner == j {
+                best[k] = best_before(all, k);
+                continue;
+            }
+            let kept = (size, partner - usize::from(partner > j));
+            let new = (both(&all[i], &all[k]).radius, i);
+            let is_better = new.0.total_cmp(&kept.0).then(new.1.cmp(&kept.1)).is_lt();
+            best[k] = if is_better { new } else { kept };
+        }
+    }
+}
+
+/// The smallest ball that `all[j]` makes with one before it, and which; infinite for the first.
+fn best_before(all: &[Aim], j: usize) -> (f64, usize) {
+    let sizes = (0..j).map(|i| (both(&all[i], &all[j]).radius, i));
+    let least = sizes.min_by(|a, b| a.0.total_cmp(&b.0));
+    least.unwrap_or((f64::INFINITY, 0))
 }
 
 /// The least share of all directions that a shape that shines fills, as the centre of an aim sees it: A/4 of a convex body of area
@@ -61,6 +89,51 @@ fn both(a: &Aim, b: &Aim) -> Aim {
             Aim {
                 centre: a.centre + way * ((radius - a.radius) / distance),
                 radius,
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+
+    /// The same by looking at every pair in every step.
+    fn join_plainly(all: &mut Vec<Aim>, most: usize) {
+        while all.len() > most {
+            let pairs = (0..all.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+            let size = |&(i, j): &(usize, usize)| both(&all[i], &all[j]).radius;
+            let (i, j) = pairs
+                .min_by(|a, b| size(a).total_cmp(&size(b)))
+                .expect("a pair");
+            let other = all.remove(j);
+            all[i] = both(&all[i], &other);
+        }
+    }
+
+    #[test]
+    fn the_smallest_balls_are_joined_whatever_is_remembered() {
+        let mut state = 7_u64;
+        let mut unit = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            // Few places, so that many balls are as small.
+            (state >> 60) as f64 / 4.0
+        };
+        for count in 0..60 {
+            let mut ball = || Aim {
+                centre: DVec3::new(unit(), unit(), unit()),
+                radius: unit() / 8.0,
+            };
+            let balls: Vec<Aim> = (0..count).map(|_| ball()).collect();
+            for most in [1, 4] {
+                let (mut quickly, mut plainly) = (balls.clone(), balls.clone());
+                join(&mut quickly, most);
+                join_plainly(&mut plainly, most);
+                assert_eq!(format!("{quickly:?}"), format!("{plainly:?}"));
             }
         }
     }

@@ -6,12 +6,27 @@ use super::placed::Placed;
 use super::{Material, NONE};
 use crate::shape::{Body, Bounds};
 
-/// The material whose inside `p` stands in, or [`NONE`].
-pub fn medium_at(p: DVec3, placed: &Placed, materials: &[Material]) -> u32 {
-    placed
-        .transmissive(materials)
-        .find(|s| placed.body(s).contains(p))
-        .map_or(NONE, |s| s.material)
+/// The transmissive shapes of a scene: their materials, and what they are as a whole.
+pub struct Media<'a>(Vec<(u32, Bounded<'a>)>);
+
+impl<'a> Media<'a> {
+    pub fn new(placed: &'a Placed, materials: &'a [Material]) -> Self {
+        let bounded = |shape| {
+            let body = placed.body(shape);
+            let bounds = body.bounds();
+            (shape.material, (body, bounds))
+        };
+        Self(placed.transmissive(materials).map(bounded).collect())
+    }
+
+    /// The material whose inside `p` stands in, or [`NONE`].
+    pub fn at(&self, p: DVec3) -> u32 {
+        let contains = |(body, bounds): &Bounded| {
+            p.cmpge(bounds.lo).all() && p.cmple(bounds.hi).all() && body.contains(p)
+        };
+        let found = self.0.iter().find(|(_, bounded)| contains(bounded));
+        found.map_or(NONE, |(material, _)| *material)
+    }
 }
 
 /// Says once that transmissive shapes which overlap are outside the model (model.md, "Media").

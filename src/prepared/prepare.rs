@@ -6,10 +6,11 @@ use super::cdf::CdfError;
 use super::dark;
 use super::light_tree::LightTree;
 use super::lights::Lights;
+use super::medium::Media;
 use super::placed::Placed;
 use super::{
-    Camera, Material, MaterialKind, NONE, Prepared, Primitives, Space, coincide, eye, material,
-    medium, memory, range,
+    Camera, Light, Material, MaterialKind, NONE, Prepared, Primitives, Space, coincide, eye,
+    material, medium, memory, range,
 };
 use crate::scene::{self, MaterialKind as SceneMaterial, Scene};
 use crate::settings::Settings;
@@ -79,15 +80,7 @@ pub fn prepare(
         &lights.lights,
         &mut warnings,
     );
-    let eye_medium = medium::medium_at(camera.eye, &placed, &materials);
-    let light_media = (lights.lights.iter())
-        .map(|light| match placed.shapes.get(light.shape as usize) {
-            Some(shape) => {
-                medium::medium_at(placed.body(shape).bounds().centre(), &placed, &materials)
-            }
-            None => NONE,
-        })
-        .collect();
+    let (eye_medium, light_media) = media(camera.eye, &placed, &materials, &lights.lights);
     let aims = super::aims::aims(&placed, &materials);
     let light_share = super::aims::light_share(&placed, &lights.lights, &aims);
     let light_tree = LightTree::new(&placed, &lights.lights);
@@ -150,4 +143,14 @@ impl Prepared {
                 | MaterialKind::NullInterface
         )
     }
+}
+
+/// The material whose inside the eye stands in, and of each light that of its middle, or [`NONE`].
+fn media(eye: DVec3, placed: &Placed, materials: &[Material], lights: &[Light]) -> (u32, Vec<u32>) {
+    let media = Media::new(placed, materials);
+    let of_light = |light: &Light| match placed.shapes.get(light.shape as usize) {
+        Some(shape) => media.at(placed.body(shape).bounds().centre()),
+        None => NONE,
+    };
+    (media.at(eye), lights.iter().map(of_light).collect())
 }

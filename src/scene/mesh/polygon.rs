@@ -7,6 +7,9 @@ use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation
 /// The numbers of text files have six digits: a polygon that is no wider than that has no area.
 const SIX_DIGITS: f64 = 1e-6;
 
+/// Corners of a fan, at most.
+const MOST_IN_A_FAN: usize = 32;
+
 /// What is said of a line that is such a face.
 pub(super) const CROSSES: &str = "is a face that crosses itself, cut it into triangles";
 
@@ -16,8 +19,8 @@ pub(super) struct Crossing;
 
 /// Appends the triangles of a polygon of three corners or more, wound as it is.
 ///
-/// A fan about the first corner where that stays within the polygon, as it does where all corners are convex. Else the
-/// constrained Delaunay triangulation of the polygon in the plane that fits it best. A boundary that touches itself,
+/// A fan about the first corner where that stays within the polygon, as it does where all corners are convex, and has few
+/// triangles: those of a large one all lie in each other's boxes. Else the constrained Delaunay triangulation of the polygon in the plane that fits it best. A boundary that touches itself,
 /// as a bridge to a hole does, is no crossing.
 pub(super) fn cut(
     corners: &[u32],
@@ -31,7 +34,8 @@ pub(super) fn cut(
     let first = position(corners[0]);
     let from_first: Vec<DVec3> = corners.iter().map(|&i| position(i) - first).collect();
     let normal = normal(&from_first);
-    if has_no_area(&from_first) || normal.is_some_and(|n| fan_fits(&from_first, n)) {
+    let few = corners.len() <= MOST_IN_A_FAN;
+    if has_no_area(&from_first) || few && normal.is_some_and(|n| fan_fits(&from_first, n)) {
         let pairs = corners[1..].windows(2);
         triangles.extend(pairs.map(|pair| [corners[0], pair[0], pair[1]]));
         return Ok(());
