@@ -26,6 +26,11 @@ pub fn free() -> Option<Free> {
     }))
 }
 
+/// What this process holds.
+pub fn held() -> Option<u64> {
+    kibibytes("/proc/self/status", "VmRSS:")
+}
+
 /// The most memory that this process has held at once.
 pub fn peak() -> Option<u64> {
     kibibytes("/proc/self/status", "VmHWM:")

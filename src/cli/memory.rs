@@ -1,7 +1,7 @@
 //! What a scene takes of the host's memory, said before it does.
 
 use super::exit::{Failure, note, warn};
-use crate::memory::free;
+use crate::memory::{free, held};
 use crate::prepared::triangles_and_peak;
 use crate::report::human::{bytes, thousands};
 use crate::scene::Scene;
@@ -18,14 +18,16 @@ pub fn announce(scene: &Scene, quiet: bool) -> Result<(), Failure> {
         thousands(triangles),
         bytes(needed)
     );
+    // The scene itself is there already.
+    let held = held().unwrap_or(0);
     match free() {
-        Some(free) if free.all < needed => {
-            let free = bytes(free.all);
-            return Err(Failure::Memory(format!("{what}, and {free} are free")));
+        Some(free) if free.all + held < needed => {
+            let had = bytes(free.all + held);
+            return Err(Failure::Memory(format!("{what}, and {had} can be had")));
         }
-        Some(free) if free.quick < needed => {
-            let quick = bytes(free.quick);
-            warn(&format!("{what}, and {quick} are free without swapping"));
+        Some(free) if free.quick + held < needed => {
+            let had = bytes(free.quick + held);
+            warn(&format!("{what}, and {had} can be had without swapping"));
         }
         _ if needed > LARGE && !quiet => note(&what),
         _ => {}

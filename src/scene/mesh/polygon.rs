@@ -20,8 +20,8 @@ pub(super) struct Crossing;
 /// Appends the triangles of a polygon of three corners or more, wound as it is.
 ///
 /// A fan about the first corner where that stays within the polygon, as it does where all corners are convex, and has few
-/// triangles: those of a large one all lie in each other's boxes. Else the constrained Delaunay triangulation of the polygon in the plane that fits it best. A boundary that touches itself,
-/// as a bridge to a hole does, is no crossing.
+/// triangles: those of a large one all lie in each other's boxes. Else the constrained Delaunay triangulation of the
+/// polygon in the plane that fits it best. A boundary that touches itself, as a bridge to a hole does, is no crossing.
 pub(super) fn cut(
     corners: &[u32],
     position: impl Fn(u32) -> DVec3,
