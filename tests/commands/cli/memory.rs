@@ -60,6 +60,8 @@ fn within(folder: &Path, kib: u32, line: &str) -> (Option<i32>, String) {
     let run = std::process::Command::new("sh")
         .current_dir(folder)
         .env_remove("RUST_BACKTRACE")
+        // Each thread takes address space of its own.
+        .env("RAYON_NUM_THREADS", "2")
         .args(["-c", &format!("ulimit -v {kib}; exec {program} {line}")])
         .output()
         .expect("a shell");
