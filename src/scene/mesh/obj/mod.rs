@@ -1,7 +1,8 @@
 //! OBJ (Wavefront, *Object Files*, Advanced Visualizer manual, appendix B1): `v`, `vn` and `f`.
 //!
 //! All faces of a file are one mesh, whatever objects, groups and materials they stand in. A face has normals if
-//! each of its corners names one that is there; the others are flat. Points, lines, curves, colours and textures are skipped.
+//! each of its corners names one that is there; the others are flat. Points, lines, colours and textures are skipped;
+//! curves, surfaces and words that are not known are counted for a warning.
 
 mod lines;
 mod statements;
