@@ -87,19 +87,18 @@ pub fn warn_of_small(placed: &Placed, space: &Space, warnings: &mut Vec<String>)
         n => format!(", and {n} more shapes that are as small where they are"),
     };
     let line = first.line;
-    let why = match size.thickness < LEAST_LENGTH {
+    let apart = away * ULP;
+    let squares = match size.thickness < LEAST_LENGTH {
         true => format!(
-            "in a scene of {:.1e}, beside which single precision has no squares of lengths below {:.0e}",
+            ", and beside a scene of {:.1e} has no squares of lengths below {:.0e}",
             space.unit,
             space.unit * LEAST_LENGTH
         ),
-        false => format!(
-            "{away:.1e} from the middle of the scene, where single precision tells places apart by {:.0e}",
-            away * ULP
-        ),
+        false => String::new(),
     };
     warnings.push(format!(
-        "the shape of line {line} is {thick:.1e} thick, {why}: it is not where or what the file says{others}"
+        "the shape of line {line} is {thick:.1e} thick, {away:.1e} from the middle of the scene, where single precision tells \
+         places apart by {apart:.0e}{squares}: it is not where or what the file says{others}"
     ));
 }
 
