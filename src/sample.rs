@@ -2,6 +2,8 @@
 
 use std::cmp::Ordering;
 
+use serde::{Deserialize, Serialize};
+
 /// Groups that the samples of a pixel fall into: the sample of index i into group i mod `GROUPS`. They are independent
 /// of each other, and how far their means are apart tells the error of the whole.
 ///
@@ -12,7 +14,7 @@ use std::cmp::Ordering;
 pub const GROUPS: u32 = 2;
 
 /// Which sample it is. With the seed, all random numbers of its path depend on this alone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Address {
     /// Column and row, from the top left of the full picture.
     pub pixel: [u32; 2],
@@ -30,7 +32,7 @@ pub struct Path {
 }
 
 /// The sample of a rendering with the brightest channel. Where it is far above the mean, a few samples make the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Largest {
     pub address: Address,
     /// Its brightest channel, W·sr⁻¹·m⁻².

@@ -10,6 +10,7 @@ use super::doctor::DoctorArguments;
 use super::exit::{Ending, Failure};
 use super::explain::ExplainArguments;
 use super::export::ExportArguments;
+use super::merge::MergeArguments;
 use super::numbers::negative;
 use super::render::RenderArguments;
 use super::streams::print_help;
@@ -23,6 +24,7 @@ Exit codes:
     4  there is no such Vulkan device, or none at all
     5  a file or stdout could not be written
     6  there is not enough memory; a driver that aborts ends so too
+    7  the device failed twice; the samples done by then are in the .vkpt file, and in the pictures
   130  interrupted by ctrl-c; the pictures hold the samples done by then
   143  the same by SIGTERM, 129 by SIGHUP";
 
@@ -46,6 +48,8 @@ pub struct Arguments {
 enum Command {
     /// List what can render here, and what can't and why
     Devices,
+    /// Join parts of a picture, rendered apart by --samples, to the picture of one rendering
+    Merge(Box<MergeArguments>),
     /// Measure how fast a scene converges, and by which settings faster
     Converge(Box<ConvergeArguments>),
     /// Compare pictures, or what several renderers make of a scene
@@ -64,6 +68,7 @@ enum Command {
 #[derive(Debug)]
 pub enum Task {
     Render(Box<RenderArguments>),
+    Merge(Box<MergeArguments>),
     Compare(Box<CompareArguments>),
     Converge(Box<ConvergeArguments>),
     Check(Box<CheckArguments>),
@@ -93,6 +98,7 @@ pub fn task() -> Result<Task, Failure> {
         None => Task::Render(Box::new(render)),
         Some(Command::Devices) => Task::Devices,
         Some(Command::Converge(arguments)) => Task::Converge(arguments),
+        Some(Command::Merge(arguments)) => Task::Merge(arguments),
         Some(Command::Compare(arguments)) => Task::Compare(arguments),
         Some(Command::Check(arguments)) => Task::Check(arguments),
         Some(Command::Doctor(arguments)) => Task::Doctor(arguments),

@@ -1,12 +1,13 @@
 //! Command lines: the one that was typed, and those that show one path.
 
 use std::ffi::OsString;
+use std::ops::Range;
 
 use super::job::Request;
 use crate::gpu::Selector;
 use crate::render::Target;
-use crate::report::SettingsRecord;
 use crate::report::names::Named;
+use crate::report::{Job, SettingsRecord};
 use crate::settings::Settings;
 
 /// The words of a command line as a shell takes them.
@@ -20,7 +21,7 @@ pub fn show(request: &Request, target: &Target) -> String {
     let mut words = vec!["vkpt".to_owned(), quoted(&request.scene.word())];
     words.extend(request.size.map(|[w, h]| format!("--size {w}x{h}")));
     words.extend((request.seed != 0).then(|| format!("--seed {}", request.seed)));
-    words.extend(settings(&request.settings));
+    words.extend(settings(&SettingsRecord::from(&request.settings)));
     let integrator = request.settings.estimator.integrator.name();
     words.extend((!request.auto).then(|| format!("--integrator {integrator}")));
     let device = match target {
@@ -34,9 +35,30 @@ pub fn show(request: &Request, target: &Target) -> String {
     words.join(" ")
 }
 
+/// `vkpt SCENE --samples A..B …` with all that the samples of a job depend on, but for the device.
+pub fn rendering(job: &Job, samples: Range<u32>) -> String {
+    let mut words = vec!["vkpt".to_owned(), quoted(&job.scene)];
+    words.push(format!("--samples {}..{}", samples.start, samples.end));
+    words.push(format!("--size {}x{}", job.size[0], job.size[1]));
+    words.extend(
+        job.crop
+            .map(|[x0, y0, x1, y1]| format!("--crop {x0},{y0},{x1},{y1}")),
+    );
+    words.extend((job.seed != 0).then(|| format!("--seed {}", job.seed)));
+    words.extend(settings(&job.settings));
+    words.push(format!("--integrator {}", job.settings.integrator));
+    words.join(" ")
+}
+
+/// The same, with the name of a file to write.
+pub fn part(job: &Job, samples: Range<u32>) -> String {
+    let file = format!("{}-{}.vkpt", samples.start, samples.end);
+    format!("{} -o {file}", rendering(job, samples))
+}
+
 /// The flags of what is not the default.
-fn settings(settings: &Settings) -> Vec<String> {
-    let [given, default] = [settings, &Settings::default()].map(SettingsRecord::from);
+fn settings(given: &SettingsRecord) -> Vec<String> {
+    let default = SettingsRecord::from(&Settings::default());
     let switch = |on| if on { "on" } else { "off" }.to_owned();
     let depth = |depth: Option<u32>| depth.map_or(String::new(), |n| n.to_string());
     let words = |s: SettingsRecord| {
@@ -50,10 +72,11 @@ fn settings(settings: &Settings) -> Vec<String> {
             ("normals", s.normals.to_owned()),
             ("roulette", s.roulette),
             ("connect", s.connect.to_owned()),
+            ("lights", s.lights.to_owned()),
             ("sampler", s.sampler.to_owned()),
         ]
     };
-    let pairs = words(given).into_iter().zip(words(default));
+    let pairs = words(given.clone()).into_iter().zip(words(default));
     let other = pairs.filter(|(given, default)| given != default);
     other
         .map(|((name, word), _)| format!("--{name} {word}"))
@@ -61,7 +84,7 @@ fn settings(settings: &Settings) -> Vec<String> {
 }
 
 /// A word as a shell takes it.
-fn quoted(word: &str) -> String {
+pub fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || "/._-+=:,".contains(c);
     if !word.is_empty() && word.chars().all(plain) {
         word.to_owned()

@@ -41,6 +41,11 @@ pub enum Failure {
     /// By the Vulkan loader or for want of a device.
     NoDevice(String),
     Files(Vec<FileError>),
+    /// The device failed twice; where the samples done by then are.
+    Lost {
+        why: String,
+        part: Option<String>,
+    },
     /// Pictures that can't be read or compared.
     Pictures(Vec<String>),
     /// A device that gets something wrong that pictures depend on.
@@ -59,6 +64,9 @@ impl From<ConvergeError> for Failure {
 /// The exit code where memory or threads do not suffice.
 pub const MEMORY: u8 = 6;
 
+/// The exit code where the device failed twice.
+const LOST: u8 = 7;
+
 /// Tells a failure and gives the program's exit code.
 pub fn exit(ending: Result<Ending, Failure>) -> ExitCode {
     match ending {
@@ -76,6 +84,7 @@ impl Failure {
     fn code(&self) -> u8 {
         match self {
             Self::Render(error) if error.is_no_device() => 4,
+            Self::Render(RenderError::Twice(_)) | Self::Lost { .. } => LOST,
             Self::Render(RenderError::Memory { .. }) | Self::Memory(_) => MEMORY,
             Self::Scene(errors) if errors.lacks_memory => MEMORY,
             Self::Render(_) | Self::Comparison(_) | Self::Unhealthy(_) => 1,
@@ -112,6 +121,15 @@ impl Failure {
             Self::Comparison(differences) => differences.iter().for_each(|d| error(d)),
             Self::NoDevice(message) | Self::Memory(message) => error(&message),
             Self::Unhealthy(device) => error(&format!("{device} is not healthy")),
+            Self::Lost { why, part } => {
+                let resume = part.map_or(String::new(), |part| {
+                    format!(
+                        "\n{part} has the samples done by then: --resume goes on from it. Of a CPU's driver, \
+                         --resume --device cpu-f32 ends at the same picture, to the bit."
+                    )
+                });
+                error(&format!("the device failed twice: {why}{resume}"));
+            }
             Self::Untranslatable(messages) | Self::Pictures(messages) => {
                 messages.iter().for_each(|message| error(message))
             }

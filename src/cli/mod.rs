@@ -17,9 +17,13 @@ mod inputs;
 mod integrator;
 mod interrupt;
 mod job;
+mod keep;
 mod limits;
 mod memory;
+mod merge;
+
 mod numbers;
+mod outputs;
 mod progress;
 mod render;
 mod settings;
@@ -40,5 +44,7 @@ pub use exit::{Ending, Failure, exit};
 pub use explain::{ExplainArguments, explain};
 pub use export::{ExportArguments, export};
 pub use limits::meet_limits;
+pub use merge::{MergeArguments, merge};
+
 pub use render::{RenderArguments, render};
 pub use settings::SettingArguments;

@@ -1,9 +1,12 @@
 //! The numbers that flags take, and lists of them.
 
 use std::any::TypeId;
+use std::ops::Range;
+use std::time::Duration;
 
 use clap::Arg;
 
+use super::keep::Pause;
 use crate::scene::LARGEST_SIDE;
 use crate::settings::Roulette;
 
@@ -25,6 +28,8 @@ pub fn negative(flag: Arg) -> Arg {
         TypeId::of::<[u32; 2]>(),
         TypeId::of::<[u32; 4]>(),
         TypeId::of::<SamplePath>(),
+        TypeId::of::<Range<u32>>(),
+        TypeId::of::<Pause>(),
         TypeId::of::<Roulette>(),
     ];
     match numbers.iter().any(|number| taken == *number) {
@@ -55,6 +60,28 @@ pub fn bound(text: &str) -> Result<f64, String> {
 /// A time to render for.
 pub fn seconds(text: &str) -> Result<f64, String> {
     positive(text).ok_or("must be a finite number of seconds above 0, such as 60".to_owned())
+}
+
+/// A time between two checkpoints, or `off`.
+pub fn pause(text: &str) -> Result<Pause, String> {
+    let seconds = |s: f64| Duration::try_from_secs_f64(s).ok().map(Some);
+    let pause = match text {
+        "off" => Some(None),
+        _ => positive(text).and_then(seconds),
+    };
+    pause
+        .map(Pause)
+        .ok_or("must be a finite number of seconds above 0, such as 60, or off".to_owned())
+}
+
+/// `A..B`, not empty.
+pub fn sample_range(text: &str) -> Result<Range<u32>, String> {
+    let ends = text.split_once("..");
+    match ends.and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?))) {
+        Some((a, b)) if a < b => Ok(a..b),
+        Some(_) => Err("no samples: A must be below B".to_owned()),
+        None => Err("must be two whole numbers from 0 up, such as 256..512".to_owned()),
+    }
 }
 
 /// The relMSE to be reached.

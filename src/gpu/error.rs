@@ -54,6 +54,14 @@ pub enum GpuError {
 }
 
 impl GpuError {
+    /// Whether the device failed under way, so that another attempt on the device opened anew may succeed.
+    pub fn is_loss(&self) -> bool {
+        matches!(
+            self,
+            Self::TimeOut(_) | Self::Lost | Self::OutOfMemory(_) | Self::Vulkan { .. }
+        )
+    }
+
     /// For `map_err`: the error of one Vulkan call.
     pub(super) fn of(call: &'static str) -> impl Fn(vk::Result) -> Self {
         move |result| match result {

@@ -5,10 +5,13 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
+use serde::{Deserialize, Serialize};
+
+use super::follow::Grows;
 use super::slices::Slices;
-use super::{Job, Progress};
-use crate::film::Film;
+use super::{Job, Outcome, Progress, Start, State};
 use crate::metrics::noise::{Culprits, RelMse, rel_mse};
+use crate::part::Halves;
 
 /// When a rendering ends before it has all its samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -30,10 +33,12 @@ pub enum End {
     Time,
     /// Of [`Until::rel_mse`].
     Error,
+    /// The device failed twice.
+    Lost,
 }
 
 /// The error of the picture at one time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ErrorAt {
     /// Samples in every pixel.
     pub spp: u32,
@@ -44,22 +49,21 @@ pub struct ErrorAt {
     pub rel_mse: Option<RelMse>,
 }
 
-/// A picture and (a − b)/2 of the means a and b of its two groups of samples.
-pub struct Halves {
-    pub mean: Film,
-    pub half_difference: Film,
-}
-
 /// Decides what comes next, and keeps the errors.
 pub struct Course<'a> {
     job: &'a Job<'a>,
     stop: &'a AtomicBool,
     start: Instant,
+    /// Seconds of rendering before that.
+    before: f64,
     slices: Slices,
     /// When the slice under way began, in seconds.
     began: f64,
     /// Seconds that each sample index of the last slice took, in all tiles.
     pace: f64,
+    /// The index of the first sample of all.
+    first: u32,
+    /// The index of the next.
     done: u32,
     end: Option<End>,
     errors: Vec<ErrorAt>,
@@ -67,31 +71,45 @@ pub struct Course<'a> {
 
 impl<'a> Course<'a> {
     /// Time begins now.
-    pub fn new(job: &'a Job, stop: &'a AtomicBool) -> Self {
-        Self {
+    pub fn new(job: &'a Job, stop: &'a AtomicBool, start: &Start, wanted: Duration) -> Self {
+        let range = start.range();
+        let state = start.state();
+        let mut course = Self {
             job,
             stop,
             start: Instant::now(),
-            slices: Slices::new(),
+            before: state.map_or(0.0, |s| s.seconds),
+            slices: Slices::new(wanted),
             began: 0.0,
             pace: 0.0,
-            done: 0,
-            end: stop.load(Ordering::Relaxed).then_some(End::Interrupted),
-            errors: Vec::new(),
+            first: range.start,
+            done: range.end,
+            end: None,
+            errors: state.map_or(Vec::new(), |s| s.errors.clone()),
+        };
+        course.end = course.spent();
+        if let (Some(_), Some(state)) = (course.end, state)
+            && course
+                .errors
+                .last()
+                .is_none_or(|last| last.spp < course.samples())
+        {
+            course.look(|| state.part.halves());
         }
+        course
     }
 
     /// Samples that every pixel has.
-    pub fn done(&self) -> u32 {
-        self.done
+    fn samples(&self) -> u32 {
+        self.done - self.first
     }
 
-    /// Seconds since it began.
-    pub fn seconds(&self) -> f64 {
-        self.start.elapsed().as_secs_f64()
+    /// Seconds of rendering so far.
+    fn seconds(&self) -> f64 {
+        self.before + self.start.elapsed().as_secs_f64()
     }
 
-    /// The samples that the next slice is to bring every pixel to; `None` at the end.
+    /// The index of the sample that the next slice is to bring every pixel to; `None` at the end.
     pub fn next_slice(&mut self) -> Option<u32> {
         if self.end.is_some() {
             return None;
@@ -103,8 +121,8 @@ impl<'a> Course<'a> {
         Some(self.done + slice.min(fit).max(1))
     }
 
-    /// Every pixel has `samples` of them, and the longest dispatch took `longest`; `halves` is asked for the picture
-    /// where its error is due.
+    /// Every pixel has all samples before the index `samples`, and the longest dispatch took `longest`; `halves` is asked for
+    /// the picture where its error is due.
     pub fn reached(&mut self, samples: u32, longest: Duration, halves: impl FnOnce() -> Halves) {
         let slice = samples - self.done;
         self.slices.took(slice, longest);
@@ -120,30 +138,37 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// How far it will be once every pixel has `samples` of them, of which the slice under way has made `part`.
+    /// How far it will be once the slice under way, which ends at the index `samples`, has made `part` of its own.
     pub fn progress(&self, samples: u32, part: f64) -> Progress {
         let slice = samples - self.done;
-        let samples_done = if part == 1.0 { samples } else { self.done };
-        let made = f64::from(self.done) + part * f64::from(slice);
-        let wanted = self.samples_wanted().min(f64::from(self.job.spp));
+        let all = self.job.spp - self.first;
+        let whole = if part == 1.0 { slice } else { 0 };
+        let made = f64::from(self.samples()) + part * f64::from(slice);
+        let wanted = self.samples_wanted().min(f64::from(all));
         let spent = self.job.until.seconds.map_or(0.0, |s| self.seconds() / s);
         Progress {
-            samples_done,
-            spp: self.job.spp,
+            samples_done: self.samples() + whole,
+            spp: all,
             fraction: (made / wanted).max(spent).min(1.0),
         }
     }
 
-    /// Why it ended, and the errors after 1, 2, 4 … samples and after the last.
-    pub fn finish(self) -> (End, Vec<ErrorAt>) {
-        (self.end.unwrap_or(End::Interrupted), self.errors)
+    /// What there is of the rendering: interrupted, if it has not come to an end.
+    pub fn so_far(&self, run: &dyn Grows) -> Outcome {
+        let state = State {
+            part: run.part(),
+            errors: self.errors.clone(),
+            seconds: self.seconds(),
+        };
+        let end = self.end.unwrap_or(End::Interrupted);
+        Outcome::new(self.job, state, end, run.stats())
     }
 
     /// Whether samples, patience or time are at their end.
     fn spent(&self) -> Option<End> {
         let seconds = self.job.until.seconds;
         match () {
-            () if self.done == self.job.spp => Some(End::Complete),
+            () if self.done >= self.job.spp => Some(End::Complete),
             () if self.stop.load(Ordering::Relaxed) => Some(End::Interrupted),
             () if seconds.is_some_and(|s| self.seconds() >= s) => Some(End::Time),
             () => None,
@@ -177,24 +202,38 @@ impl<'a> Course<'a> {
 
     /// After how many samples the error is looked at next.
     fn next_look(&self) -> u32 {
-        next_look(self.done, self.job.until.rel_mse.is_some()).min(self.job.spp)
+        let look = next_look(self.samples(), self.job.until.rel_mse.is_some());
+        self.first.saturating_add(look).min(self.job.spp)
     }
 
     fn look(&mut self, halves: impl FnOnce() -> Halves) {
-        // Looks between two powers of two leave no trace, but for the last.
-        self.errors.pop_if(|last| !last.spp.is_power_of_two());
         let area = self.job.area();
-        let of = |h: Halves| rel_mse(&h.mean, &h.half_difference).ok();
-        let mut rel_mse = (self.done >= 2).then(halves).and_then(of);
-        if let Some(Err(Culprits { worst, .. })) = rel_mse.as_mut().map(|r| &mut r.interval) {
-            *worst = [area.x + worst[0], area.y + worst[1]];
-        }
-        self.errors.push(ErrorAt {
-            spp: self.done,
-            seconds: self.seconds(),
-            rel_mse,
-        });
+        let seconds = self.seconds();
+        let samples = self.samples();
+        look(&mut self.errors, samples, seconds, [area.x, area.y], halves);
     }
+}
+
+/// Adds the error of a picture of `spp` samples, whose first pixel is `origin` of the full picture, to those before. What was
+/// seen between two powers of two is dropped: it was the last.
+pub fn look(
+    errors: &mut Vec<ErrorAt>,
+    spp: u32,
+    seconds: f64,
+    origin: [u32; 2],
+    halves: impl FnOnce() -> Halves,
+) {
+    errors.pop_if(|last| !last.spp.is_power_of_two());
+    let of = |h: Halves| rel_mse(&h.mean, &h.half_difference).ok();
+    let mut rel_mse = (spp >= 2).then(halves).and_then(of);
+    if let Some(Err(Culprits { worst, .. })) = rel_mse.as_mut().map(|r| &mut r.interval) {
+        *worst = [origin[0] + worst[0], origin[1] + worst[1]];
+    }
+    errors.push(ErrorAt {
+        spp,
+        seconds,
+        rel_mse,
+    });
 }
 
 /// After how many samples the error is looked at next, where every pixel has `done`: after powers of two. `closely`, where

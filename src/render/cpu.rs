@@ -4,43 +4,50 @@ mod light;
 mod path;
 mod replicates;
 
-use std::ops::Range;
 use std::sync::atomic::AtomicBool;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use super::course::Course;
+use super::follow::{Grows, Watch, follow};
 use super::replicates::Growing;
-use super::{HostFilm, Job, LightFilm, Outcome, Pixels, Progress, SetUp, Stats, standard_errors};
-use crate::reference::math::Real;
+use super::{
+    DISPATCH_TIME, HostFilm, Job, LightFilm, NEAREST, Outcome, Pixels, RenderError, SetUp, Start,
+    Stats,
+};
+use crate::part::{AnyPart, Part, Scalar};
 use crate::reference::world::World;
 use crate::settings::Integrator;
 use replicates::Replicates;
 
 /// The film of one integrator, which the reference adds samples to on every core.
-trait Render<F>: HostFilm {
-    /// No samples yet.
-    fn new(job: &Job) -> Self;
-    /// Adds the samples to every pixel, those before them being there.
-    fn advance(&mut self, job: &Job, world: &World<F>, samples: Range<u32>);
+trait Render<F: Scalar>: HostFilm<Scalar = F> {
+    /// Goes on from a part of the job's picture.
+    fn new(job: &Job, part: Part<F>) -> Self;
+    /// Brings every pixel to the sample of index `samples`.
+    fn advance(&mut self, job: &Job, world: &World<F>, samples: u32);
 }
 
 /// Renders with every core; the picture depends neither on their number nor on the slices of samples.
-pub fn render<F: Real>(
+///
+/// # Errors
+/// [`RenderError::Start`], where it is to go on from what another job has left.
+pub fn render<F: Scalar>(
     job: &Job,
     name: &str,
+    start: &Start,
     stop: &AtomicBool,
-    progress: &mut dyn FnMut(Progress),
-) -> Outcome {
+    watch: &mut dyn Watch,
+) -> Result<Outcome, RenderError> {
     match job.settings.estimator.integrator {
-        Integrator::Path => render_by::<F, Pixels<F>>(job, name, stop, progress),
+        Integrator::Path => render_by::<F, Pixels<F>>(job, name, start, stop, watch),
         Integrator::Light | Integrator::Bidirectional => {
-            render_by::<F, LightFilm<F>>(job, name, stop, progress)
+            render_by::<F, LightFilm<F>>(job, name, start, stop, watch)
         }
     }
 }
 
 /// Renderings by several seeds.
-pub fn replicates<'a, F: Real>(job: &'a Job<'a>, seeds: &[u32]) -> Box<dyn Growing + 'a> {
+pub fn replicates<'a, F: Scalar>(job: &'a Job<'a>, seeds: &[u32]) -> Box<dyn Growing + 'a> {
     match job.settings.estimator.integrator {
         Integrator::Path => Box::new(Replicates::<F, Pixels<F>>::new(job, seeds)),
         Integrator::Light | Integrator::Bidirectional => {
@@ -49,50 +56,65 @@ pub fn replicates<'a, F: Real>(job: &'a Job<'a>, seeds: &[u32]) -> Box<dyn Growi
     }
 }
 
-fn render_by<F: Real, R: Render<F>>(
+/// A film, and what adds samples to it.
+struct Run<'a, F, R> {
+    job: &'a Job<'a>,
+    world: World<F>,
+    film: R,
+    stats: Stats,
+}
+
+impl<F: Scalar, R: Render<F>> Grows for Run<'_, F, R> {
+    fn advance(
+        &mut self,
+        samples: u32,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Duration, RenderError> {
+        let began = Instant::now();
+        self.film.advance(self.job, &self.world, samples);
+        progress(1.0);
+        Ok(began.elapsed())
+    }
+
+    fn part(&self) -> AnyPart {
+        F::any(self.film.part())
+    }
+
+    fn stats(&self) -> Stats {
+        self.stats.clone()
+    }
+}
+
+fn render_by<F: Scalar, R: Render<F>>(
     job: &Job,
     name: &str,
+    start: &Start,
     stop: &AtomicBool,
-    progress: &mut dyn FnMut(Progress),
-) -> Outcome {
-    let start = Instant::now();
+    watch: &mut dyn Watch,
+) -> Result<Outcome, RenderError> {
+    let part = start.part(job)?;
+    let began = Instant::now();
     let world = World::<F>::new(job.prepared);
-    let set_up = SetUp {
-        hierarchy: start.elapsed().as_secs_f64(),
-        ..SetUp::default()
-    };
-    let mut film = R::new(job);
-    let mut course = Course::new(job, stop);
-    while let Some(samples) = course.next_slice() {
-        let began = Instant::now();
-        film.advance(job, &world, course.done()..samples);
-        progress(course.progress(samples, 1.0));
-        course.reached(samples, began.elapsed(), || film.halves(samples));
-    }
-    let (done, render_s) = (course.done(), course.seconds());
-    let (end, errors) = course.finish();
-    let counts = film.counts();
     let stats = Stats {
         device: name.into(),
         driver: driver(),
-        set_up,
-        render_s,
-        samples: u64::from(done) * u64::from(job.area().pixels()),
-        rays: counts.rays,
-        dropped: counts.dropped,
-        long_paths: counts.long_paths,
-        underflows: counts.underflows,
-        largest: film.largest(),
+        rounding: NEAREST.to_owned(),
+        set_up: SetUp {
+            hierarchy: began.elapsed().as_secs_f64(),
+            ..SetUp::default()
+        },
         ..Stats::default()
     };
-    Outcome {
-        film: film.picture(done),
-        stderr: standard_errors(job, &film, done),
-        spp: done,
-        end,
-        errors,
+    let film = R::new(job, part);
+    let mut run = Run {
+        job,
+        world,
+        film,
         stats,
-    }
+    };
+    let mut course = Course::new(job, stop, start, DISPATCH_TIME);
+    follow(&mut course, &mut run, watch)?;
+    Ok(course.so_far(&run))
 }
 
 /// What stands where devices have a driver.

@@ -1,58 +1,34 @@
-//! What a rendering has on the host: whatever made it, it can be looked at and counted.
+//! What a rendering has on the host: whatever made it, it is a part of a picture.
 
-use super::course::Halves;
-use super::{Dropped, Job};
+use super::Job;
 use crate::film::{Aov, Film};
-use crate::sample::{GROUPS, Largest};
+use crate::part::{AnyPart, Part, Scalar};
+use crate::sample::GROUPS;
 use crate::settings::Sampler;
 
 /// The film of a picture, or of its crop, between two slices of samples.
 pub trait HostFilm {
-    /// The mean of `spp` samples a pixel.
-    fn picture(&self, spp: u32) -> Film;
-    /// That mean, with half the difference of its two groups of samples; `spp` ≥ 2.
-    fn halves(&self, spp: u32) -> Halves;
-    /// The standard errors of that mean by the spread of its samples, which must be independent, where their moments are
-    /// kept; `spp` ≥ 2.
-    fn spread(&self, spp: u32) -> Option<Film>;
-    fn counts(&self) -> Counts;
-    /// The sample with the brightest channel; `None` where all are black.
-    fn largest(&self) -> Option<Largest>;
+    type Scalar: Scalar;
+
+    /// All samples that every pixel has.
+    fn part(&self) -> Part<Self::Scalar>;
 }
 
-/// The standard errors of the mean of `spp` samples a pixel, where they are asked for; one sample tells none.
-///
-/// Each is the root of an unbiased estimate of the variance of its pixel and channel: of independent samples by their spread,
-/// of others, which are not independent within a group, by the two groups, which are ([`film_half_difference`]).
-///
-/// [`film_half_difference`]: crate::reference::film::film_half_difference
-pub fn standard_errors(job: &Job, film: &impl HostFilm, spp: u32) -> Option<Film> {
-    if spp < 2 || !job.aovs.contains(&Aov::Stderr) {
-        return None;
-    }
-    let of_groups = || {
-        let mut half = film.halves(spp).half_difference;
-        for x in half.rgb.as_flattened_mut() {
-            *x = x.abs();
-        }
-        half
-    };
-    Some(film.spread(spp).unwrap_or_else(of_groups))
+/// A part of the picture of a job: no samples, the first is to have the index `begin`.
+pub fn empty_part<F: Scalar>(job: &Job, begin: u32) -> Part<F> {
+    Part::new(job.size(), job.features().keeps_moments(), begin)
 }
 
-/// Degrees of freedom of such a standard error.
+/// The standard errors of a picture, where they are asked for; one sample tells none.
+pub fn standard_errors(job: &Job, part: &AnyPart) -> Option<Film> {
+    let known = part.samples() >= 2 && job.aovs.contains(&Aov::Stderr);
+    known.then(|| part.standard_errors())
+}
+
+/// Degrees of freedom of such a standard error, of `spp` samples a pixel.
 pub fn freedom(sampler: Sampler, spp: u32) -> f64 {
     match sampler {
         Sampler::Random => f64::from(spp) - 1.0,
         Sampler::Sobol => f64::from(GROUPS) - 1.0,
     }
-}
-
-/// What was counted on the way.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
-    pub rays: u64,
-    pub long_paths: u64,
-    pub underflows: u64,
-    pub dropped: Dropped,
 }

@@ -4,45 +4,42 @@
 //! of its splats, in the order of (light path, vertex). The film adds these samples as it adds a path tracer's, so that
 //! its groups, its moments and its error estimate are the same. No bit depends on tiles, slices or crops.
 
-use super::course::Halves;
-use super::{Counts, HostFilm, Job, Pixels};
-use crate::film::Film;
+use super::{HostFilm, Job, Pixels};
+use crate::part::{Counts, Dropped, Part, Scalar, Tally};
 use crate::reference::film::{FilmPixel, PixelSum, film_add, is_summable};
 use crate::reference::integrator::light::splat::Window;
 use crate::reference::integrator::light::{LightCounts, Splat};
-use crate::reference::math::Real;
-use crate::sample::Largest;
 
 /// The film of a light tracer.
 pub struct LightFilm<F> {
     pixels: Pixels<F>,
-    /// Of the sample index under way.
+    /// Of the sample indices under way.
     sums: Vec<PixelSum<F>>,
+    under_way: LightCounts,
+    /// Of samples that are complete.
+    counts: Counts,
     /// Pixels in a row of the full picture.
     width: u32,
-    counts: LightCounts,
-    samples: u32,
 }
 
-impl<F: Real> LightFilm<F> {
+impl<F: Scalar> LightFilm<F> {
     /// What it keeps of each pixel, moments not counted.
     pub const PIXEL_BYTES: u64 = (size_of::<FilmPixel<F>>() + size_of::<PixelSum<F>>()) as u64;
 
-    /// No samples yet.
-    pub fn new(job: &Job) -> Self {
-        let pixels = Pixels::new(job);
+    /// Goes on from a part of the job's picture.
+    pub fn new(job: &Job, part: Part<F>) -> Self {
         Self {
-            sums: vec![PixelSum::zero(); pixels.area.pixels() as usize],
-            pixels,
+            sums: vec![PixelSum::zero(); job.area().pixels() as usize],
+            pixels: Pixels::new(job.area(), part),
+            under_way: LightCounts::default(),
+            counts: Counts::default(),
             width: job.prepared.camera.width,
-            counts: LightCounts::default(),
-            samples: 0,
         }
     }
 
-    /// Samples that each of its pixels has.
-    pub fn samples(&self) -> u32 {
-        self.samples
+    /// The index of the next sample.
+    pub fn done(&self) -> u32 {
+        self.pixels.done()
     }
 
     /// The pixels that it has.
@@ -66,45 +63,51 @@ impl<F: Real> LightFilm<F> {
     /// Every light path of the sample index under way has brought its splats.
     pub fn end_sample(&mut self) {
         let sums = &self.sums;
-        self.pixels.add(|i| sums[i].sum, self.samples);
+        self.pixels.add(|i| sums[i].sum);
+        self.pixels.settle();
         self.sums.fill(PixelSum::zero());
-        self.samples += 1;
     }
 
-    /// Adds what light paths took.
+    /// Adds what light paths of indices under way took.
     pub fn count(&mut self, of: LightCounts) {
-        self.counts.rays += of.rays;
-        self.counts.long_paths += of.long_paths;
-        self.counts.underflows += of.underflows;
-        self.counts.nan += of.nan;
-        self.counts.infinite += of.infinite;
+        self.under_way.rays += of.rays;
+        self.under_way.long_paths += of.long_paths;
+        self.under_way.underflows += of.underflows;
+        self.under_way.nan += of.nan;
+        self.under_way.infinite += of.infinite;
+    }
+
+    /// All sample indices that were under way are complete.
+    pub fn end_pass(&mut self) {
+        let of = std::mem::take(&mut self.under_way);
+        self.counts = self.counts.plus(Counts {
+            rays: of.rays,
+            long_paths: of.long_paths,
+            underflows: of.underflows,
+            dropped: Dropped {
+                nan: of.nan,
+                infinite: of.infinite,
+                loops: 0,
+            },
+        });
+    }
+
+    /// Forgets the sample indices under way.
+    pub fn give_up_pass(&mut self) {
+        self.under_way = LightCounts::default();
+        self.sums.fill(PixelSum::zero());
     }
 }
 
-impl<F: Real> HostFilm for LightFilm<F> {
-    fn picture(&self, spp: u32) -> Film {
-        self.pixels.picture(spp)
-    }
+impl<F: Scalar> HostFilm for LightFilm<F> {
+    type Scalar = F;
 
-    fn halves(&self, spp: u32) -> Halves {
-        self.pixels.halves(spp)
-    }
-
-    fn spread(&self, spp: u32) -> Option<Film> {
-        self.pixels.spread(spp)
-    }
-
-    fn counts(&self) -> Counts {
-        let mut counts = self.pixels.counts();
-        counts.rays += self.counts.rays;
-        counts.long_paths += self.counts.long_paths;
-        counts.underflows += self.counts.underflows;
-        counts.dropped.nan += self.counts.nan;
-        counts.dropped.infinite += self.counts.infinite;
-        counts
-    }
-
-    fn largest(&self) -> Option<Largest> {
-        self.pixels.largest()
+    fn part(&self) -> Part<F> {
+        let mut part = self.pixels.part();
+        part.tally = part.tally.plus(Tally {
+            counts: self.counts,
+            largest: None,
+        });
+        part
     }
 }

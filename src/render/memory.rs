@@ -3,12 +3,12 @@
 use super::{Job, LightFilm, RenderError};
 use crate::film::Aov;
 use crate::memory::free;
+use crate::part::{BLOCK, PixelSums, Scalar};
 use crate::reference::film::{FilmMoments, FilmPixel};
-use crate::reference::math::Real;
 use crate::settings::Integrator;
 
 /// An error where the films of a job in the scalar `F`, `times` of each, cannot fit.
-pub fn check<F: Real>(job: &Job, times: usize) -> Result<(), RenderError> {
+pub fn check<F: Scalar>(job: &Job, times: usize) -> Result<(), RenderError> {
     let needed = bytes::<F>(job) * times as u64;
     match free() {
         Some(free) if needed > free.all => Err(RenderError::Memory {
@@ -19,17 +19,23 @@ pub fn check<F: Real>(job: &Job, times: usize) -> Result<(), RenderError> {
     }
 }
 
-/// The bytes of the film under way, and of the pictures that come of it.
-fn bytes<F: Real>(job: &Job) -> u64 {
+/// The bytes of the film under way, of the nodes below it, and of the pictures that come of it.
+fn bytes<F: Scalar>(job: &Job) -> u64 {
     let film = match job.settings.estimator.integrator {
         Integrator::Path => size_of::<FilmPixel<F>>() as u64,
         Integrator::Light | Integrator::Bidirectional => LightFilm::<F>::PIXEL_BYTES,
     };
     let moments = match job.features().keeps_moments() {
-        true => size_of::<FilmMoments<F>>(),
+        true => size_of::<FilmMoments<F>>() as u64,
         false => 0,
     };
-    let pictures = 1 + usize::from(job.aovs.contains(&Aov::Stderr));
-    let picture = pictures * size_of::<[f32; 3]>();
-    u64::from(job.area().pixels()) * (film + (moments + picture) as u64)
+    // A node a level at most, where it is known how many samples there will be.
+    let levels = match job.spp {
+        u32::MAX => 0,
+        spp => (spp / BLOCK).checked_ilog2().map_or(0, |log| log + 1),
+    };
+    let sums = size_of::<PixelSums<F>>() as u64 + moments;
+    let pictures = 1 + u64::from(job.aovs.contains(&Aov::Stderr));
+    let picture = pictures * size_of::<[f32; 3]>() as u64;
+    u64::from(job.area().pixels()) * (film + moments + u64::from(levels) * sums + picture)
 }

@@ -4,6 +4,7 @@ mod best;
 mod both;
 mod course;
 mod cpu;
+mod follow;
 mod host_film;
 mod light_film;
 mod memory;
@@ -12,31 +13,36 @@ mod pixels;
 mod plan;
 mod replicates;
 mod slices;
+mod start;
 mod tiles;
 mod trace;
+mod twice;
 mod vulkan;
 
 use std::sync::atomic::AtomicBool;
-use std::time::Instant;
 
 use crate::features::Features;
 use crate::film::{Aov, Film};
 pub use crate::gpu::Selector;
 use crate::gpu::{Device, GpuError};
 use crate::kernel::{KernelError, OwnFile, Spirv};
+pub use crate::part::Dropped;
 use crate::prepared::Prepared;
 use crate::reference::path::SampleId;
 use crate::sample::{Address, Largest};
 use crate::settings::Settings;
 pub use best::{Best, best, best_of};
-pub use course::{End, ErrorAt, Until};
-pub use host_film::{Counts, HostFilm, freedom, standard_errors};
+pub use course::{End, ErrorAt, Until, look};
+pub use follow::Watch;
+pub use host_film::freedom;
+use host_film::{HostFilm, empty_part, standard_errors};
 use light_film::LightFilm;
 pub use paired::paired;
 use pixels::Pixels;
 pub use plan::{ArrayPlan, HierarchyPlan, Plan, PlanLimits, StatePlan};
 pub use replicates::{Engine, Replicates, Took};
 pub use slices::WANTED as DISPATCH_TIME;
+pub use start::{Start, State};
 use tiles::Tile;
 pub use trace::{Trace, chain, techniques, trace};
 pub use vulkan::{DispatchLimits, statistics};
@@ -71,7 +77,7 @@ pub enum KernelChoice<'a> {
 pub struct Job<'a> {
     pub prepared: &'a Prepared,
     pub settings: Settings,
-    /// Samples in every pixel.
+    /// Samples in every pixel; of a part of them ([`Start::At`]) the index that they end before.
     pub spp: u32,
     /// When to end before all of them are there.
     pub until: Until,
@@ -164,14 +170,6 @@ pub struct Progress {
     pub fraction: f64,
 }
 
-/// Samples that count as 0, by cause.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Dropped {
-    pub nan: u64,
-    pub infinite: u64,
-    pub loops: u64,
-}
-
 /// A picture and how it came about.
 #[derive(Clone, Debug)]
 pub struct Outcome {
@@ -182,9 +180,38 @@ pub struct Outcome {
     /// Samples in every pixel.
     pub spp: u32,
     pub end: End,
-    /// What is known of the picture's error after 1, 2, 4 … samples, and after the last.
-    pub errors: Vec<ErrorAt>,
+    /// Why the device failed the second time, of [`End::Lost`].
+    pub failure: Option<String>,
+    /// What can be gone on from. Its errors are what is known of the picture's error after 1, 2, 4 … samples, and after the
+    /// last.
+    pub state: State,
     pub stats: Stats,
+}
+
+impl Outcome {
+    /// The picture of a state, and what `stats` lacks of how it came about.
+    fn new(job: &Job, state: State, end: End, stats: Stats) -> Self {
+        let part = &state.part;
+        let (spp, tally) = (part.samples(), part.tally());
+        Self {
+            film: part.picture(),
+            stderr: standard_errors(job, part),
+            spp,
+            end,
+            failure: None,
+            stats: Stats {
+                render_s: state.seconds,
+                samples: u64::from(spp) * u64::from(job.area().pixels()),
+                rays: tally.counts.rays,
+                dropped: tally.counts.dropped,
+                long_paths: tally.counts.long_paths,
+                underflows: tally.counts.underflows,
+                largest: tally.largest,
+                ..stats
+            },
+            state,
+        }
+    }
 }
 
 /// Seconds from a prepared scene to the first dispatch, by stage.
@@ -207,6 +234,8 @@ pub struct SetUp {
 pub struct Stats {
     pub device: String,
     pub driver: String,
+    /// How the device rounds: two that agree in this make the same bits. [`NEAREST`], or a name of its own.
+    pub rounding: String,
     pub set_up: SetUp,
     /// Seconds of the first dispatch, which is when drivers compile.
     pub compile_s: f64,
@@ -228,6 +257,9 @@ pub struct Stats {
     /// Names and bytes of the buffers on the device, in the order of their bindings.
     pub buffers: Vec<(String, u64)>,
 }
+
+/// How the reference rounds, and with it the Vulkan drivers of CPUs.
+pub const NEAREST: &str = "to nearest";
 
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
@@ -253,6 +285,12 @@ pub enum RenderError {
         gib(*.needed), gib(*.free)
     )]
     Memory { needed: u64, free: u64 },
+    #[error(
+        "what was rendered before is of another size, of another scalar, or lacks what standard errors are made from"
+    )]
+    Start,
+    #[error("the device failed twice: {0}")]
+    Twice(Box<RenderError>),
 }
 
 fn gib(bytes: u64) -> f64 {
@@ -260,6 +298,11 @@ fn gib(bytes: u64) -> f64 {
 }
 
 impl RenderError {
+    /// Whether a device opened anew may succeed.
+    fn is_loss(&self) -> bool {
+        matches!(self, Self::Gpu(error) if error.is_loss())
+    }
+
     /// Whether there is no such device, rather than one that failed.
     pub fn is_no_device(&self) -> bool {
         matches!(
@@ -280,24 +323,30 @@ pub fn render(
     stop: &AtomicBool,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Outcome, RenderError> {
+    render_from(job, target, &Start::At(0), stop, &mut |p| progress(p))
+}
+
+/// Renders as [`render`] does, from `start` on. A device that fails is opened anew, once; if it fails again, what is there
+/// by then comes out, if every pixel has a sample.
+pub fn render_from(
+    job: &Job,
+    target: &Target,
+    start: &Start,
+    stop: &AtomicBool,
+    watch: &mut dyn Watch,
+) -> Result<Outcome, RenderError> {
     match target {
         Target::Vulkan(selector) => {
             memory::check::<f32>(job, 1)?;
-            let start = Instant::now();
-            let device = Device::open(selector)?;
-            let limits = DispatchLimits::of(&device)?;
-            let opened = start.elapsed().as_secs_f64();
-            let mut outcome = render_on(job, &device, limits, stop, progress)?;
-            outcome.stats.set_up.device = opened;
-            Ok(outcome)
+            twice::render(job, selector, start, stop, watch)
         }
         Target::CpuF32 => {
             memory::check::<f32>(job, 1)?;
-            Ok(cpu::render::<f32>(job, "cpu-f32", stop, progress))
+            cpu::render::<f32>(job, "cpu-f32", start, stop, watch)
         }
         Target::CpuF64 => {
             memory::check::<f64>(job, 1)?;
-            Ok(cpu::render::<f64>(job, "cpu-f64", stop, progress))
+            cpu::render::<f64>(job, "cpu-f64", start, stop, watch)
         }
     }
 }
@@ -310,7 +359,9 @@ pub fn render_on(
     stop: &AtomicBool,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Outcome, RenderError> {
-    vulkan::render(job, device, limits, stop, progress)
+    let start = Start::At(0);
+    let rendered = vulkan::render(job, device, limits, &start, stop, &mut |p| progress(p));
+    rendered.map_err(|failed| failed.error)
 }
 
 /// The kernels that render the job on `device`, composed and compiled for its scene and settings.

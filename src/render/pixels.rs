@@ -2,19 +2,19 @@
 
 use rayon::prelude::*;
 
-use super::course::Halves;
+use super::HostFilm;
 use super::tiles::Tile;
-use super::{Counts, Dropped, HostFilm, Job};
-use crate::film::Film;
-use crate::reference::film::{
-    FilmMoments, FilmPixel, film_half_difference, film_mean, film_moments, film_sample, film_stderr,
-};
-use crate::reference::math::{Real, Vec3};
+use crate::part::{Counts, Dropped, Part, PixelSums, Scalar, Sums, Tally};
+use crate::reference::film::{FilmMoments, FilmPixel, film_moments, film_sample};
+use crate::reference::math::Vec3;
 use crate::sample::{Address, Largest};
 
 /// The pixels under way, row by row.
 pub struct Pixels<F> {
     pub area: Tile,
+    /// All samples before the block under way.
+    closed: Part<F>,
+    /// Of the block under way.
     film: Vec<FilmPixel<F>>,
     /// Where standard errors are to come from them.
     moments: Option<Vec<FilmMoments<F>>>,
@@ -29,38 +29,56 @@ pub struct PixelMut<'a, F> {
     moments: Option<&'a mut FilmMoments<F>>,
 }
 
-impl<F: Real> PixelMut<'_, F> {
-    /// Adds the sample of index `sample`.
-    pub fn add(&mut self, radiance: Vec3<F>, sample: u32) {
+impl<F: Scalar> PixelMut<'_, F> {
+    /// Adds the next sample.
+    pub fn add(&mut self, radiance: Vec3<F>) {
         film_sample(self.film, radiance);
         if let Some(moments) = &mut self.moments {
-            film_moments(moments, radiance, sample + 1);
+            film_moments(moments, radiance, self.film.samples);
         }
     }
 }
 
-impl<F: Real> Pixels<F> {
-    /// No samples yet.
-    pub fn new(job: &Job) -> Self {
-        let area = job.area();
+impl<F: Scalar> Pixels<F> {
+    /// Goes on from a part of the pixels of `area`.
+    pub fn new(area: Tile, part: Part<F>) -> Self {
+        let (closed, tail) = part.without_tail();
         let pixels = area.pixels() as usize;
-        let kept = job.features().keeps_moments();
+        let open = tail.map_or_else(
+            || Sums::zero(pixels, closed.keeps_moments()),
+            |tail| (*tail).clone(),
+        );
+        let film = |sums: &PixelSums<F>| FilmPixel {
+            samples: open.samples,
+            ..FilmPixel::from(sums)
+        };
         Self {
             area,
-            film: vec![FilmPixel::default(); pixels],
-            moments: kept.then(|| vec![FilmMoments::default(); pixels]),
+            closed,
+            film: open.pixels.iter().map(film).collect(),
+            moments: open.moments,
         }
     }
 
-    /// Adds sample `sample` to every pixel, by its number in the area.
-    pub fn add(&mut self, radiance: impl Fn(usize) -> Vec3<F> + Sync, sample: u32) {
+    /// The index of the next sample.
+    pub fn done(&self) -> u32 {
+        self.closed.range().end + self.film.first().map_or(0, |pixel| pixel.samples)
+    }
+
+    /// The index at which the sums are to be [settled](Self::settle), at most `to`.
+    pub fn stop(&self, to: u32) -> u32 {
+        self.closed.stop(self.done(), to)
+    }
+
+    /// Adds a sample to every pixel, by its number in the area.
+    pub fn add(&mut self, radiance: impl Fn(usize) -> Vec3<F> + Sync) {
         if self.film.len() >= MANY {
-            return self.each(|i, mut pixel| pixel.add(radiance(i), sample));
+            return self.each(|i, mut pixel| pixel.add(radiance(i)));
         }
         let mut moments = self.moments.iter_mut().flatten();
         for (i, film) in self.film.iter_mut().enumerate() {
             let moments = moments.next();
-            PixelMut { film, moments }.add(radiance(i), sample);
+            PixelMut { film, moments }.add(radiance(i));
         }
     }
 
@@ -79,59 +97,69 @@ impl<F: Real> Pixels<F> {
         }
     }
 
+    /// Hands the sums over where a block ends; to be called at each [stop](Self::stop).
+    pub fn settle(&mut self) {
+        if !self.closed.ends_at(self.done()) {
+            return;
+        }
+        self.closed.tally = self.closed.tally.plus(self.tally());
+        self.closed.close(self.sums());
+        self.film.fill(FilmPixel::default());
+        if let Some(moments) = &mut self.moments {
+            moments.fill(FilmMoments::default());
+        }
+    }
+
+    /// Of the block under way.
+    fn sums(&self) -> Sums<F> {
+        Sums {
+            samples: self.film.first().map_or(0, |pixel| pixel.samples),
+            pixels: self.film.par_iter().map(PixelSums::from).collect(),
+            moments: self.moments.clone(),
+        }
+    }
+
     fn count(&self, of: fn(&FilmPixel<F>) -> u64) -> u64 {
         self.film.iter().map(of).sum()
     }
 
-    fn develop(&self, values: impl Iterator<Item = Vec3<F>>) -> Film {
-        Film {
-            width: self.area.width,
-            height: self.area.height,
-            rgb: values.map(|v| v.f64().as_vec3().to_array()).collect(),
-        }
-    }
-}
-
-impl<F: Real> HostFilm for Pixels<F> {
-    fn picture(&self, spp: u32) -> Film {
-        self.develop(self.film.iter().map(|p| film_mean(p.sum, spp)))
-    }
-
-    fn halves(&self, spp: u32) -> Halves {
-        let half = |p: &FilmPixel<F>| film_half_difference(p.sum, p.contrast, spp);
-        Halves {
-            mean: self.picture(spp),
-            half_difference: self.develop(self.film.iter().map(half)),
-        }
-    }
-
-    fn spread(&self, spp: u32) -> Option<Film> {
-        let moments = self.moments.as_ref()?;
-        Some(self.develop(moments.iter().map(|m| film_stderr(m, spp))))
-    }
-
-    fn counts(&self) -> Counts {
-        Counts {
-            rays: self.count(|p| p.rays),
-            long_paths: self.count(|p| p.long_paths),
-            underflows: self.count(|p| p.underflows),
-            dropped: Dropped {
-                nan: self.count(|p| p.nan),
-                infinite: self.count(|p| p.infinite),
-                loops: 0,
+    /// Of the block under way.
+    fn tally(&self) -> Tally {
+        Tally {
+            counts: Counts {
+                rays: self.count(|p| p.rays),
+                long_paths: self.count(|p| p.long_paths),
+                underflows: self.count(|p| p.underflows),
+                dropped: Dropped {
+                    nan: self.count(|p| p.nan),
+                    infinite: self.count(|p| p.infinite),
+                    loops: 0,
+                },
             },
+            largest: self.largest(),
         }
     }
 
     fn largest(&self) -> Option<Largest> {
+        let begin = self.closed.range().end;
         let of = |(i, p): (u32, &FilmPixel<F>)| Largest {
             address: Address {
                 pixel: self.area.pixel(i),
-                index: p.largest_sample,
+                index: begin + p.largest_sample,
             },
             radiance: p.largest.f64(),
         };
         let all = (0..).zip(&self.film).map(of);
         all.reduce(Largest::or).filter(|l| l.radiance > 0.0)
+    }
+}
+
+impl<F: Scalar> HostFilm for Pixels<F> {
+    type Scalar = F;
+
+    fn part(&self) -> Part<F> {
+        let mut part = self.closed.with_tail(self.sums());
+        part.tally = part.tally.plus(self.tally());
+        part
     }
 }

@@ -14,10 +14,22 @@ pub fn bought(record: &Record) -> String {
         parts.push(format!("{} samples/s", count(rate)));
     }
     parts.extend(record.error.last().map(rel_mse));
-    let integrator = record.job.settings.integrator;
-    parts.extend((record.job.auto).map(|why| format!("{integrator} by auto: {why}")));
+    let integrator = &record.job.settings.integrator;
+    parts.extend(
+        record
+            .job
+            .auto
+            .as_ref()
+            .map(|why| format!("{integrator} by auto: {why}")),
+    );
     let device = &record.machine.device;
-    parts.extend((record.machine.device_auto).map(|why| format!("on {device}, {why}")));
+    parts.extend(
+        record
+            .machine
+            .device_auto
+            .as_ref()
+            .map(|why| format!("on {device}, {why}")),
+    );
     parts.join(" · ")
 }
 

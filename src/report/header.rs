@@ -16,6 +16,9 @@ pub fn notes(job: &Job, device: &str) -> Vec<(&'static str, String)> {
     if let Some([x0, y0, x1, y1]) = job.crop {
         notes.push(("crop", format!("{x0},{y0},{x1},{y1}")));
     }
+    if let Some([begin, end]) = job.range {
+        notes.push(("samples", format!("{begin}..{end}")));
+    }
     notes.extend([
         ("settings", job.settings.to_string()),
         ("spp", job.spp.to_string()),

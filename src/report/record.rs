@@ -1,13 +1,15 @@
 //! The record of a rendering; its JSON is `--json`'s file, field by field.
 
-use serde::Serialize;
+use std::borrow::Cow;
+
+use serde::{Deserialize, Serialize};
 
 use super::SettingsRecord;
 
 /// A rendering: what was asked, where it ran, what it took.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Record {
-    pub version: &'static str,
+    pub version: Cow<'static, str>,
     #[serde(flatten)]
     pub job: Job,
     #[serde(flatten)]
@@ -24,7 +26,7 @@ pub struct Record {
 }
 
 /// All that the picture depends on, beside the device.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Job {
     /// The scene file's path as it was given.
     pub scene: String,
@@ -32,11 +34,13 @@ pub struct Job {
     pub size: [u32; 2],
     /// Left, top, right, bottom in pixels of the full picture, right and bottom excluded.
     pub crop: Option<[u32; 4]>,
+    /// Of a part of a picture, the first index of its samples and the one after the last.
+    pub range: Option<[u32; 2]>,
     /// Samples in every pixel: fewer than `spp_asked` if something else ended the rendering.
     pub spp: u32,
     pub spp_asked: u32,
     /// Why there are not more: `complete`, `interrupted`, `time` or `target-error`.
-    pub ended: &'static str,
+    pub ended: Cow<'static, str>,
     /// `--time`, seconds of rendering.
     pub time: Option<f64>,
     /// `--target-error`.
@@ -44,15 +48,15 @@ pub struct Job {
     pub seed: u32,
     pub settings: SettingsRecord,
     /// Why `--integrator auto` chose the integrator of the settings.
-    pub auto: Option<&'static str>,
+    pub auto: Option<Cow<'static, str>>,
 }
 
 /// Where it ran.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Machine {
     pub device: String,
     /// Why it was chosen, as words after its name, where nobody said which and there is no GPU.
-    pub device_auto: Option<&'static str>,
+    pub device_auto: Option<Cow<'static, str>>,
     pub driver: String,
     /// `None` for the reference, which has none.
     pub kernel: Option<Kernel>,
@@ -60,17 +64,17 @@ pub struct Machine {
 }
 
 /// The kernel that rendered.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Kernel {
     /// `composed` or `full`.
-    pub choice: &'static str,
+    pub choice: Cow<'static, str>,
     /// What it holds.
     pub features: Vec<String>,
     pub spirv_bytes: u64,
 }
 
 /// Bytes.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Memory {
     /// All buffers on the device.
     pub device: u64,
@@ -79,7 +83,7 @@ pub struct Memory {
 }
 
 /// Seconds by stage, on the wall clock.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Seconds {
     pub read: f64,
     pub prepare: f64,
@@ -103,7 +107,7 @@ pub struct Seconds {
 }
 
 /// What is known of the picture's error at one time.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ErrorAt {
     pub spp: u32,
     /// Of rendering so far, compiling apart.
@@ -119,7 +123,7 @@ pub struct ErrorAt {
 }
 
 /// A sample, and what it weighs.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Largest {
     /// Its brightest channel, W·sr⁻¹·m⁻².
     pub radiance: f64,
@@ -132,7 +136,7 @@ pub struct Largest {
 }
 
 /// What was done.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Work {
     pub samples: u64,
     pub rays: u64,
@@ -147,7 +151,7 @@ pub struct Work {
 }
 
 /// Samples that count as 0 because their value is none, by cause.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Dropped {
     pub nan: u64,
     pub infinite: u64,

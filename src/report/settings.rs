@@ -2,55 +2,56 @@
 
 use std::fmt;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::names::Named;
 use crate::settings::{DistributionRule, Integrator, Roulette, Settings};
 
 /// Every setting (model.md, "Settings"), by the name and in the words of its flag.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SettingsRecord {
     /// `scene`: each material as the scene says, `schlick` where it is silent.
-    pub fresnel: &'static str,
+    pub fresnel: String,
     /// `scene`: each material as the scene says, `auto` where it is silent.
-    pub distribution: &'static str,
-    pub absorption: &'static str,
+    pub distribution: String,
+    pub absorption: String,
     pub radiance_scaling: bool,
     /// `None`: no cap.
     pub max_depth: Option<u32>,
-    pub integrator: &'static str,
-    pub lobe: &'static str,
-    pub normals: &'static str,
+    pub integrator: String,
+    pub lobe: String,
+    pub normals: String,
     pub roulette: String,
-    pub connect: &'static str,
-    pub lights: &'static str,
-    pub sampler: &'static str,
+    pub connect: String,
+    pub lights: String,
+    pub sampler: String,
 }
 
 impl From<&Settings> for SettingsRecord {
     fn from(settings: &Settings) -> Self {
         let Settings { model, estimator } = settings;
         Self {
-            fresnel: model.fresnel.map_or("scene", Named::name),
+            fresnel: model.fresnel.map_or("scene", Named::name).into(),
             distribution: match model.distribution {
                 DistributionRule::Scene => "scene",
                 DistributionRule::Auto => "auto",
                 DistributionRule::Always(distribution) => distribution.name(),
-            },
-            absorption: model.absorption.name(),
+            }
+            .into(),
+            absorption: model.absorption.name().into(),
             radiance_scaling: model.radiance_scaling,
             max_depth: model.max_depth,
-            integrator: estimator.integrator.name(),
-            lobe: estimator.lobe.name(),
-            normals: estimator.normals.name(),
+            integrator: estimator.integrator.name().into(),
+            lobe: estimator.lobe.name().into(),
+            normals: estimator.normals.name().into(),
             roulette: match estimator.roulette {
                 Roulette::Throughput => "throughput".to_owned(),
                 Roulette::Constant(p) => p.to_string(),
                 Roulette::Off => "off".to_owned(),
             },
-            connect: estimator.connect.name(),
-            lights: estimator.lights.name(),
-            sampler: estimator.sampler.name(),
+            connect: estimator.connect.name().into(),
+            lights: estimator.lights.name().into(),
+            sampler: estimator.sampler.name().into(),
         }
     }
 }

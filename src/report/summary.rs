@@ -86,13 +86,24 @@ fn work(record: &Record) -> String {
 pub fn concerns(record: &Record) -> Vec<String> {
     let (job, work) = (&record.job, &record.work);
     let mut sentences = Vec::new();
-    if job.ended == "interrupted" {
-        sentences.push(format!(
-            "interrupted: the picture is that of --spp {}, not {}",
-            job.spp, job.spp_asked
-        ));
+    if matches!(&*job.ended, "interrupted" | "device-lost") {
+        let what = match job.range {
+            Some([begin, end]) => format!(
+                "the part ends before sample {end}, not {}",
+                begin + job.spp_asked
+            ),
+            None => format!(
+                "the picture is that of --spp {}, not {}",
+                job.spp, job.spp_asked
+            ),
+        };
+        let why = match &*job.ended {
+            "interrupted" => "interrupted",
+            _ => "the device failed",
+        };
+        sentences.push(format!("{why}: {what}"));
     }
-    if let (Some(target), "complete" | "time") = (job.target_error, job.ended) {
+    if let (Some(target), "complete" | "time") = (job.target_error, &*job.ended) {
         let reached = record.error.last().and_then(|e| e.high);
         let reached = reached.map_or("unknown".to_owned(), |high| format!("up to {high:.1e}"));
         sentences.push(format!(

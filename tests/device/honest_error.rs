@@ -57,7 +57,7 @@ fn told(scene: &Prepared, settings: Settings, pictures: u32) -> Vec<Told> {
     let of = |seed| {
         let outcome = rendered(&job(scene, settings, SPP, seed));
         let figures = reference.figures(&outcome.film, &Viewing::default());
-        let last = outcome.errors.last().and_then(|e| e.rel_mse);
+        let last = outcome.state.errors.last().and_then(|e| e.rel_mse);
         Told {
             truth: figures.expect("figures").rel_mse.all,
             estimate: last.expect("an estimate"),

@@ -10,7 +10,7 @@ use vkpt::reference::integrator::path::record::Silent;
 use vkpt::reference::integrator::path::trace_path;
 use vkpt::reference::path::SampleId;
 use vkpt::reference::world::World;
-use vkpt::render::{DispatchLimits, Job, Outcome, Target};
+use vkpt::render::{DISPATCH_TIME, DispatchLimits, Job, Outcome, Target};
 use vkpt::sample::{Address, Largest};
 use vkpt::settings::{Integrator, Settings};
 
@@ -176,6 +176,7 @@ fn the_device_has_that_of_the_reference_whatever_tiles_and_dispatches() {
                 tile_pixels,
                 budget,
                 read_first: true,
+                dispatch_time: DISPATCH_TIME,
             };
             assert_eq!(of(on_device_within(&job, limits)), reference, "{limits:?}");
         }

@@ -5,7 +5,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use vkpt::film::Film;
-use vkpt::render::{DispatchLimits, End, Job, Target, render, render_on};
+use vkpt::render::{DISPATCH_TIME, DispatchLimits, End, Job, Target, render, render_on};
 use vkpt::settings::Settings;
 
 use crate::common::render::{
@@ -109,6 +109,7 @@ pub fn limits_leave_no_trace(settings: Settings, spp: u32) {
             tile_pixels,
             budget,
             read_first,
+            dispatch_time: DISPATCH_TIME,
         };
         let other = on_device_within(&job, limits).expect("the same device");
         same(&whole.film, &other.film, &format!("{limits:?}"));

@@ -7,7 +7,8 @@ use vkpt::gpu::Device;
 use vkpt::kernel::{KernelError, OwnFile, file};
 use vkpt::prepared::Prepared;
 use vkpt::render::{
-    DispatchLimits, Job, KernelChoice, Plan, PlanLimits, RenderError, kernels, render_on,
+    DISPATCH_TIME, DispatchLimits, Job, KernelChoice, Plan, PlanLimits, RenderError, kernels,
+    render_on,
 };
 use vkpt::settings::Settings;
 
@@ -72,6 +73,7 @@ fn the_validation_layer_is_silent() {
             tile_pixels: 100,
             budget: 20,
             read_first: false,
+            dispatch_time: DISPATCH_TIME,
         },
     ];
     for text in [DIFFUSE, TABLE, SMOOTH, WIDE] {

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 use vkpt::film::{Aov, Film};
 use vkpt::prepared::Prepared;
-use vkpt::render::{DispatchLimits, End, Job, Outcome, Target, render};
+use vkpt::render::{DISPATCH_TIME, DispatchLimits, End, Job, Outcome, Target, render};
 use vkpt::settings::Settings;
 
 use crate::common;
@@ -118,6 +118,7 @@ fn crop_and_limits_leave_no_trace(settings: Settings) {
             tile_pixels,
             budget,
             read_first: true,
+            dispatch_time: DISPATCH_TIME,
         };
         let other = on_device_within(&whole, limits).expect("the same device");
         same(&device, &errors(other), &format!("{limits:?}"));

@@ -43,12 +43,15 @@ fn the_error_is_told_after_powers_of_two_and_at_the_end() {
         (21, vec![1, 2, 4, 8, 16, 21]),
     ] {
         for (name, outcome) in outcomes(&job(&scene, Settings::default(), spp, 1)) {
-            let told: Vec<u32> = outcome.errors.iter().map(|e| e.spp).collect();
+            let told: Vec<u32> = outcome.state.errors.iter().map(|e| e.spp).collect();
             assert_eq!(told, expected, "{name}");
             let known = |e: &ErrorAt| e.rel_mse.is_some() == (e.spp > 1);
-            assert!(outcome.errors.iter().all(known), "{name}");
+            assert!(outcome.state.errors.iter().all(known), "{name}");
             assert!(
-                outcome.errors.is_sorted_by(|a, b| a.seconds <= b.seconds),
+                outcome
+                    .state
+                    .errors
+                    .is_sorted_by(|a, b| a.seconds <= b.seconds),
                 "{name}"
             );
             assert_eq!(outcome.end, End::Complete, "{name}");
@@ -66,9 +69,9 @@ fn the_device_tells_the_error_of_the_reference() {
         let scene = prepared(text, &Settings::default());
         let limits = DispatchLimits::of(device).expect("a probe");
         let job = job(&scene, Settings::default(), 9, 1);
-        let reference = timeless(&outcome(&job, &Target::CpuF32).errors);
+        let reference = timeless(&outcome(&job, &Target::CpuF32).state.errors);
         let device = on_device(&job).expect("a device");
-        assert_eq!(timeless(&device.errors), reference, "{text}");
+        assert_eq!(timeless(&device.state.errors), reference, "{text}");
         for (tile_pixels, budget) in [(7, 4000), (100, 40), (1 << 16, 1)] {
             let limits = DispatchLimits {
                 tile_pixels,
@@ -76,7 +79,7 @@ fn the_device_tells_the_error_of_the_reference() {
                 ..limits
             };
             let other = on_device_within(&job, limits).expect("the same device");
-            assert_eq!(timeless(&other.errors), reference, "{limits:?}");
+            assert_eq!(timeless(&other.state.errors), reference, "{limits:?}");
         }
     }
 }
@@ -108,7 +111,7 @@ fn intervals_hold_the_error_of_a_lambert_ball() {
             let outcome = outcome(&job(&scene, settings, 16, seed), &Target::CpuF32);
             let pair = Pair::new(&outcome.film, &truth).expect("two pictures");
             let true_error = scale * Errors::of(&pair).rel_mse.all;
-            let last = outcome.errors.last().and_then(|e| e.rel_mse);
+            let last = outcome.state.errors.last().and_then(|e| e.rel_mse);
             let [low, high] = last.and_then(|e| e.interval.ok()).expect("an interval");
             assert!(low > 0.0 && high < 2.0 * low);
             true_error < low || true_error > high
@@ -140,10 +143,10 @@ fn equals_its_spp(job: &Job, target: Option<&Target>, end: End) -> u32 {
     };
     let plain = render(&plain).expect("a device");
     assert_eq!(difference(&ended.film, &plain.film), None, "{target:?}");
-    assert_eq!(ended.errors.last().map(|e| e.spp), Some(ended.spp));
+    assert_eq!(ended.state.errors.last().map(|e| e.spp), Some(ended.spp));
     assert_eq!(
-        timeless(&ended.errors),
-        timeless(&plain.errors),
+        timeless(&ended.state.errors),
+        timeless(&plain.state.errors),
         "{target:?}"
     );
     ended.spp
@@ -207,7 +210,11 @@ fn an_error_ends_with_the_picture_of_the_samples_done() {
             },
             &Target::CpuF32,
         );
-        let interval = last.errors.last().and_then(|e| e.rel_mse?.interval.ok());
+        let interval = last
+            .state
+            .errors
+            .last()
+            .and_then(|e| e.rel_mse?.interval.ok());
         assert!(interval.expect("an interval")[1] < target);
         reached.push(spp[1]);
     }

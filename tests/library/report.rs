@@ -25,14 +25,15 @@ fn record() -> Record {
         write: 0.02,
     };
     Record {
-        version: "0.0.1",
+        version: "0.0.1".into(),
         job: Job {
             scene: "scenes/a.scn".to_owned(),
             size: [400, 300],
+            range: None,
             crop: None,
             spp: 64,
             spp_asked: 64,
-            ended: "complete",
+            ended: "complete".into(),
             time: None,
             target_error: None,
             seed: 7,
@@ -44,7 +45,7 @@ fn record() -> Record {
             device_auto: None,
             driver: "Mesa 22.3.6".to_owned(),
             kernel: Some(Kernel {
-                choice: "composed",
+                choice: "composed".into(),
                 features: vec!["sphere".to_owned(), "ggx".to_owned()],
                 spirv_bytes: 1234,
             }),
@@ -215,13 +216,13 @@ fn a_target_that_was_missed_is_told() {
         concerns(&record),
         ["the error is up to 3.5e-3, not below --target-error 1e-3: --spp ended the rendering"]
     );
-    record.job.ended = "time";
+    record.job.ended = "time".into();
     record.error.clear();
     assert_eq!(
         concerns(&record),
         ["the error is unknown, not below --target-error 1e-3: --time ended the rendering"]
     );
-    record.job.ended = "target-error";
+    record.job.ended = "target-error".into();
     assert!(concerns(&record).is_empty());
 }
 
@@ -229,7 +230,7 @@ fn a_target_that_was_missed_is_told() {
 fn concerns_name_causes() {
     let mut record = record();
     record.job.spp = 12;
-    record.job.ended = "interrupted";
+    record.job.ended = "interrupted".into();
     record.work.dropped = Dropped {
         nan: 3,
         infinite: 1,

@@ -1,59 +1,49 @@
 //! Every flag of a rendering, with its help.
 
+use std::ops::Range;
+use std::time::Duration;
+
 use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
 use crate::cli::job::Request;
+use crate::cli::keep::Pause;
 use crate::cli::numbers::{self, SamplePath};
+use crate::cli::outputs::OutputArguments;
 use crate::cli::settings::SettingArguments;
 use crate::cli::source::Source;
 use crate::cli::values::{self, choice};
 use crate::cli::view::ViewArguments;
-use crate::film::Aov;
 use crate::gpu::Selector;
-use crate::image::Format;
 use crate::render::{self, Best, Job, KernelChoice, Target, Until};
+use crate::report::names::Named;
+
+/// Time between two checkpoints, where nobody says.
+const PAUSE: Duration = Duration::from_secs(60);
 
 /// What one rendering needs to know.
 #[derive(clap::Args, Debug)]
 pub struct RenderArguments {
     /// The scene file, or - for stdin
     #[arg(required = true)]
-    scene: Option<Source>,
+    pub scene: Option<Source>,
 
-    /// Picture to write: .png (sRGB), .hdr (linear, RGBE) or .exr (linear, f32), or - for stdout; may
-    /// be repeated [default: the scene's name with .png and .exr, in the working directory]
-    #[arg(short, long = "output", value_name = "FILE", help_heading = "Picture")]
-    pub output: Vec<Destination>,
-
-    /// Format of pictures whose name does not tell it, and of stdout: png, hdr or exr
-    #[arg(long, value_name = "FORMAT", help_heading = "Picture")]
-    #[arg(value_parser = choice::<Format>(), hide_possible_values = true)]
-    pub format: Option<Format>,
+    #[command(flatten)]
+    pub outputs: OutputArguments,
 
     #[command(flatten, next_help_heading = "Picture")]
     pub view: ViewArguments,
-
-    /// Write beside each picture what else is known of its pixels. stderr: standard errors of the
-    /// mean, to NAME-stderr.exr
-    #[arg(
-        long,
-        value_name = "WHAT",
-        help_heading = "Picture",
-        value_delimiter = ','
-    )]
-    #[arg(value_parser = choice::<Aov>(), hide_possible_values = true)]
-    pub aov: Vec<Aov>,
-
-    /// Stops by which .png is brightened; negative: darkened
-    #[arg(long, value_name = "EV", help_heading = "Picture", default_value = "0")]
-    #[arg(value_parser = numbers::exposure)]
-    pub exposure: f64,
 
     /// Samples per pixel, the most where --time or --target-error are given [default: 64, or with
     /// one of those no end]
     #[arg(long, value_name = "N", help_heading = "Rendering")]
     #[arg(value_parser = numbers::whole(1))]
     spp: Option<u32>,
+
+    /// Only the samples from index A on, before index B, of every pixel; written to a .vkpt file, which
+    /// vkpt merge joins with others
+    #[arg(long, value_name = "A..B", help_heading = "Rendering", conflicts_with_all = ["spp", "target_error"])]
+    #[arg(value_parser = numbers::sample_range)]
+    pub samples: Option<Range<u32>>,
 
     /// End after so many seconds of rendering, with whole samples in every pixel
     #[arg(long, value_name = "S", help_heading = "Rendering", value_parser = numbers::seconds)]
@@ -62,6 +52,15 @@ pub struct RenderArguments {
     /// End once the relMSE is below this, with 95 % confidence
     #[arg(long, value_name = "E", help_heading = "Rendering", value_parser = numbers::target_error)]
     pub target_error: Option<f64>,
+
+    /// Go on from what an earlier run has left: NAME.vkpt beside the first picture, or the .vkpt file of
+    /// -o; begin anew where there is none
+    #[arg(long, help_heading = "Rendering")]
+    pub resume: bool,
+
+    /// Seconds between two checkpoints: the samples so far, written to that file; or off [default: 60]
+    #[arg(long, value_name = "S", help_heading = "Rendering", value_parser = numbers::pause)]
+    pub checkpoint: Option<Pause>,
 
     /// Seed of the random numbers: the same seed gives the same picture, bit for bit
     #[arg(
@@ -93,14 +92,6 @@ pub struct RenderArguments {
     #[command(flatten)]
     pub settings: SettingArguments,
 
-    /// Write what the rendering did and how long it took; - for stdout
-    #[arg(long, value_name = "FILE", help_heading = "Reports")]
-    pub json: Option<Destination>,
-
-    /// No progress and no summary, only warnings and errors
-    #[arg(long, help_heading = "Reports")]
-    pub quiet: bool,
-
     /// Render nothing; print the path of sample I of pixel X,Y (from the top left), vertex by vertex
     #[arg(long, value_name = "X,Y,I", help_heading = "Reports", value_parser = numbers::sample_path)]
     pub trace: Option<SamplePath>,
@@ -112,17 +103,40 @@ impl RenderArguments {
         let scene = self.scene()?;
         let request = self
             .view
-            .request(scene, &self.settings, self.spp(), self.seed);
+            .request(scene, &self.settings, self.range().end, self.seed);
         Ok(Request {
-            quiet: self.quiet,
+            quiet: self.outputs.quiet,
             ..request
         })
     }
 
-    /// The most samples that a pixel is to have.
-    pub fn spp(&self) -> u32 {
+    /// The indices of the samples that a pixel is to have, at most.
+    pub fn range(&self) -> Range<u32> {
         let endless = self.time.is_some() || self.target_error.is_some();
-        self.spp.unwrap_or(if endless { u32::MAX } else { 64 })
+        let spp = self.spp.unwrap_or(if endless { u32::MAX } else { 64 });
+        self.samples.clone().unwrap_or(0..spp)
+    }
+
+    /// What the rendering writes where nobody says.
+    pub fn default_outputs(&self) -> Result<Vec<Destination>, Failure> {
+        let stem = self.scene()?.stem().ok_or_else(|| {
+            Failure::Usage("the scene has no file name to call pictures by: use -o".to_owned())
+        })?;
+        let named = |ending: &str| {
+            let mut name = stem.to_os_string();
+            name.push(ending);
+            Destination::File(name.into())
+        };
+        Ok(match (&self.samples, self.outputs.format) {
+            (Some(range), _) => vec![named(&format!("-{}-{}.vkpt", range.start, range.end))],
+            (None, Some(format)) => vec![named(&format!(".{}", format.name()))],
+            (None, None) => vec![named(".png"), named(".exr")],
+        })
+    }
+
+    /// Time between two checkpoints.
+    pub fn pause(&self) -> Option<Duration> {
+        self.checkpoint.map_or(Some(PAUSE), |Pause(pause)| pause)
     }
 
     /// What is to end the rendering before that.

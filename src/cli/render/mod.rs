@@ -1,118 +1,122 @@
 //! `vkpt SCENE`: renders a scene to pictures.
 
 mod arguments;
-mod outputs;
-mod pictures;
+mod develop;
 mod record;
 mod trace;
 
-use std::time::Instant;
+use std::path::PathBuf;
 
-use self::outputs::{Outputs, write_frame};
-use self::pictures::Picture;
-use self::record::record;
+use self::develop::{Goal, Made, develop};
 use self::trace::trace;
-use crate::cli::destination::{json, whole};
-use crate::cli::exit::{Ending, Failure, warn};
+use crate::cli::destination::Destination;
+use crate::cli::exit::{Ending, Failure, note, warn};
 use crate::cli::inputs::{Input, spare};
-use crate::cli::interrupt::stop_flag;
-use crate::cli::job::{Loaded, Ready};
-use crate::cli::progress::Display;
-use crate::film::Film;
-use crate::image::file::FileError;
-use crate::image::{Frame, Labels};
-use crate::render::{self, Best, End, Outcome};
-use crate::report::{self, Record, SOFTWARE};
+use crate::cli::job::Loaded;
+use crate::cli::keep::digest;
+use crate::cli::outputs::{Outputs, Written, write};
+use crate::cli::writable;
+use crate::render::End;
+use crate::state::ENDING;
 pub use arguments::RenderArguments;
+pub use record::{dropped, error, error_of, largest};
 
 /// Reads, prepares, renders, writes and reports; or prints the path that `--trace` asks for.
 pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     if let Some(path) = arguments.trace {
         return trace(arguments, path);
     }
-    let outputs = Outputs::check(arguments)?;
+    let outputs = outputs(arguments)?;
+    let kept = kept(arguments, &outputs)?;
+    writable::check(outputs.all())?;
     let request = arguments.request()?;
     let loaded = Loaded::new(&request)?;
+    let beside = kept.clone().map(Destination::File);
     spare(
         &Input::of_scene(request.scene, &loaded.scene),
-        outputs.all(),
+        outputs.all().chain(&beside),
     )?;
+    let digest = match kept.is_some() || !outputs.parts.is_empty() {
+        true => digest(&loaded.text, &loaded.scene)
+            .map_err(|error| Failure::Usage(format!("a mesh can't be read again: {error}")))?,
+        false => String::new(),
+    };
     let ready = loaded.prepare(&request)?;
-    let (best, outcome) = develop(arguments, &ready)?;
+    let goal = Goal {
+        kept: kept.as_deref(),
+        digest,
+        pictures: outputs.has_pictures(),
+    };
+    match develop(arguments, &ready, goal)? {
+        Some(made) => leave(&outputs, made, kept),
+        None => Ok(Ending::Complete),
+    }
+}
+
+/// The files that are asked for.
+fn outputs(arguments: &RenderArguments) -> Result<Outputs<'_>, Failure> {
+    let spp = arguments.range().len() as u32;
+    let outputs = Outputs::new(&arguments.outputs, spp, || arguments.default_outputs())?;
+    match arguments.samples.is_some() && outputs.has_pictures() {
+        true => Err(Failure::Usage(
+            "--samples makes a part of a picture, which goes to a .vkpt file: vkpt merge makes pictures of those".to_owned(),
+        )),
+        false => Ok(outputs),
+    }
+}
+
+/// Where checkpoints go, and what is gone on from: the first part of `-o`, else a file beside the first picture.
+fn kept(arguments: &RenderArguments, outputs: &Outputs) -> Result<Option<PathBuf>, Failure> {
+    let mut parts = outputs.parts.iter().filter_map(|to| to.neighbour());
+    let beside = outputs.first_picture().map(|p| p.with_extension(ENDING));
+    let path = parts.next().map(PathBuf::from).or(beside);
+    match (path, arguments.resume, arguments.pause()) {
+        (None, true, _) => Err(Failure::Usage(
+            "--resume goes on from a file beside the first picture, and there is none beside stdout, a device or a pipe: add -o FILE"
+                .to_owned(),
+        )),
+        (path, false, None) => Ok(path.filter(|_| !outputs.parts.is_empty())),
+        (path, _, _) => Ok(path),
+    }
+}
+
+/// Writes what was made, its part included where it is to be kept.
+fn leave(outputs: &Outputs, made: Made, kept: Option<PathBuf>) -> Result<Ending, Failure> {
+    let Made {
+        outcome,
+        header,
+        freedom,
+        checkpointed,
+    } = made;
     if outcome.spp == 0 {
         warn("interrupted before the first sample was done: nothing is written");
         return Ok(Ending::Interrupted);
     }
-    let mut record = record(arguments, &ready, &best, &outcome)?;
-    let mut errors = write(arguments, &outputs, &outcome, &mut record);
-    report::concerns(&record)
-        .iter()
-        .for_each(|concern| warn(concern));
-    if !arguments.quiet {
-        let summary = report::summary(&record) + "\n";
-        errors.extend(outputs.console().print(&summary).err());
-    }
-    match (errors.is_empty(), outcome.end == End::Interrupted) {
-        (false, _) => Err(Failure::Files(errors)),
-        (true, true) => Ok(Ending::Interrupted),
-        (true, false) => Ok(Ending::Complete),
-    }
-}
-
-fn develop(arguments: &RenderArguments, ready: &Ready) -> Result<(Best, Outcome), Failure> {
-    let job = render::Job {
-        aovs: &arguments.aov,
-        kernel: arguments.kernel,
-        until: arguments.until(),
-        ..ready.job(&arguments.request()?)?
+    let early = matches!(outcome.end, End::Interrupted | End::Lost);
+    let beside = kept.filter(|_| outputs.parts.is_empty() && (early || checkpointed));
+    let parts = [
+        &outputs.parts[..],
+        &beside
+            .map(Destination::File)
+            .into_iter()
+            .collect::<Vec<_>>(),
+    ]
+    .concat();
+    let written = Written {
+        film: &outcome.film,
+        stderr: outcome.stderr.as_ref().map(|film| (film, freedom)),
+        part: &outcome.state.part,
+        parts: &parts,
+        header,
     };
-    let best = arguments.best(&job);
-    let stop = stop_flag();
-    let mut display = Display::new(arguments.quiet);
-    let outcome = render::render(&job, &best.target, &stop, &mut |progress| {
-        display.update(progress)
-    });
-    display.finish();
-    Ok((best, outcome.map_err(Failure::Render)?))
-}
-
-/// Writes pictures, what goes beside them and the JSON; notes in the record what was written and how long it took.
-fn write(
-    arguments: &RenderArguments,
-    outputs: &Outputs,
-    outcome: &Outcome,
-    record: &mut Record,
-) -> Vec<FileError> {
-    let start = Instant::now();
-    let [x0, y0, ..] = arguments.view.crop.unwrap_or_default();
-    let (job, device) = (&record.job, &record.machine.device);
-    let settings = arguments.settings.settings();
-    let write = |files: &[Picture], film: &Film, notes: &[_]| {
-        let frame = Frame {
-            film,
-            origin: [x0, y0],
-            full: job.size,
-        };
-        let labels = Labels {
-            exposure: arguments.exposure,
-            software: SOFTWARE,
-            notes,
-        };
-        write_frame(files, &frame, &labels)
-    };
-    let notes = report::notes(job, device);
-    let (mut written, mut errors) = write(&outputs.pictures, &outcome.film, &notes);
-    if let Some(stderr) = &outcome.stderr {
-        let freedom = render::freedom(settings.estimator.sampler, job.spp);
-        let notes = report::stderr_notes(freedom, &outcome.film, job, device);
-        let (more, failed) = write(&outputs.stderr, stderr, &notes);
-        written.extend(more);
-        errors.extend(failed);
-    } else if !outputs.stderr.is_empty() {
-        warn("no standard errors are written: one sample tells nothing of its error");
+    let ending = write(outputs, written)?;
+    let part = parts.first().map(ToString::to_string);
+    match (outcome.failure, part) {
+        (Some(why), part) => Err(Failure::Lost { why, part }),
+        (None, Some(part)) if early && !outputs.arguments.quiet => {
+            note(&format!("--resume goes on from {part}"));
+            Ok(ending)
+        }
+        _ => Ok(ending),
     }
-    record.files = written;
-    record.seconds.write = start.elapsed().as_secs_f64();
-    errors.extend(whole(outputs.json, || json(record)).err());
-    errors
 }

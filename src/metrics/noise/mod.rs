@@ -19,6 +19,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use super::MetricsError;
 use super::pair::{check, same_size};
@@ -27,7 +28,7 @@ use guide::{Guide, PixelTerms};
 use interval::Terms;
 
 /// An estimate of relMSE as [`Errors`](super::Errors) defines it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RelMse {
     pub estimate: f64,
     /// Lower and upper end of the 95 % interval of the picture's error. Where nothing honest can be said, for most of
@@ -36,7 +37,7 @@ pub struct RelMse {
 }
 
 /// The pixels that make an error.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Culprits {
     /// The fewest that make half of it.
     pub half: usize,

@@ -6,7 +6,7 @@ use crate::reference::math::{Real, Vec3, vec3};
 
 /// Mean and Σ (x − mean)² of the samples so far, per channel. Kept beside the film, whose sum they never touch,
 /// and like it in two parts each: a plain `f32` would stand still after some million samples.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FilmMoments<F> {
     pub mean: PixelSum<F>,
     pub m2: PixelSum<F>,

@@ -1,15 +1,13 @@
 //! Paths from lights by the reference, alone or with paths from the eye: those of a row of pixels at a time, their splats added
 //! in order.
 
-use std::ops::Range;
-
 use rayon::prelude::*;
 
 use super::Render;
+use crate::part::{Part, Scalar};
 use crate::reference::integrator::bidirectional::record::Silent;
 use crate::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
 use crate::reference::integrator::light::{LightCounts, Splat, trace_light};
-use crate::reference::math::Real;
 use crate::reference::world::World;
 use crate::render::{Job, LightFilm};
 use crate::sample::Address;
@@ -26,12 +24,12 @@ struct Row<F> {
     counts: Vec<LightCounts>,
 }
 
-impl<F: Real> Render<F> for LightFilm<F> {
-    fn new(job: &Job) -> Self {
-        Self::new(job)
+impl<F: Scalar> Render<F> for LightFilm<F> {
+    fn new(job: &Job, part: Part<F>) -> Self {
+        Self::new(job, part)
     }
 
-    fn advance(&mut self, job: &Job, world: &World<F>, samples: Range<u32>) {
+    fn advance(&mut self, job: &Job, world: &World<F>, samples: u32) {
         let (settings, adjoint) = (job.settings, job.settings.adjoint());
         let transport = Transport {
             world,
@@ -66,7 +64,7 @@ impl<F: Real> Render<F> for LightFilm<F> {
             arrived
         };
         let height = job.prepared.camera.height;
-        let indices: Vec<u32> = samples.collect();
+        let indices: Vec<u32> = (self.done()..samples).collect();
         for indices in indices.chunks((ROWS / height).max(1) as usize) {
             let rows = (0..height * indices.len() as u32).into_par_iter();
             let rows = rows.map(|i| row(i % height, indices[(i / height) as usize]));
@@ -79,6 +77,7 @@ impl<F: Real> Render<F> for LightFilm<F> {
                 counts.for_each(|&counts| self.count(counts));
                 self.end_sample();
             }
+            self.end_pass();
         }
     }
 }

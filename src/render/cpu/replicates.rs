@@ -5,11 +5,11 @@ use std::time::Instant;
 
 use super::Render;
 use crate::film::Film;
-use crate::reference::math::Real;
+use crate::part::Scalar;
 use crate::reference::world::World;
 use crate::render::replicates::{Growing, Took};
 use crate::render::slices::Slices;
-use crate::render::{Job, RenderError};
+use crate::render::{DISPATCH_TIME, Job, RenderError, empty_part};
 
 /// The world, and the films so far.
 pub struct Replicates<'a, F, R> {
@@ -26,25 +26,25 @@ struct Replicate<R> {
     film: R,
 }
 
-impl<'a, F: Real, R: Render<F>> Replicates<'a, F, R> {
+impl<'a, F: Scalar, R: Render<F>> Replicates<'a, F, R> {
     pub fn new(job: &'a Job<'a>, seeds: &[u32]) -> Self {
         let start = Instant::now();
         let film = |&seed: &u32| Replicate {
             seed,
             done: 0,
-            film: R::new(job),
+            film: R::new(job, empty_part(job, 0)),
         };
         Self {
             job,
             world: World::new(job.prepared),
-            slices: Slices::new(),
+            slices: Slices::new(DISPATCH_TIME),
             films: seeds.iter().map(film).collect(),
             set_up_s: start.elapsed().as_secs_f64(),
         }
     }
 }
 
-impl<F: Real, R: Render<F>> Growing for Replicates<'_, F, R> {
+impl<F: Scalar, R: Render<F>> Growing for Replicates<'_, F, R> {
     fn advance(&mut self, i: usize, spp: u32, stop: &AtomicBool) -> Result<Took, RenderError> {
         let Replicate { seed, done, film } = &mut self.films[i];
         let job = Job {
@@ -55,7 +55,7 @@ impl<F: Real, R: Render<F>> Growing for Replicates<'_, F, R> {
         while *done < spp && !stop.load(Ordering::Relaxed) {
             let slice = self.slices.next(spp - *done);
             let began = Instant::now();
-            film.advance(&job, &self.world, *done..*done + slice);
+            film.advance(&job, &self.world, *done + slice);
             self.slices.took(slice, began.elapsed());
             *done += slice;
         }
@@ -70,8 +70,7 @@ impl<F: Real, R: Render<F>> Growing for Replicates<'_, F, R> {
     }
 
     fn picture(&self, i: usize) -> Film {
-        let Replicate { film, done, .. } = &self.films[i];
-        film.picture(*done)
+        self.films[i].film.part().picture()
     }
 
     fn set_up_s(&self) -> f64 {

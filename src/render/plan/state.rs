@@ -8,6 +8,7 @@ use crate::layout::{
     BufferUse, EyeState, FilmMoments, FilmPixel, GpuStruct, LightLane, LightSlice, LightState,
     LightVertex, PathOutcome, PathState, Radiance, Record, Reservoir, Slice, Splat,
 };
+use crate::part::PixelSums;
 use crate::render::tiles::{Tile, tiles};
 use crate::render::{Job, LightFilm};
 use crate::settings::Integrator;
@@ -103,7 +104,7 @@ impl StatePlan {
         };
         moments
             + match self {
-                Self::Path(_) => size_of::<FilmPixel>() as u64,
+                Self::Path(_) => size_of::<PixelSums<f32>>() as u64,
                 Self::Light(_) | Self::Bidirectional(..) => LightFilm::<f32>::PIXEL_BYTES,
             }
     }

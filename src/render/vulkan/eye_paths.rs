@@ -3,9 +3,9 @@
 
 use std::time::{Duration, Instant};
 
+use super::device_film::buffer;
 use super::kernel::Kernel;
 use super::light_paths::{Arrived, LightPaths, read_lanes};
-use super::tile_film::buffer;
 use crate::gpu::{Buffer, Device};
 use crate::layout::{EyeState, LightSlice, Radiance, Reservoir};
 use crate::reference::integrator::light::Splat;

@@ -10,9 +10,10 @@ use super::rendering::{Costs, Rendering};
 use crate::features::Features;
 use crate::gpu::Device;
 use crate::kernel::scene::Recording;
+use crate::part::Part;
 use crate::render::plan::{EyePlan, LightPlan, StatePlan, thread_tiles};
 use crate::render::tiles::Tile;
-use crate::render::{DispatchLimits, Job, LightFilm, RenderError};
+use crate::render::{DispatchLimits, Job, LightFilm, RenderError, empty_part};
 use crate::settings::Integrator;
 
 /// Light paths of one pass over the picture, at most, unless one sample index has more: their splats are kept until they
@@ -54,36 +55,31 @@ impl<'a> Rendering<'a> for LightRun<'a> {
         Ok(start.elapsed())
     }
 
-    /// Pass after pass over the light paths of all tiles; what they bring is added in the order of (sample, light path,
-    /// vertex), then what eye paths bring, which no tile and no slice changes.
+    fn go_on(&mut self, part: Part<f32>) -> Result<(), RenderError> {
+        self.film = LightFilm::new(self.job, part);
+        Ok(())
+    }
+
     fn advance(
         &mut self,
         samples: u32,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Duration, RenderError> {
-        let begin = self.film.samples();
+        let begin = self.film.done();
         let mut longest = Duration::ZERO;
-        while self.film.samples() < samples {
-            let first = self.film.samples();
+        while self.film.done() < samples {
+            let first = self.film.done();
             let end = first + self.pass.min(samples - first);
-            let mut splats = vec![Vec::new(); (end - first) as usize];
-            let mut seen = splats.clone();
-            for tile in 0..self.tiles.len() {
-                let place = |a: &Arrived| (a.index - first) as usize;
-                let mut splat = |a: Arrived| splats[place(&a)].push(a.splat);
-                let mut see = |a: Arrived, _| seen[place(&a)].push(a.splat);
-                longest = longest.max(self.trace(tile, first..end, &mut splat, &mut see)?);
-                if let [only] = &mut splats[..] {
-                    only.drain(..).for_each(|splat| self.film.splat(splat));
-                }
-                let tiles = (tile + 1) as f64 / self.tiles.len() as f64;
+            let mut part = |tiles: f64| {
                 let done = f64::from(first - begin) + tiles * f64::from(end - first);
                 progress(done / f64::from(samples - begin));
-            }
-            for (splats, seen) in splats.into_iter().zip(seen) {
-                let both = splats.into_iter().chain(seen);
-                both.for_each(|splat| self.film.splat(splat));
-                self.film.end_sample();
+            };
+            match self.pass(first..end, &mut part) {
+                Ok(time) => longest = longest.max(time),
+                Err(error) => {
+                    self.film.give_up_pass();
+                    return Err(error);
+                }
             }
         }
         Ok(longest)
@@ -94,7 +90,7 @@ impl<'a> Rendering<'a> for LightRun<'a> {
     }
 
     fn empty(&self) -> Self::Film {
-        LightFilm::new(self.job)
+        LightFilm::new(self.job, empty_part(self.job, 0))
     }
 
     fn exchange(&mut self, film: Self::Film, seed: u32) -> Result<Self::Film, RenderError> {
@@ -146,9 +142,38 @@ impl<'a> LightRun<'a> {
             eye,
             kernel,
             tiles,
-            film: LightFilm::new(job),
+            film: LightFilm::new(job, empty_part(job, 0)),
             budget: limits.budget.max(1),
         })
+    }
+
+    /// The light paths of all tiles and of some sample indices; what they bring is added in the order of (sample, light path,
+    /// vertex), then what eye paths bring, which no tile and no slice changes.
+    fn pass(
+        &mut self,
+        indices: Range<u32>,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Duration, RenderError> {
+        let mut longest = Duration::ZERO;
+        let mut splats = vec![Vec::new(); indices.len()];
+        let mut seen = splats.clone();
+        for tile in 0..self.tiles.len() {
+            let place = |a: &Arrived| (a.index - indices.start) as usize;
+            let mut splat = |a: Arrived| splats[place(&a)].push(a.splat);
+            let mut see = |a: Arrived, _| seen[place(&a)].push(a.splat);
+            longest = longest.max(self.trace(tile, indices.clone(), &mut splat, &mut see)?);
+            if let [only] = &mut splats[..] {
+                only.drain(..).for_each(|splat| self.film.splat(splat));
+            }
+            progress((tile + 1) as f64 / self.tiles.len() as f64);
+        }
+        for (splats, seen) in splats.into_iter().zip(seen) {
+            let both = splats.into_iter().chain(seen);
+            both.for_each(|splat| self.film.splat(splat));
+            self.film.end_sample();
+        }
+        self.film.end_pass();
+        Ok(longest)
     }
 
     /// Follows the paths of a tile and of some sample indices to their ends; `splat` gets what light paths bring, `see` what eye

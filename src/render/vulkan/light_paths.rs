@@ -3,8 +3,8 @@
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
+use super::device_film::buffer;
 use super::kernel::Kernel;
-use super::tile_film::buffer;
 use crate::gpu::{Buffer, Device};
 use crate::kernel::scene::SPLATS;
 use crate::layout::{self, LightLane, LightSlice, LightState};

@@ -1,8 +1,10 @@
 //! How much one dispatch takes on, and how. The picture does not depend on it.
 
+use std::time::Duration;
+
 use crate::gpu::Device;
-use crate::render::RenderError;
 use crate::render::plan::PlanLimits;
+use crate::render::{DISPATCH_TIME, RenderError};
 
 /// Loop steps a dispatch where the driver sets no limit: enough for some thousand bounces, short of any watchdog.
 const UNLIMITED_BUDGET: u32 = 1 << 20;
@@ -17,6 +19,8 @@ pub struct DispatchLimits {
     /// Each thread reads primitives that are tried one by one before any branch, as CPU drivers want it
     /// (`kernel/scene/generate/written_out.rs`).
     pub read_first: bool,
+    /// What a dispatch should take.
+    pub dispatch_time: Duration,
 }
 
 impl DispatchLimits {
@@ -30,7 +34,18 @@ impl DispatchLimits {
             tile_pixels: plan.tile_pixels,
             budget: budget(device)?,
             read_first: plan.read_first,
+            dispatch_time: DISPATCH_TIME,
         })
+    }
+
+    /// A quarter of all that a dispatch takes on.
+    pub fn quartered(self) -> Self {
+        Self {
+            tile_pixels: self.tile_pixels.div_ceil(4),
+            budget: self.budget.div_ceil(4),
+            dispatch_time: self.dispatch_time / 4,
+            ..self
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Rendering on a Vulkan device: slices of samples, until every pixel has its samples.
 
-mod develop;
+mod device_film;
 mod eye_paths;
 mod kernel;
 mod light;
@@ -8,19 +8,23 @@ mod light_paths;
 mod limits;
 mod outcomes;
 mod path;
+mod path_film;
 mod rendering;
 mod replicates;
 mod scene_buffers;
-mod tile_film;
 
 use std::sync::atomic::AtomicBool;
+use std::time::Duration;
 
 use super::course::Course;
+use super::follow::{Grows, Watch, follow};
 use super::replicates::Growing;
-use super::{HostFilm, Job, Outcome, Progress, RenderError, Stats, standard_errors};
-use crate::gpu::Device;
+use super::{HostFilm, Job, NEAREST, Outcome, RenderError, Start, Stats};
+use crate::features::Features;
+use crate::gpu::{Device, DeviceKind};
 use crate::kernel::scene::Recording;
 use crate::layout::Record;
+use crate::part::AnyPart;
 use crate::settings::Integrator;
 pub use kernel::statistics;
 use light::LightRun;
@@ -30,18 +34,36 @@ use path::PathRun;
 use rendering::Rendering;
 use replicates::Replicates;
 
-/// Renders on `device`; ends early, with whole samples in every pixel, once `stop` is set.
+/// Why a rendering ended without a picture, and what there is of it.
+#[derive(Debug)]
+pub struct Failed {
+    pub error: RenderError,
+    /// From the first slice on.
+    pub so_far: Option<Box<Outcome>>,
+}
+
+impl<E: Into<RenderError>> From<E> for Failed {
+    fn from(error: E) -> Self {
+        Self {
+            error: error.into(),
+            so_far: None,
+        }
+    }
+}
+
+/// Renders on `device` from `start` on; ends early, with whole samples in every pixel, once `stop` is set.
 pub fn render(
     job: &Job,
     device: &Device,
     limits: DispatchLimits,
+    start: &Start,
     stop: &AtomicBool,
-    progress: &mut dyn FnMut(Progress),
-) -> Result<Outcome, RenderError> {
+    watch: &mut dyn Watch,
+) -> Result<Outcome, Failed> {
     match job.settings.estimator.integrator {
-        Integrator::Path => render_by::<PathRun>(job, device, limits, stop, progress),
+        Integrator::Path => render_by::<PathRun>(job, device, limits, start, stop, watch),
         Integrator::Light | Integrator::Bidirectional => {
-            render_by::<LightRun>(job, device, limits, stop, progress)
+            render_by::<LightRun>(job, device, limits, start, stop, watch)
         }
     }
 }
@@ -65,48 +87,73 @@ fn render_by<'a, R: Rendering<'a>>(
     job: &'a Job<'a>,
     device: &'a Device,
     limits: DispatchLimits,
+    start: &Start,
     stop: &AtomicBool,
-    progress: &mut dyn FnMut(Progress),
-) -> Result<Outcome, RenderError> {
+    watch: &mut dyn Watch,
+) -> Result<Outcome, Failed> {
+    let part = start.part(job)?;
     let features = job.features();
-    let mut run = R::new(job, device, &features, limits)?;
-    let compile_s = run.compile()?.as_secs_f64();
-
-    let mut course = Course::new(job, stop);
-    while let Some(samples) = course.next_slice() {
-        let mut part = |part| progress(course.progress(samples, part));
-        let longest = run.advance(samples, &mut part)?;
-        course.reached(samples, longest, || run.film().halves(samples));
-    }
-    let (done, render_s) = (course.done(), course.seconds());
-    let (end, errors) = course.finish();
-
-    let (counts, costs) = (run.film().counts(), *run.costs());
-    let stats = Stats {
-        device: device.info().name.clone(),
-        driver: device.info().driver.clone(),
-        set_up: costs.set_up,
+    let mut rendering = R::new(job, device, &features, limits)?;
+    let compile_s = rendering.compile()?.as_secs_f64();
+    rendering.go_on(part)?;
+    let mut run = Run {
+        device,
+        features,
         compile_s,
-        render_s,
-        gpu_s: Some(costs.gpu_time.as_secs_f64()),
-        samples: u64::from(done) * u64::from(job.area().pixels()),
-        rays: counts.rays,
-        dropped: counts.dropped,
-        long_paths: counts.long_paths,
-        underflows: counts.underflows,
-        largest: run.film().largest(),
-        features: features.names(),
-        spirv_bytes: costs.spirv_bytes,
-        buffers: run.buffers(),
+        rendering,
     };
-    Ok(Outcome {
-        film: run.film().picture(done),
-        stderr: standard_errors(job, run.film(), done),
-        spp: done,
-        end,
-        errors,
-        stats,
-    })
+    let mut course = Course::new(job, stop, start, limits.dispatch_time);
+    let ended = follow(&mut course, &mut run, watch);
+    let so_far = course.so_far(&run);
+    match ended {
+        Ok(()) => Ok(so_far),
+        Err(error) => Err(Failed {
+            error,
+            so_far: Some(Box::new(so_far)),
+        }),
+    }
+}
+
+/// A rendering under way.
+struct Run<'a, R> {
+    device: &'a Device,
+    features: Features,
+    compile_s: f64,
+    rendering: R,
+}
+
+impl<'a, R: Rendering<'a>> Grows for Run<'a, R> {
+    fn advance(
+        &mut self,
+        samples: u32,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Duration, RenderError> {
+        self.rendering.advance(samples, progress)
+    }
+
+    fn part(&self) -> AnyPart {
+        AnyPart::F32(self.rendering.film().part())
+    }
+
+    fn stats(&self) -> Stats {
+        let costs = self.rendering.costs();
+        let info = self.device.info();
+        Stats {
+            device: info.name.clone(),
+            driver: info.driver.clone(),
+            rounding: match info.kind {
+                DeviceKind::Cpu => NEAREST.to_owned(),
+                _ => format!("as {}, {} do", info.name, info.driver),
+            },
+            set_up: costs.set_up,
+            compile_s: self.compile_s,
+            gpu_s: Some(costs.gpu_time.as_secs_f64()),
+            features: self.features.names(),
+            spirv_bytes: costs.spirv_bytes,
+            buffers: self.rendering.buffers(),
+            ..Stats::default()
+        }
+    }
 }
 
 /// The events of one path: sample `index` of the pixel at column and row `pixel`.
@@ -126,7 +173,7 @@ pub fn records(
     let limits = DispatchLimits::of(device)?;
     let recording = Recording::Events(CAPACITY);
     let mut run = PathRun::recording(&job, device, &features, limits, recording)?;
-    run.sample_begin = index;
+    run.restart(0, index)?;
     run.advance_tile(0, 1)?;
     run.records()
 }

@@ -4,7 +4,7 @@ use super::light::LightRun;
 use super::light_paths::Arrived;
 use super::limits::DispatchLimits;
 use super::path::PathRun;
-use super::tile_film::TileFilm;
+use super::path_film::TileFilm;
 use crate::gpu::Device;
 use crate::kernel::scene::Recording;
 use crate::layout::PathOutcome;

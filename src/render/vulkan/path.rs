@@ -2,17 +2,19 @@
 
 use std::time::{Duration, Instant};
 
+use super::device_film::{DeviceFilm, buffer};
 use super::kernel::Kernel;
 use super::limits::DispatchLimits;
+use super::path_film::{PathFilm, TileFilm};
 use super::rendering::{Costs, Rendering};
-use super::tile_film::{DeviceFilm, PathFilm, TileFilm, buffer};
 use crate::features::Features;
 use crate::gpu::{Buffer, Device};
 use crate::kernel::scene::Recording;
 use crate::layout::{PathOutcome, Record, Slice};
+use crate::part::Part;
 use crate::render::plan::{PathPlan, StatePlan, thread_tiles};
 use crate::render::tiles::Tile;
-use crate::render::{Job, RenderError};
+use crate::render::{Job, RenderError, empty_part};
 
 /// A scene's path tracer, its buffers, and the films of all tiles.
 ///
@@ -26,8 +28,6 @@ pub struct PathRun<'a> {
     recorded: Option<Buffer>,
     pub host: PathFilm,
     budget: u32,
-    /// Index of the first sample.
-    pub sample_begin: u32,
 }
 
 impl<'a> Rendering<'a> for PathRun<'a> {
@@ -44,9 +44,14 @@ impl<'a> Rendering<'a> for PathRun<'a> {
 
     fn compile(&mut self) -> Result<Duration, RenderError> {
         let start = Instant::now();
-        self.dispatch(0, 0)?;
+        self.dispatch(self.host.tiles[0].tile, 0)?;
         self.kernel.costs.gpu_time = Duration::ZERO;
         Ok(start.elapsed())
+    }
+
+    fn go_on(&mut self, part: Part<f32>) -> Result<(), RenderError> {
+        self.host = self.host.going_on(part);
+        self.take_up()
     }
 
     fn advance(
@@ -54,11 +59,16 @@ impl<'a> Rendering<'a> for PathRun<'a> {
         samples: u32,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Duration, RenderError> {
-        let tiles = self.host.tiles.len();
+        let begin = self.host.done();
         let mut longest = Duration::ZERO;
-        for tile in 0..tiles {
-            longest = longest.max(self.advance_tile(tile, samples)?);
-            progress((tile + 1) as f64 / tiles as f64);
+        while self.host.done() < samples {
+            let done = self.host.done();
+            let stop = self.host.stop(samples);
+            let mut part = |tiles: f64| {
+                let done = f64::from(done - begin) + tiles * f64::from(stop - done);
+                progress(done / f64::from(samples - begin));
+            };
+            longest = longest.max(self.advance_to(stop, &mut part)?);
         }
         Ok(longest)
     }
@@ -68,16 +78,13 @@ impl<'a> Rendering<'a> for PathRun<'a> {
     }
 
     fn empty(&self) -> Self::Film {
-        self.host.empty()
+        self.host.going_on(empty_part(self.job, 0))
     }
 
     fn exchange(&mut self, film: Self::Film, seed: u32) -> Result<Self::Film, RenderError> {
         self.kernel.scene.reseed(self.job.prepared, seed)?;
         let before = std::mem::replace(&mut self.host, film);
-        // Of several tiles, each is uploaded when its turn comes.
-        if let [tile] = &self.host.tiles[..] {
-            self.film.upload(tile)?;
-        }
+        self.take_up()?;
         Ok(before)
     }
 
@@ -115,48 +122,79 @@ impl<'a> PathRun<'a> {
             kernel,
             film,
             recorded,
-            host: PathFilm::new(job.area(), tiles, features.keeps_moments()),
+            host: PathFilm::new(job.area(), tiles, empty_part(job, 0)),
             budget: limits.budget.max(1),
-            sample_begin: 0,
         })
     }
 
-    /// Brings every pixel of a tile to `sample_end` samples; returns the longest dispatch.
-    pub fn advance_tile(&mut self, tile: usize, sample_end: u32) -> Result<Duration, RenderError> {
-        if self.host.tiles.len() > 1 {
-            self.film.upload(&self.host.tiles[tile])?;
-        }
+    /// Brings the pixels of all tiles to the sample of index `stop`, or on an error those of none.
+    fn advance_to(
+        &mut self,
+        stop: u32,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Duration, RenderError> {
+        let samples = stop - self.host.block_begin();
+        let count = self.host.tiles.len();
         let mut longest = Duration::ZERO;
-        loop {
-            longest = longest.max(self.dispatch(tile, sample_end)?);
-            let kept = &mut self.host.tiles[tile];
-            self.film.read_pixels(kept)?;
-            let loops: u64 = kept.pixels.iter().map(|p| u64::from(p.loops)).sum();
-            if loops > 0 {
-                return Err(RenderError::Loops(loops));
-            }
-            if kept.pixels.iter().all(|p| p.samples == sample_end) {
-                self.film.read_moments(kept)?;
-                return Ok(longest);
-            }
+        let mut grown = Vec::with_capacity(count);
+        for tile in 0..count {
+            let (film, time) = self.grown(tile, samples)?;
+            grown.push(film);
+            longest = longest.max(time);
+            progress((tile + 1) as f64 / count as f64);
         }
+        self.host.tiles = grown;
+        if self.host.settle() {
+            self.take_up()?;
+        }
+        Ok(longest)
     }
 
-    /// Begins a tile anew, at the sample of index `sample_begin`.
-    pub fn restart(&mut self, tile: usize, sample_begin: u32) -> Result<(), RenderError> {
-        self.sample_begin = sample_begin;
-        self.host.tiles[tile].clear();
+    /// Brings every pixel of a tile to `samples` of its block under way.
+    pub fn advance_tile(&mut self, tile: usize, samples: u32) -> Result<(), RenderError> {
+        let (film, _) = self.grown(tile, samples)?;
+        self.host.tiles[tile] = film;
+        Ok(())
+    }
+
+    /// Begins a tile anew, at the sample of index `begin`.
+    pub fn restart(&mut self, tile: usize, begin: u32) -> Result<(), RenderError> {
+        self.host.restart(tile, empty_part(self.job, begin));
         self.film.upload(&self.host.tiles[tile])
     }
 
-    fn dispatch(&mut self, tile: usize, sample_end: u32) -> Result<Duration, RenderError> {
-        let TileFilm { tile, .. } = &self.host.tiles[tile];
+    /// Has the device go on with the film of the host. Of several tiles, each is uploaded when its turn comes.
+    fn take_up(&mut self) -> Result<(), RenderError> {
+        match &self.host.tiles[..] {
+            [tile] => self.film.upload(tile),
+            _ => Ok(()),
+        }
+    }
+
+    /// A tile with `samples` of the block under way in every pixel, and the longest dispatch of that.
+    fn grown(&mut self, tile: usize, samples: u32) -> Result<(TileFilm, Duration), RenderError> {
+        if self.host.tiles.len() > 1 {
+            self.film.upload(&self.host.tiles[tile])?;
+        }
+        let tile = self.host.tiles[tile].tile;
+        let mut longest = Duration::ZERO;
+        loop {
+            longest = longest.max(self.dispatch(tile, samples)?);
+            if self.film.read_pixels(tile, samples)? {
+                let grown = self.film.read(tile, self.host.block_begin())?;
+                return Ok((grown, longest));
+            }
+        }
+    }
+
+    /// Has every pixel of a tile go on to `sample_end` samples of its block.
+    fn dispatch(&mut self, tile: Tile, sample_end: u32) -> Result<Duration, RenderError> {
         let slice = Slice {
             tile_x: tile.x,
             tile_y: tile.y,
             tile_width: tile.width,
             tile_height: tile.height,
-            sample_begin: self.sample_begin,
+            sample_begin: self.host.block_begin(),
             sample_end,
             budget: self.budget,
             eye_medium: self.job.prepared.eye_medium,

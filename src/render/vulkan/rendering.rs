@@ -4,11 +4,12 @@ use std::time::Duration;
 
 use crate::features::Features;
 use crate::gpu::Device;
+use crate::part::Part;
 use crate::render::{DispatchLimits, HostFilm, Job, RenderError, SetUp};
 
 /// The kernels and buffers of one integrator, and the film that they add samples to.
 pub trait Rendering<'a>: Sized {
-    type Film: HostFilm;
+    type Film: HostFilm<Scalar = f32>;
 
     /// Compiles, uploads; no samples yet.
     fn new(
@@ -21,11 +22,14 @@ pub trait Rendering<'a>: Sized {
     /// The first dispatch, on which drivers compile: asks for no sample.
     fn compile(&mut self) -> Result<Duration, RenderError>;
 
-    /// Brings every pixel to `samples` samples and reports the part that is done; returns the longest dispatch.
+    /// Goes on from a part of the job's picture.
+    fn go_on(&mut self, part: Part<f32>) -> Result<(), RenderError>;
+
+    /// Brings every pixel to the sample of index `samples` and reports the part that is done; returns the longest dispatch.
     ///
     /// # Errors
     /// [`RenderError::Loops`] after the first dispatch that did not end its loops itself: what comes after would
-    /// be wrong too.
+    /// be wrong too. After this one and any other, the film has the samples that every pixel had by then.
     fn advance(
         &mut self,
         samples: u32,

@@ -46,7 +46,7 @@ impl<'a, R: Rendering<'a>> Replicates<R, R::Film> {
             films: seeds.iter().map(film).collect(),
             run,
             current: None,
-            slices: Slices::new(),
+            slices: Slices::new(limits.dispatch_time),
             compile_s,
         })
     }
@@ -96,9 +96,8 @@ impl<'a, R: Rendering<'a>> Growing for Replicates<R, R::Film> {
     }
 
     fn picture(&self, i: usize) -> Film {
-        let Replicate { film, done, .. } = &self.films[i];
-        let film = film.as_ref().unwrap_or_else(|| self.run.film());
-        film.picture(*done)
+        let film = self.films[i].film.as_ref();
+        film.unwrap_or_else(|| self.run.film()).part().picture()
     }
 
     fn set_up_s(&self) -> f64 {

@@ -77,7 +77,7 @@ fn halves_and_replicates_tell_the_error_and_the_spread_of_samples_does_not() {
     let relative = |film| figures(film).of(Metric::RelMse).all;
     let (truth_of_line, doubt) = estimate(&all.iter().map(relative).collect::<Vec<_>>());
     let told = |seed: u32| {
-        let errors = outcome(&Job { seed, ..job }, &Target::CpuF32).errors;
+        let errors = outcome(&Job { seed, ..job }, &Target::CpuF32).state.errors;
         let rel_mse = errors.last().and_then(|e| e.rel_mse);
         rel_mse.expect("two samples").estimate
     };

@@ -156,6 +156,7 @@ pub const ARGUMENTS: &[(&str, &str)] = &[
 /// Free functions of the reference without a twin, by name or by the start of their file.
 pub const REFERENCE_ONLY: &[(&str, &str)] = &[
     ("accel/", "each renderer has a hierarchy of its own"),
+    ("film/film_join", "the host joins blocks of samples"),
     (
         "film_half_difference",
         "of the sums that the host reads back",

@@ -4,7 +4,6 @@ use std::path::PathBuf;
 
 use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
-use crate::cli::source::Source;
 use crate::image::Format;
 use crate::image::file::stderr_path;
 use crate::report::names::Named;
@@ -16,18 +15,10 @@ pub struct Picture {
     pub format: Format,
 }
 
-/// The pictures of `-o`, else one of each format, or of that of `--format`, named after the scene, in the working directory.
+/// The pictures of `-o`.
 ///
 /// `--format` is the format of every picture whose name does not tell it. Where all names do, it must agree with them.
-pub fn pictures(
-    outputs: &[Destination],
-    format: Option<Format>,
-    scene: &Source,
-) -> Result<Vec<Picture>, Failure> {
-    if outputs.is_empty() {
-        let formats = format.map_or(vec![Format::Png, Format::Exr], |format| vec![format]);
-        return named_after(scene, &formats);
-    }
+pub fn pictures(outputs: &[Destination], format: Option<Format>) -> Result<Vec<Picture>, Failure> {
     let told = |to: &Destination| to.path().and_then(Format::of);
     if let Some(format) = format
         && outputs.iter().all(|to| told(to).is_some())
@@ -48,32 +39,13 @@ pub fn pictures(
     outputs.iter().map(picture).collect()
 }
 
-/// The name of the scene with the ending of each format.
-fn named_after(scene: &Source, formats: &[Format]) -> Result<Vec<Picture>, Failure> {
-    let Some(stem) = scene.stem() else {
-        return Err(Failure::Usage(
-            "the scene has no file name to call pictures by: use -o".to_owned(),
-        ));
-    };
-    let picture = |&format: &Format| {
-        let mut name = stem.to_os_string();
-        name.push(".");
-        name.push(format.name());
-        Picture {
-            to: Destination::File(name.into()),
-            format,
-        }
-    };
-    Ok(formats.iter().map(picture).collect())
-}
-
 fn formatless(to: &Destination) -> String {
     match to {
         Destination::Stdout => {
             "-o - needs --format: png, hdr or exr, as stdout has no ending that tells".to_owned()
         }
         Destination::File(path) => format!(
-            "-o {}: the ending must be .png, .hdr or .exr; for another, --format tells the format",
+            "-o {}: the ending must be .png, .hdr, .exr or .vkpt; for another, --format tells the format of a picture",
             path.display()
         ),
     }
@@ -119,12 +91,12 @@ mod tests {
     use super::*;
 
     /// `name:format` of each picture, or the message.
-    fn chosen(outputs: &[&str], format: Option<Format>, scene: &str) -> Result<String, String> {
+    fn chosen(outputs: &[&str], format: Option<Format>) -> Result<String, String> {
         let outputs: Vec<_> = outputs
             .iter()
             .map(|name| Destination::from(OsString::from(name)))
             .collect();
-        match pictures(&outputs, format, &Source::from(OsString::from(scene))) {
+        match pictures(&outputs, format) {
             Ok(all) => {
                 let told = |p: &Picture| format!("{}:{}", p.to, p.format.name());
                 Ok(all.iter().map(told).collect::<Vec<_>>().join(" "))
@@ -137,20 +109,17 @@ mod tests {
     #[test]
     fn names_tell_formats_and_the_flag_tells_the_others() {
         const PNG: Option<Format> = Some(Format::Png);
-        let rows: [(&[&str], _, &str, &str); 10] = [
-            (&[], None, "in/a.txt", "a.png:png a.exr:exr"),
-            (&[], Some(Format::Hdr), "in/a.txt", "a.hdr:hdr"),
-            (&[], None, "-", "stdin.png:png stdin.exr:exr"),
-            (&["b.EXR"], None, "-", "b.EXR:exr"),
-            (&["b.exr"], Some(Format::Exr), "-", "b.exr:exr"),
-            (&["-"], PNG, "a.txt", "stdout:png"),
-            (&["b"], PNG, "a.txt", "b:png"),
-            (&["b.0001"], PNG, "a.txt", "b.0001:png"),
-            (&["-", "b.exr"], PNG, "a.txt", "stdout:png b.exr:exr"),
-            (&["b.exr", "c.hdr"], None, "a.txt", "b.exr:exr c.hdr:hdr"),
+        let rows: [(&[&str], _, &str); 7] = [
+            (&["b.EXR"], None, "b.EXR:exr"),
+            (&["b.exr"], Some(Format::Exr), "b.exr:exr"),
+            (&["-"], PNG, "stdout:png"),
+            (&["b"], PNG, "b:png"),
+            (&["b.0001"], PNG, "b.0001:png"),
+            (&["-", "b.exr"], PNG, "stdout:png b.exr:exr"),
+            (&["b.exr", "c.hdr"], None, "b.exr:exr c.hdr:hdr"),
         ];
-        for (outputs, format, scene, expected) in rows {
-            assert_eq!(chosen(outputs, format, scene).as_deref(), Ok(expected));
+        for (outputs, format, expected) in rows {
+            assert_eq!(chosen(outputs, format).as_deref(), Ok(expected));
         }
         let refused: [(&[&str], _, &str); 5] = [
             (&["-"], None, "-o - needs --format"),
@@ -160,7 +129,7 @@ mod tests {
             (&["a.png", "b.exr"], PNG, "contradicts -o b.exr"),
         ];
         for (outputs, format, said) in refused {
-            let message = chosen(outputs, format, "a.txt").expect_err("refused");
+            let message = chosen(outputs, format).expect_err("refused");
             assert!(message.contains(said), "{message}");
         }
     }

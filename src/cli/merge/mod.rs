@@ -1,0 +1,94 @@
+//! `vkpt merge`: joins parts of a picture that were rendered apart.
+
+mod arguments;
+mod join;
+mod order;
+mod record;
+
+use self::join::{Joined, join};
+use self::order::{InOrder, in_order};
+use crate::cli::exit::{Ending, Failure, warn};
+use crate::cli::inputs::{Input, spare};
+use crate::cli::outputs::{Outputs, Written, write};
+use crate::cli::writable;
+use crate::film::Aov;
+use crate::render::freedom;
+use crate::report::SettingsRecord;
+use crate::report::names::Named;
+use crate::settings::Sampler;
+use crate::state::Header;
+pub use arguments::MergeArguments;
+
+/// Reads the parts, joins them and writes what comes out, as a rendering does.
+pub fn merge(arguments: &MergeArguments) -> Result<Ending, Failure> {
+    let parts = in_order(arguments)?;
+    let samples = parts.samples();
+    let outputs = Outputs::new(&arguments.outputs, samples.len() as u32, || {
+        Err(Failure::Usage(
+            "-o FILE is missing: the picture to write, or a .vkpt file for a larger part"
+                .to_owned(),
+        ))
+    })?;
+    if outputs.has_pictures() && samples.start > 0 {
+        return Err(Failure::Pictures(vec![format!(
+            "samples 0..{} are missing: a picture needs all from the first; -o FILE.vkpt makes a larger part",
+            samples.start
+        )]));
+    }
+    writable::check(outputs.all())?;
+    let read = |path| Input::new("a part", path);
+    spare(&parts.paths().map(read).collect::<Vec<_>>(), outputs.all())?;
+    check_stderr(arguments, &parts)?;
+    if !parts.round_alike() {
+        warn(
+            "the parts are of devices that do not round alike: the picture is as good as one rendering's, but not the same to the bit",
+        );
+    }
+    let joined = join(&parts)?;
+    leave(arguments, &outputs, &parts, &joined)
+}
+
+/// Standard errors of independent samples come from moments, which a part has or has not.
+fn check_stderr(arguments: &MergeArguments, parts: &InOrder) -> Result<(), Failure> {
+    let asked = arguments.outputs.aov.contains(&Aov::Stderr);
+    let SettingsRecord { sampler, .. } = &parts.first().record.job.settings;
+    match asked && *sampler == Sampler::Random.name() && !parts.keep_moments {
+        true => Err(Failure::Usage(
+            "--aov stderr of --sampler random needs parts that were rendered with --aov stderr"
+                .to_owned(),
+        )),
+        false => Ok(()),
+    }
+}
+
+fn leave(
+    arguments: &MergeArguments,
+    outputs: &Outputs,
+    parts: &InOrder,
+    joined: &Joined,
+) -> Result<Ending, Failure> {
+    let film = joined.part.picture();
+    let spp = joined.part.samples();
+    let asked = arguments.outputs.aov.contains(&Aov::Stderr) && spp >= 2;
+    let stderr = asked.then(|| joined.part.standard_errors());
+    let SettingsRecord { sampler, .. } = &parts.first().record.job.settings;
+    let sampler = match *sampler == Sampler::Random.name() {
+        true => Sampler::Random,
+        false => Sampler::Sobol,
+    };
+    let header = Header {
+        digest: parts.first().digest.clone(),
+        rounding: parts.rounding(),
+        record: record::record(parts, joined, &film),
+    };
+    write(
+        outputs,
+        Written {
+            film: &film,
+            stderr: stderr.as_ref().map(|film| (film, freedom(sampler, spp))),
+            part: &joined.part,
+            parts: &outputs.parts,
+            header,
+        },
+    )
+}

@@ -1,0 +1,46 @@
+//! The flags of what a picture is written to.
+
+use crate::cli::destination::Destination;
+use crate::cli::numbers;
+use crate::cli::values::choice;
+use crate::film::Aov;
+use crate::image::Format;
+
+/// Which files are written, and what beside them.
+#[derive(clap::Args, Debug)]
+pub struct OutputArguments {
+    /// Picture to write: .png (sRGB), .hdr (linear, RGBE) or .exr (linear, f32), or - for stdout; or
+    /// .vkpt, from which --resume goes on and which vkpt merge joins; may be repeated [default: the
+    /// scene's name with .png and .exr, in the working directory]
+    #[arg(short, long = "output", value_name = "FILE", help_heading = "Picture")]
+    pub output: Vec<Destination>,
+
+    /// Format of pictures whose name does not tell it, and of stdout: png, hdr or exr
+    #[arg(long, value_name = "FORMAT", help_heading = "Picture")]
+    #[arg(value_parser = choice::<Format>(), hide_possible_values = true)]
+    pub format: Option<Format>,
+
+    /// Write beside each picture what else is known of its pixels. stderr: standard errors of the
+    /// mean, to NAME-stderr.exr
+    #[arg(
+        long,
+        value_name = "WHAT",
+        help_heading = "Picture",
+        value_delimiter = ','
+    )]
+    #[arg(value_parser = choice::<Aov>(), hide_possible_values = true)]
+    pub aov: Vec<Aov>,
+
+    /// Stops by which .png is brightened; negative: darkened
+    #[arg(long, value_name = "EV", help_heading = "Picture", default_value = "0")]
+    #[arg(value_parser = numbers::exposure)]
+    pub exposure: f64,
+
+    /// Write what the rendering did and how long it took; - for stdout
+    #[arg(long, value_name = "FILE", help_heading = "Reports")]
+    pub json: Option<Destination>,
+
+    /// No progress and no summary, only warnings and errors
+    #[arg(long, help_heading = "Reports")]
+    pub quiet: bool,
+}

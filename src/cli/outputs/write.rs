@@ -1,0 +1,95 @@
+//! Writing what a rendering has made, or several.
+
+use std::time::Instant;
+
+use super::Outputs;
+use super::pictures::Picture;
+use crate::cli::destination::{Destination, json, whole};
+use crate::cli::exit::{Ending, Failure, warn};
+use crate::film::Film;
+use crate::image::file::FileError;
+use crate::image::{Frame, Labels, encode};
+use crate::part::AnyPart;
+use crate::report::{self, Record, SOFTWARE};
+use crate::state::{self, Header};
+
+/// What is written.
+pub struct Written<'a> {
+    pub film: &'a Film,
+    /// Standard errors, with their degrees of freedom.
+    pub stderr: Option<(&'a Film, f64)>,
+    pub part: &'a AnyPart,
+    /// Where that goes.
+    pub parts: &'a [Destination],
+    pub header: Header,
+}
+
+/// Writes everything that can be written, for what cost hours is not lost for another's disk; then says what the user should
+/// worry about, and what was done.
+pub fn write(outputs: &Outputs, of: Written) -> Result<Ending, Failure> {
+    let start = Instant::now();
+    let mut record = of.header.record.clone();
+    let (mut files, mut errors) = pictures(outputs, &of, &record);
+    for to in of.parts {
+        match to.write(|out| state::write(out, &of.header, of.part)) {
+            Ok(()) => files.push(to.to_string()),
+            Err(error) => errors.push(error),
+        }
+    }
+    record.files = files;
+    record.seconds.write = start.elapsed().as_secs_f64();
+    errors.extend(whole(&outputs.arguments.json, || json(&record)).err());
+    report::concerns(&record)
+        .iter()
+        .for_each(|concern| warn(concern));
+    if !outputs.arguments.quiet {
+        let summary = report::summary(&record) + "\n";
+        errors.extend(outputs.console().print(&summary).err());
+    }
+    match errors.is_empty() {
+        false => Err(Failure::Files(errors)),
+        true if record.job.ended == "interrupted" => Ok(Ending::Interrupted),
+        true => Ok(Ending::Complete),
+    }
+}
+
+/// The pictures, and what goes beside them: which files are there now, and why others are not.
+fn pictures(outputs: &Outputs, of: &Written, record: &Record) -> (Vec<String>, Vec<FileError>) {
+    let (job, device) = (&record.job, &record.machine.device);
+    let [x0, y0, ..] = job.crop.unwrap_or_default();
+    let write = |files: &[Picture], film: &Film, notes: &[_]| {
+        let frame = Frame {
+            film,
+            origin: [x0, y0],
+            full: job.size,
+        };
+        let labels = Labels {
+            exposure: outputs.arguments.exposure,
+            software: SOFTWARE,
+            notes,
+        };
+        write_frame(files, &frame, &labels)
+    };
+    let (mut written, mut errors) = write(&outputs.pictures, of.film, &report::notes(job, device));
+    if let Some((stderr, freedom)) = of.stderr {
+        let notes = report::stderr_notes(freedom, of.film, job, device);
+        let (more, failed) = write(&outputs.stderr, stderr, &notes);
+        written.extend(more);
+        errors.extend(failed);
+    } else if !outputs.stderr.is_empty() {
+        warn("no standard errors are written: one sample tells nothing of its error");
+    }
+    (written, errors)
+}
+
+/// Writes the frame to every file that can be written.
+fn write_frame(files: &[Picture], frame: &Frame, labels: &Labels) -> (Vec<String>, Vec<FileError>) {
+    let (mut written, mut errors) = (Vec::new(), Vec::new());
+    for Picture { to, format } in files {
+        match to.write(|mut out| encode(frame, *format, labels, &mut out)) {
+            Ok(()) => written.push(to.to_string()),
+            Err(error) => errors.push(error),
+        }
+    }
+    (written, errors)
+}

@@ -1,0 +1,171 @@
+//! Rendering, with a display, and a part on disk now and then.
+
+use std::path::Path;
+
+use super::RenderArguments;
+use super::record::{error_of, record};
+use crate::cli::exit::{Failure, note, warn};
+use crate::cli::interrupt::stop_flag;
+use crate::cli::job::Ready;
+use crate::cli::keep::{Checkpoint, hint, resumed};
+use crate::cli::progress::Display;
+use crate::render::{
+    self, Best, Job, NEAREST, Outcome, Progress, RenderError, Start, State, Watch, freedom,
+};
+use crate::report::Record;
+use crate::state::{Header, Kept};
+
+/// What a rendering is for.
+pub struct Goal<'a> {
+    /// Where the part goes.
+    pub kept: Option<&'a Path>,
+    /// Of the scene and its meshes.
+    pub digest: String,
+    /// Not the part alone.
+    pub pictures: bool,
+}
+
+/// What came of it.
+pub struct Made {
+    pub outcome: Outcome,
+    pub header: Header,
+    /// Degrees of freedom of its standard errors.
+    pub freedom: f64,
+    /// Whether a part is on disk that is to be kept true.
+    pub checkpointed: bool,
+}
+
+/// Renders to the end that is asked for; `None` where the part is there already and is all that is asked for.
+pub fn develop(
+    arguments: &RenderArguments,
+    ready: &Ready,
+    goal: Goal,
+) -> Result<Option<Made>, Failure> {
+    let job = Job {
+        aovs: &arguments.outputs.aov,
+        kernel: arguments.kernel,
+        until: arguments.until(),
+        ..ready.job(&arguments.request()?)?
+    };
+    let best = arguments.best(&job);
+    let labels = Labels {
+        arguments,
+        ready,
+        best: &best,
+        digest: goal.digest,
+        earlier: None,
+    };
+    let (labels, start) = begin(labels, &job, goal.kept)?;
+    if start.range().end == job.spp && !goal.pictures {
+        note("all samples are there already");
+        return Ok(None);
+    }
+    let stop = stop_flag();
+    let pause = arguments.pause().zip(goal.kept);
+    let resumes = matches!(start, Start::After(_));
+    let mut watcher = Watcher {
+        display: Display::new(arguments.outputs.quiet),
+        checkpoint: pause.map(|(pause, path)| Checkpoint::new(path.to_owned(), pause, resumes)),
+        labels: &labels,
+    };
+    let outcome = render::render_from(&job, &best.target, &start, &stop, &mut watcher);
+    watcher.display.finish();
+    let checkpointed = watcher.checkpoint.map_or(resumes, |c| c.written);
+    let outcome = outcome.map_err(Failure::Render)?;
+    let header = labels.header(&outcome);
+    Ok(Some(Made {
+        freedom: freedom(job.settings.estimator.sampler, outcome.spp),
+        header,
+        outcome,
+        checkpointed,
+    }))
+}
+
+/// Where the rendering begins: after what is on disk, if that is asked for.
+fn begin<'a>(
+    mut labels: Labels<'a>,
+    job: &Job,
+    kept: Option<&Path>,
+) -> Result<(Labels<'a>, Start), Failure> {
+    let arguments = labels.arguments;
+    let samples = arguments.range();
+    let anew = Start::At(samples.start);
+    let Some(path) = kept else {
+        return Ok((labels, anew));
+    };
+    let own = labels.header_of(record(arguments, labels.ready, labels.best, None), NEAREST);
+    if !arguments.resume {
+        if !arguments.outputs.quiet {
+            hint(path, &own, samples);
+        }
+        return Ok((labels, anew));
+    }
+    let moments = job.features().keeps_moments();
+    let target = &labels.best.target;
+    let Some(Kept { header, part }) = resumed(path, &own, samples, target, moments)? else {
+        return Ok((labels, anew));
+    };
+    labels.earlier = Some(header.rounding);
+    let Record { error, seconds, .. } = header.record;
+    let state = State {
+        part,
+        errors: error.iter().map(error_of).collect(),
+        seconds: seconds.render,
+    };
+    Ok((labels, Start::After(state)))
+}
+
+/// What is written beside the samples.
+struct Labels<'a> {
+    arguments: &'a RenderArguments,
+    ready: &'a Ready,
+    best: &'a Best,
+    digest: String,
+    /// How the device rounds that made the samples gone on from.
+    earlier: Option<String>,
+}
+
+impl Labels<'_> {
+    fn header(&self, outcome: &Outcome) -> Header {
+        let record = record(self.arguments, self.ready, self.best, Some(outcome));
+        self.header_of(record, &outcome.stats.rounding)
+    }
+
+    fn header_of(&self, record: Record, rounding: &str) -> Header {
+        let rounding = match &self.earlier {
+            Some(earlier) if earlier != rounding => format!("{earlier}, then {rounding}"),
+            _ => rounding.to_owned(),
+        };
+        Header {
+            digest: self.digest.clone(),
+            rounding,
+            record,
+        }
+    }
+}
+
+/// Shows how far the rendering is, and leaves checkpoints.
+struct Watcher<'a> {
+    display: Display,
+    checkpoint: Option<Checkpoint>,
+    labels: &'a Labels<'a>,
+}
+
+impl Watch for Watcher<'_> {
+    fn progress(&mut self, progress: Progress) {
+        self.display.update(progress);
+    }
+
+    fn reached(&mut self, so_far: &dyn Fn() -> Outcome) {
+        if let Some(checkpoint) = self.checkpoint.as_mut().filter(|c| c.is_due()) {
+            let outcome = so_far();
+            checkpoint.write(&self.labels.header(&outcome), &outcome.state.part);
+        }
+    }
+
+    fn lost(&mut self, error: &RenderError) {
+        warn(&format!(
+            "the device failed: {error}; it is opened anew, and the rendering goes on by shorter dispatches"
+        ));
+    }
+}

@@ -1,0 +1,115 @@
+//! A part in either scalar.
+
+use std::ops::Range;
+
+use super::{Halves, Misfit, Part, Tally};
+use crate::film::Film;
+use crate::reference::math::Real;
+
+/// A part of a device or of `cpu-f32`, or of `cpu-f64`.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AnyPart {
+    F32(Part<f32>),
+    F64(Part<f64>),
+}
+
+/// A scalar that parts are of.
+pub trait Scalar: Real {
+    /// Its part as one of either scalar.
+    fn any(part: Part<Self>) -> AnyPart;
+    /// Back again; `None` of the other scalar.
+    fn of(part: AnyPart) -> Option<Part<Self>>;
+}
+
+impl Scalar for f32 {
+    fn any(part: Part<Self>) -> AnyPart {
+        AnyPart::F32(part)
+    }
+    fn of(part: AnyPart) -> Option<Part<Self>> {
+        match part {
+            AnyPart::F32(part) => Some(part),
+            AnyPart::F64(_) => None,
+        }
+    }
+}
+
+impl Scalar for f64 {
+    fn any(part: Part<Self>) -> AnyPart {
+        AnyPart::F64(part)
+    }
+    fn of(part: AnyPart) -> Option<Part<Self>> {
+        match part {
+            AnyPart::F64(part) => Some(part),
+            AnyPart::F32(_) => None,
+        }
+    }
+}
+
+/// The same of either scalar.
+macro_rules! either {
+    ($self:expr, $part:ident => $value:expr) => {
+        match $self {
+            AnyPart::F32($part) => $value,
+            AnyPart::F64($part) => $value,
+        }
+    };
+}
+
+impl AnyPart {
+    /// See [`Part::size`].
+    pub fn size(&self) -> [u32; 2] {
+        either!(self, p => p.size())
+    }
+
+    /// See [`Part::range`].
+    pub fn range(&self) -> Range<u32> {
+        either!(self, p => p.range())
+    }
+
+    /// See [`Part::samples`].
+    pub fn samples(&self) -> u32 {
+        either!(self, p => p.samples())
+    }
+
+    /// See [`Part::keeps_moments`].
+    pub fn keeps_moments(&self) -> bool {
+        either!(self, p => p.keeps_moments())
+    }
+
+    /// What was counted.
+    pub fn tally(&self) -> Tally {
+        either!(self, p => p.tally)
+    }
+
+    /// See [`Part::picture`].
+    pub fn picture(&self) -> Film {
+        either!(self, p => p.picture())
+    }
+
+    /// See [`Part::halves`].
+    pub fn halves(&self) -> Halves {
+        either!(self, p => p.halves())
+    }
+
+    /// See [`Part::standard_errors`].
+    pub fn standard_errors(&self) -> Film {
+        either!(self, p => p.standard_errors())
+    }
+
+    /// See [`Part::append`]; `look` gets the number of samples, and what makes their halves.
+    pub fn append(
+        &mut self,
+        next: Self,
+        look: &mut dyn FnMut(u32, &dyn Fn() -> Halves),
+    ) -> Result<(), Misfit> {
+        match (self, next) {
+            (Self::F32(part), Self::F32(next)) => {
+                part.append(next, &mut |p| look(p.samples(), &|| p.halves()))
+            }
+            (Self::F64(part), Self::F64(next)) => {
+                part.append(next, &mut |p| look(p.samples(), &|| p.halves()))
+            }
+            _ => Err(Misfit::Scalar),
+        }
+    }
+}

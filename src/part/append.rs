@@ -1,0 +1,75 @@
+//! Joining parts that follow one another.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::layout::{BLOCK, in_head};
+use super::{Part, Sums};
+use crate::reference::math::{Real, Vec3};
+
+/// Why one part does not follow another.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Misfit {
+    #[error("it has {} of pixels, not {}", by(.0), by(.1))]
+    Size([u32; 2], [u32; 2]),
+    #[error("only one of them has what standard errors are made from (--aov stderr)")]
+    Moments,
+    #[error("its scalar is another: one is of cpu-f64")]
+    Scalar,
+    #[error("it begins at sample {}, not {}", .0.start, .1.end)]
+    Range(Range<u32>, Range<u32>),
+}
+
+fn by(size: &[u32; 2]) -> String {
+    format!("{}x{}", size[0], size[1])
+}
+
+impl<F: Real> Part<F> {
+    /// Adds the samples of `next`, which begins where this part ends, and calls `look` after each step of that: whenever the
+    /// number of samples is a power of two, there is a step that ends at it, unless it is within the range of the first part.
+    pub fn append(&mut self, next: Self, look: &mut dyn FnMut(&Self)) -> Result<(), Misfit> {
+        if self.size != next.size {
+            return Err(Misfit::Size(next.size, self.size));
+        }
+        if self.moments != next.moments {
+            return Err(Misfit::Moments);
+        }
+        if self.range.end != next.range.start {
+            return Err(Misfit::Range(next.range(), self.range()));
+        }
+        self.tally = self.tally.plus(next.tally);
+        for values in next.head {
+            self.add(values);
+            look(self);
+        }
+        for node in next.nodes {
+            self.push(node);
+            look(self);
+        }
+        if let Some(tail) = next.tail {
+            self.range.end += tail.samples;
+            self.tail = Some(tail);
+            look(self);
+        }
+        Ok(())
+    }
+
+    /// Adds a sample to every pixel.
+    fn add(&mut self, values: Arc<Vec<Vec3<F>>>) {
+        if in_head(self.range.start, self.range.end) {
+            self.head.push(values);
+            self.range.end += 1;
+            return;
+        }
+        let none = || Arc::new(Sums::zero(values.len(), self.moments));
+        let mut tail = self.tail.take().unwrap_or_else(none);
+        Arc::make_mut(&mut tail).add(&values);
+        if tail.samples == BLOCK {
+            self.range.end -= BLOCK - 1;
+            self.push(tail);
+        } else {
+            self.range.end += 1;
+            self.tail = Some(tail);
+        }
+    }
+}

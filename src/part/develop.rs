@@ -1,0 +1,75 @@
+//! From sums to pictures.
+
+use super::{Part, Sums};
+use crate::film::Film;
+use crate::reference::film::{film_half_difference, film_mean, film_stderr};
+use crate::reference::math::{Real, Vec3};
+
+/// A picture and (a − b)/2 of the means a and b of its two groups of samples.
+pub struct Halves {
+    pub mean: Film,
+    pub half_difference: Film,
+}
+
+impl<F: Real> Part<F> {
+    /// The sums of all samples, in the order that nothing changes.
+    fn total(&self) -> Sums<F> {
+        let [width, height] = self.size;
+        let mut total = Sums::zero((width * height) as usize, self.moments);
+        self.head.iter().for_each(|values| total.add(values));
+        let later = self.nodes.iter().chain(&self.tail);
+        later.for_each(|sums| total.join(sums));
+        total
+    }
+
+    /// The mean of all samples, of which there is one at least.
+    pub fn picture(&self) -> Film {
+        self.mean(&self.total())
+    }
+
+    /// That mean, with half the difference of its two groups of samples, of which there are two at least.
+    pub fn halves(&self) -> Halves {
+        let total = self.total();
+        Halves {
+            mean: self.mean(&total),
+            half_difference: self.half_difference(&total),
+        }
+    }
+
+    /// The standard errors of that mean, of two samples at least.
+    ///
+    /// Each is the root of an unbiased estimate of the variance of its pixel and channel: of independent samples by their spread,
+    /// where moments are kept; of others, which are not independent within a group, by the two groups, which are.
+    pub fn standard_errors(&self) -> Film {
+        let total = self.total();
+        let n = total.samples;
+        if let Some(moments) = &total.moments {
+            return self.film(moments.iter().map(|m| film_stderr(m, n)));
+        }
+        let mut half = self.half_difference(&total);
+        for x in half.rgb.as_flattened_mut() {
+            *x = x.abs();
+        }
+        half
+    }
+
+    fn mean(&self, total: &Sums<F>) -> Film {
+        let n = total.samples;
+        self.film(total.pixels.iter().map(|p| film_mean(p.sum, n)))
+    }
+
+    fn half_difference(&self, total: &Sums<F>) -> Film {
+        let n = total.samples;
+        let pixels = total.pixels.iter();
+        self.film(pixels.map(|p| film_half_difference(p.sum, p.contrast, n)))
+    }
+
+    fn film(&self, values: impl Iterator<Item = Vec3<F>>) -> Film {
+        let [width, height] = self.size;
+        Film {
+            width,
+            height,
+            rgb: values.map(|v| v.f64().as_vec3().to_array()).collect(),
+        }
+    }
+}

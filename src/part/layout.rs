@@ -1,0 +1,86 @@
+//! Which sums a part keeps, by the indices of its samples alone.
+
+use std::ops::Range;
+
+/// Samples that are added one after the other. A power of two: short enough for the values of one to be kept, where a part
+/// begins inside it; long enough for a GPU's dispatch not to be cut short.
+pub const BLOCK: u32 = 256;
+
+/// How the samples of a range are kept.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Layout {
+    /// Samples kept one by one.
+    pub head: u32,
+    /// Samples of each node, from left to right.
+    pub nodes: Vec<u32>,
+    /// Samples of the block under way.
+    pub tail: u32,
+}
+
+impl Layout {
+    /// Of the samples with these indices.
+    pub fn new(range: Range<u32>) -> Self {
+        let Range { start, end } = range;
+        let head = first_block(start).min(end.max(start)) - start;
+        let mut at = start + head;
+        let mut nodes = Vec::new();
+        while let Some(node) = largest(at, end) {
+            nodes.push(node);
+            at += node;
+        }
+        Self {
+            head,
+            nodes,
+            tail: end.max(at) - at,
+        }
+    }
+}
+
+impl Layout {
+    /// Samples of the nodes and of the tail, where there is one: what is kept as sums.
+    pub fn sums(&self) -> impl Iterator<Item = u32> {
+        let tail = Some(self.tail).filter(|&tail| tail > 0);
+        self.nodes.iter().copied().chain(tail)
+    }
+
+    /// Scalars that it takes of each pixel; a value has three, sums have nine, and moments twelve.
+    pub fn scalars(&self, moments: bool) -> u64 {
+        let sums = if moments { 21 } else { 9 };
+        u64::from(self.head) * 3 + self.sums().count() as u64 * sums
+    }
+}
+
+/// The samples of the largest node that begins at `at`, a block's beginning, and ends by `end`.
+fn largest(at: u32, end: u32) -> Option<u32> {
+    let fits = end.saturating_sub(at) / BLOCK;
+    let level = fits.checked_ilog2()?.min((at / BLOCK).trailing_zeros());
+    Some(BLOCK << level)
+}
+
+/// The first block's beginning at or after `begin`, or the last index there is.
+fn first_block(begin: u32) -> u32 {
+    begin.checked_next_multiple_of(BLOCK).unwrap_or(u32::MAX)
+}
+
+/// Whether the sample of index `index` of a part that begins at `begin` is kept by itself.
+pub fn in_head(begin: u32, index: u32) -> bool {
+    index < first_block(begin)
+}
+
+/// See [`Part::stop`](super::Part::stop).
+pub fn stop(begin: u32, done: u32, to: u32) -> u32 {
+    match in_head(begin, done) {
+        true => to.min(done + 1),
+        false => to.min(done.saturating_add(BLOCK - done % BLOCK)),
+    }
+}
+
+/// Whether the sums of a film that end at `index`, of a part that begins at `begin`, are complete.
+pub fn ends_at(begin: u32, index: u32) -> bool {
+    index % BLOCK == 0 || index <= first_block(begin)
+}
+
+/// Whether two nodes side by side, of so many samples and the second ending at `end`, make one of the next level.
+pub fn are_halves(end: u32, a: u32, b: u32) -> bool {
+    a == b && u64::from(end) % (2 * u64::from(b)) == 0
+}

@@ -1,0 +1,176 @@
+//! A part of a picture: samples A up to B of every pixel, as sums that join with those of other parts to the sums of one
+//! rendering, bit for bit, however the samples were shared out.
+//!
+//! Sums of floats depend on the order of addition, so that is fixed, by the indices of samples alone. Samples i·[`BLOCK`] to
+//! (i + 1)·[`BLOCK`] are a *block*, added one after the other from zero, as a film does it. Whole blocks are joined in pairs,
+//! pairs in pairs, and so on: a *node* of level k is of the blocks j·2ᵏ to (j + 1)·2ᵏ, the sum of the two nodes below it. The
+//! sums of a picture are those of the largest nodes that its samples fill, from left to right, then of the block under way.
+//!
+//! ```text
+//! samples    0   256   512   768  1024  1280  1400
+//! nodes      ╰──────────╮╭──────────╯ ╰──╯  ╰╴ the block under way
+//! ```
+//!
+//! A part keeps the largest nodes within its range, at most two a level; the sums of the block that it ends in; and where it
+//! begins inside a block, the values of the samples up to that block's end, since they are to be added to sums that another
+//! part has. So what a part takes is known from its range ([`Layout`]): a range from one multiple of a power of
+//! two to the next is one node.
+
+mod any;
+mod append;
+mod develop;
+mod layout;
+mod sums;
+mod tally;
+#[cfg(test)]
+mod tests;
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use crate::reference::math::{Real, Vec3};
+pub use any::{AnyPart, Scalar};
+pub use append::Misfit;
+pub use develop::Halves;
+pub use layout::{BLOCK, Layout};
+pub use sums::{PixelSums, Sums};
+pub use tally::{Counts, Dropped, Tally};
+
+/// Samples of every pixel of a picture, or of its crop. Clones share the sums.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part<F> {
+    /// Width and height in pixels.
+    size: [u32; 2],
+    moments: bool,
+    /// Indices of the samples.
+    range: Range<u32>,
+    /// The samples of each index before the first block that begins here: a value a pixel, row by row.
+    head: Vec<Arc<Vec<Vec3<F>>>>,
+    /// Of whole blocks, from left to right.
+    nodes: Vec<Arc<Sums<F>>>,
+    /// Of the block under way, if it began here and has samples.
+    tail: Option<Arc<Sums<F>>>,
+    pub tally: Tally,
+}
+
+impl<F: Real> Part<F> {
+    /// No samples yet: the first is to have the index `begin`. `moments`: whether they are kept.
+    pub fn new(size: [u32; 2], moments: bool, begin: u32) -> Self {
+        Self {
+            size,
+            moments,
+            range: begin..begin,
+            head: Vec::new(),
+            nodes: Vec::new(),
+            tail: None,
+            tally: Tally::default(),
+        }
+    }
+
+    /// With these samples of each index of the head, and these sums of nodes and tail, as its [`Layout`] has them.
+    pub fn assembled(empty: Self, end: u32, head: Vec<Vec<Vec3<F>>>, sums: Vec<Sums<F>>) -> Self {
+        let range = empty.range.start..end;
+        let Layout { tail, .. } = Layout::new(range.clone());
+        let mut nodes: Vec<_> = sums.into_iter().map(Arc::new).collect();
+        let tail = if tail > 0 { nodes.pop() } else { None };
+        Self {
+            range,
+            head: head.into_iter().map(Arc::new).collect(),
+            nodes,
+            tail,
+            ..empty
+        }
+    }
+
+    /// The samples of each index of the head.
+    pub fn head(&self) -> impl Iterator<Item = &[Vec3<F>]> {
+        self.head.iter().map(|values| &values[..])
+    }
+
+    /// The sums of the nodes, from left to right, and of the tail.
+    pub fn sums(&self) -> impl Iterator<Item = &Sums<F>> {
+        self.nodes.iter().chain(&self.tail).map(|sums| &**sums)
+    }
+
+    /// Width and height in pixels.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// Whether moments are kept.
+    pub fn keeps_moments(&self) -> bool {
+        self.moments
+    }
+
+    /// Indices of the samples that it has.
+    pub fn range(&self) -> Range<u32> {
+        self.range.clone()
+    }
+
+    /// Samples that every pixel has.
+    pub fn samples(&self) -> u32 {
+        self.range.end - self.range.start
+    }
+
+    /// How its samples are kept.
+    pub fn layout(&self) -> Layout {
+        Layout::new(self.range())
+    }
+
+    /// The index at which a film that has brought this part to sample `done` is to hand its sums over, at most `to`: after each
+    /// sample of the head, and at the end of each block.
+    pub fn stop(&self, done: u32, to: u32) -> u32 {
+        layout::stop(self.range.start, done, to)
+    }
+
+    /// Whether sums that end at `index` are to be handed over.
+    pub fn ends_at(&self, index: u32) -> bool {
+        index > self.range.end && layout::ends_at(self.range.start, index)
+    }
+
+    /// Takes over the sums of a film, which begin where this part ends and end at a [stop](Self::stop).
+    pub fn close(&mut self, sums: Sums<F>) {
+        let end = self.range.end + sums.samples;
+        match layout::in_head(self.range.start, self.range.end) {
+            true => {
+                let values = sums.pixels.iter().map(|p| p.sum.sum).collect();
+                self.head.push(Arc::new(values));
+                self.range.end = end;
+            }
+            false => self.push(Arc::new(sums)),
+        }
+    }
+
+    /// With the sums of the block under way.
+    pub fn with_tail(&self, sums: Sums<F>) -> Self {
+        let mut part = self.clone();
+        if sums.samples > 0 {
+            part.range.end += sums.samples;
+            part.tail = Some(Arc::new(sums));
+        }
+        part
+    }
+
+    /// Without the block under way, and its sums, if it has any.
+    pub fn without_tail(mut self) -> (Self, Option<Arc<Sums<F>>>) {
+        let tail = self.tail.take();
+        self.range.end -= tail.as_ref().map_or(0, |tail| tail.samples);
+        (self, tail)
+    }
+
+    /// Adds a node, and joins the last two for as long as they are the halves of a larger one.
+    fn push(&mut self, node: Arc<Sums<F>>) {
+        self.range.end += node.samples;
+        self.nodes.push(node);
+        while let [.., a, b] = &self.nodes[..]
+            && layout::are_halves(self.range.end, a.samples, b.samples)
+        {
+            let b = self.nodes.pop();
+            let a = self.nodes.pop();
+            if let (Some(mut a), Some(b)) = (a, b) {
+                Arc::make_mut(&mut a).join(&b);
+                self.nodes.push(a);
+            }
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! Sums over consecutive samples of every pixel.
+
+use rayon::prelude::*;
+
+use crate::reference::film::{
+    FilmMoments, FilmPixel, PixelSum, film_join, film_join_contrast, film_join_moments,
+    film_moments, film_sample,
+};
+use crate::reference::math::{Real, Vec3};
+
+/// What a pixel's samples add up to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PixelSums<F> {
+    pub sum: PixelSum<F>,
+    /// Σ ± sample ([`FilmPixel::contrast`]).
+    pub contrast: Vec3<F>,
+}
+
+/// Sums over consecutive samples of every pixel, row by row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sums<F> {
+    /// Samples of each pixel.
+    pub samples: u32,
+    pub pixels: Vec<PixelSums<F>>,
+    /// One a pixel where standard errors are to come from them.
+    pub moments: Option<Vec<FilmMoments<F>>>,
+}
+
+impl<F: Real> PixelSums<F> {
+    /// Of no samples.
+    pub fn zero() -> Self {
+        Self {
+            sum: PixelSum::zero(),
+            contrast: Vec3::zero(),
+        }
+    }
+
+    /// Both, `later` being of `n` samples.
+    fn join(self, later: Self, n: u32) -> Self {
+        Self {
+            sum: film_join(self.sum, later.sum),
+            contrast: film_join_contrast(self.contrast, later.contrast, n),
+        }
+    }
+}
+
+/// The sums that a pixel of a film has; what was counted there is left out.
+impl<F: Real> From<&FilmPixel<F>> for PixelSums<F> {
+    fn from(pixel: &FilmPixel<F>) -> Self {
+        Self {
+            sum: pixel.sum,
+            contrast: pixel.contrast,
+        }
+    }
+}
+
+/// A pixel that goes on from these sums, of which nothing was counted.
+impl<F: Real> From<&PixelSums<F>> for FilmPixel<F> {
+    fn from(sums: &PixelSums<F>) -> Self {
+        Self {
+            sum: sums.sum,
+            contrast: sums.contrast,
+            ..Self::default()
+        }
+    }
+}
+
+impl<F: Real> Sums<F> {
+    /// Of no samples of so many pixels.
+    pub fn zero(pixels: usize, moments: bool) -> Self {
+        Self {
+            samples: 0,
+            pixels: vec![PixelSums::zero(); pixels],
+            moments: moments.then(|| vec![FilmMoments::default(); pixels]),
+        }
+    }
+
+    /// Adds one sample to every pixel as the film does ([`film_sample`]): `values` were samples, and are not broken.
+    pub fn add(&mut self, values: &[Vec3<F>]) {
+        let n = self.samples + 1;
+        let pixels = self.pixels.par_iter_mut().zip(values);
+        pixels.for_each(|(sums, &x)| {
+            let mut pixel = FilmPixel::from(&*sums);
+            film_sample(&mut pixel, x);
+            *sums = PixelSums::from(&pixel);
+        });
+        if let Some(moments) = &mut self.moments {
+            let moments = moments.par_iter_mut().zip(values);
+            moments.for_each(|(moments, &x)| film_moments(moments, x, n));
+        }
+        self.samples = n;
+    }
+
+    /// Adds the samples that come after these.
+    pub fn join(&mut self, later: &Self) {
+        let (m, n) = (self.samples, later.samples);
+        if n == 0 {
+            return;
+        }
+        if m == 0 {
+            self.clone_from(later);
+            return;
+        }
+        let pixels = self.pixels.par_iter_mut().zip(&later.pixels);
+        pixels.for_each(|(a, &b)| *a = a.join(b, n));
+        if let (Some(moments), Some(later)) = (&mut self.moments, &later.moments) {
+            let moments = moments.par_iter_mut().zip(later);
+            moments.for_each(|(a, b)| *a = film_join_moments(a, m, b, n));
+        }
+        self.samples = m + n;
+    }
+}

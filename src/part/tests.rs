@@ -1,0 +1,203 @@
+use super::*;
+use crate::reference::film::{FilmMoments, FilmPixel, film_moments, film_sample};
+use crate::reference::math::vec3;
+use crate::reference::sampler::random::sampler_block;
+use proptest::prelude::*;
+
+const PIXELS: usize = 3;
+
+/// Sample `index` of a pixel: a multiple of 2⁻³² of up to 24 bits, uneven as fireflies are; every eleventh of pixel 0 is broken.
+fn sample(pixel: usize, index: u32) -> Vec3<f32> {
+    let word = |channel| {
+        let [a, b, _, _] = sampler_block(pixel as u32, index, channel, 7);
+        ((u64::from(a >> 8) << (b >> 27)) as f32) * 2f32.powi(-32)
+    };
+    match (pixel, index % 11) {
+        (0, 10) => vec3(f32::NAN, 0.0, 0.0),
+        _ => vec3(word(0), word(1), 0.25),
+    }
+}
+
+/// What a renderer does: samples `range` in slices that end at `slices`, among others.
+fn grown(range: Range<u32>, moments: bool, slices: &[u32]) -> Part<f32> {
+    let mut part = Part::new([PIXELS as u32, 1], moments, range.start);
+    let mut film = vec![(FilmPixel::default(), FilmMoments::default()); PIXELS];
+    let sums = |film: &[(FilmPixel<f32>, FilmMoments<f32>)]| Sums {
+        samples: film[0].0.samples,
+        pixels: film.iter().map(|(p, _)| p.into()).collect(),
+        moments: moments.then(|| film.iter().map(|(_, m)| *m).collect()),
+    };
+    let mut done = range.start;
+    while done < range.end {
+        let next = slices.iter().copied().filter(|&s| s > done).min();
+        let stop = part.stop(done, next.unwrap_or(range.end).min(range.end));
+        for (i, (pixel, kept)) in film.iter_mut().enumerate() {
+            for index in done..stop {
+                film_sample(pixel, sample(i, index));
+                film_moments(kept, sample(i, index), pixel.samples);
+            }
+        }
+        done = stop;
+        if part.ends_at(done) {
+            part.close(sums(&film));
+            film.fill(Default::default());
+        }
+    }
+    part.with_tail(sums(&film))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, rng_seed: proptest::test_runner::RngSeed::Fixed(18), ..ProptestConfig::default() })]
+
+    /// However samples are shared out and sliced, the parts join to the part of one rendering.
+    #[test]
+    fn parts_join_to_the_part_of_one_rendering(
+        begin in 0u32..1400,
+        lengths in prop::collection::vec(prop_oneof![0u32..20, 0u32..700, Just(256u32), Just(512)], 1..6),
+        slices in prop::collection::vec(0u32..4000, 0..8),
+        moments: bool,
+    ) {
+        let end = begin + lengths.iter().sum::<u32>();
+        let one = grown(begin..end, moments, &[]);
+        let mut joined = grown(begin..begin, moments, &[]);
+        let mut at = begin;
+        for length in lengths {
+            let part = grown(at..at + length, moments, &slices);
+            let layout = part.layout();
+            prop_assert_eq!(part.head.len() as u32, layout.head);
+            prop_assert_eq!(part.nodes.iter().map(|n| n.samples).collect::<Vec<_>>(), layout.nodes);
+            prop_assert_eq!(part.tail.as_ref().map_or(0, |t| t.samples), layout.tail);
+            joined.append(part, &mut |_| {}).expect("the next part");
+            at += length;
+        }
+        prop_assert_eq!(&joined, &one);
+        if end > begin {
+            prop_assert_eq!(joined.picture(), one.picture());
+        }
+    }
+}
+
+#[test]
+fn a_joined_sum_is_exact_to_its_bound() {
+    let n = 5000;
+    let part = grown(0..n, false, &[]);
+    for pixel in 1..PIXELS {
+        let exact: f64 = (0..n).map(|i| f64::from(sample(pixel, i).x)).sum();
+        let mean = f64::from(part.picture().rgb[pixel][0]);
+        // One rounding of the sum and one of the division, and n additions of 3·2⁻⁴⁸.
+        let bound = 2f64.powi(-23) + f64::from(n) * 3.0 * 2f64.powi(-48);
+        assert!(
+            (mean * f64::from(n) / exact - 1.0).abs() <= bound,
+            "{mean} of {exact}"
+        );
+    }
+}
+
+/// Against the two-pass formula in f64.
+#[test]
+fn standard_errors_and_halves_are_those_of_the_samples() {
+    let n = 1337;
+    for moments in [true, false] {
+        let part = grown(0..n, moments, &[]);
+        let all: Vec<f64> = (0..n).map(|i| f64::from(sample(1, i).x)).collect();
+        let count = f64::from(n);
+        let mean = all.iter().sum::<f64>() / count;
+        let spread: f64 = all.iter().map(|x| (x - mean).powi(2)).sum();
+        let signed = |(i, x): (usize, &f64)| if i % 2 == 0 { *x } else { -x };
+        let contrast: f64 = all.iter().enumerate().map(signed).sum();
+        let half = (contrast - mean) / (count * count - 1.0).sqrt();
+        let expected = match moments {
+            true => (spread / (count * (count - 1.0))).sqrt(),
+            false => half.abs(),
+        };
+        let found = f64::from(part.standard_errors().rgb[1][0]);
+        assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
+        let found = f64::from(part.halves().half_difference.rgb[1][0]);
+        assert!((found / half - 1.0).abs() < 1e-4, "{found} {half}");
+    }
+}
+
+#[test]
+fn equal_samples_have_no_spread() {
+    let mut sums = Sums::zero(1, true);
+    let mut part = Part::new([1, 1], true, 0);
+    for _ in 0..3 * BLOCK {
+        sums.add(&[vec3(0.1f32, 0.7, 3.0)]);
+        if sums.samples == BLOCK {
+            part.close(std::mem::replace(&mut sums, Sums::zero(1, true)));
+        }
+    }
+    assert_eq!(part.standard_errors().rgb, [[0.0; 3]]);
+}
+
+#[test]
+fn what_does_not_follow_is_refused() {
+    let part = |range, moments| grown(range, moments, &[]);
+    let refused = |next| part(0..10, false).append(next, &mut |_| {});
+    assert_eq!(refused(part(10..12, false)), Ok(()));
+    assert_eq!(
+        refused(part(11..12, false)),
+        Err(Misfit::Range(11..12, 0..10))
+    );
+    assert_eq!(refused(part(10..12, true)), Err(Misfit::Moments));
+    let other = Part::new([1, 2], false, 10);
+    assert_eq!(refused(other), Err(Misfit::Size([1, 2], [3, 1])));
+    let mut any = AnyPart::F32(part(0..10, false));
+    let wide = AnyPart::F64(Part::new([3, 1], false, 10));
+    assert_eq!(any.append(wide, &mut |_, _| {}), Err(Misfit::Scalar));
+}
+
+/// Whatever is merged, the error can be looked at after as many samples as one rendering looks at it.
+#[test]
+fn parts_stop_at_powers_of_two() {
+    for ranges in [
+        &[0..100, 100..3000][..],
+        &[0..256, 256..700, 700..1030, 1030..5000],
+    ] {
+        let mut seen = Vec::new();
+        let mut whole = grown(0..0, false, &[]);
+        for range in ranges {
+            let part = grown(range.clone(), false, &[]);
+            whole
+                .append(part, &mut |p| seen.push(p.samples()))
+                .expect("the next");
+        }
+        let first = ranges[0].end;
+        let powers = (0..).map(|k| 1 << k).skip_while(|&n| n <= first);
+        for power in powers.take_while(|&n| n < whole.samples()) {
+            assert!(seen.contains(&power), "{power} of {ranges:?}");
+        }
+    }
+}
+
+#[test]
+fn the_largest_sample_is_the_first_of_equals() {
+    let largest = |pixel, index, radiance| Tally {
+        largest: Some(crate::sample::Largest {
+            address: crate::sample::Address { pixel, index },
+            radiance,
+        }),
+        ..Tally::default()
+    };
+    let of = |a: Tally, b| {
+        a.plus(b)
+            .largest
+            .map(|l| (l.address.pixel, l.address.index))
+    };
+    assert_eq!(
+        of(largest([1, 0], 3, 2.0), largest([1, 0], 9, 2.0)),
+        Some(([1, 0], 3))
+    );
+    assert_eq!(
+        of(largest([1, 0], 3, 2.0), largest([0, 0], 9, 2.0)),
+        Some(([0, 0], 9))
+    );
+    assert_eq!(
+        of(largest([1, 0], 3, 2.0), largest([1, 1], 9, 2.5)),
+        Some(([1, 1], 9))
+    );
+    assert_eq!(
+        of(Tally::default(), largest([1, 1], 9, 2.5)),
+        Some(([1, 1], 9))
+    );
+}

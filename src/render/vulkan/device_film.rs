@@ -1,0 +1,175 @@
+//! The paths and the film of the tile under way, on the device.
+
+use super::path_film::TileFilm;
+use crate::gpu::{Buffer, Device};
+use crate::layout::{self, PathState};
+use crate::part::{Counts, Dropped, PixelSums, Sums, Tally};
+use crate::reference::film::{FilmMoments, PixelSum};
+use crate::reference::math::{Vec3, vec3};
+use crate::render::RenderError;
+use crate::render::plan::{ArrayPlan, PathPlan};
+use crate::render::tiles::Tile;
+use crate::sample::{Address, Largest};
+
+/// The device holds the film of one tile, the host all of them: 8192 × 8192 pixels would not fit the memory of many a device.
+pub struct DeviceFilm {
+    paths: Buffer,
+    film: Buffer,
+    moments: Option<Buffer>,
+    /// What was counted of the tile before it was uploaded: the device counts from 0.
+    counted: Tally,
+    /// As read last.
+    pixels: Vec<layout::FilmPixel>,
+}
+
+impl DeviceFilm {
+    /// As planned, zeros.
+    pub fn new(device: &Device, plan: &PathPlan) -> Result<Self, RenderError> {
+        Ok(Self {
+            paths: buffer(device, &plan.paths)?,
+            film: buffer(device, &plan.film)?,
+            moments: plan.moments.map(|m| buffer(device, &m)).transpose()?,
+            counted: Tally::default(),
+            pixels: Vec::new(),
+        })
+    }
+
+    /// In the order of their bindings.
+    pub fn buffers(&self) -> impl Iterator<Item = &Buffer> {
+        [&self.paths, &self.film].into_iter().chain(&self.moments)
+    }
+
+    /// Takes up a tile. No path is under way, of it or of the one before: all its threads need is the film.
+    pub fn upload(&mut self, from: &TileFilm) -> Result<(), RenderError> {
+        let Sums {
+            samples,
+            pixels,
+            moments,
+        } = &from.sums;
+        let pixel = |sums: &PixelSums<f32>| layout::FilmPixel {
+            sum: array(sums.sum.sum),
+            comp: array(sums.sum.comp),
+            contrast: array(sums.contrast),
+            samples: *samples,
+            ..layout::FilmPixel::default()
+        };
+        self.pixels.clear();
+        self.pixels.extend(pixels.iter().map(pixel));
+        self.film.write(bytemuck::cast_slice(&self.pixels))?;
+        if let (Some(buffer), Some(moments)) = (&self.moments, moments) {
+            let kept: Vec<layout::FilmMoments> = moments.iter().map(packed).collect();
+            buffer.write(bytemuck::cast_slice(&kept))?;
+        }
+        self.counted = from.tally;
+        Ok(())
+    }
+
+    /// Reads the film of a tile; whether every pixel has `samples` samples.
+    pub fn read_pixels(&mut self, tile: Tile, samples: u32) -> Result<bool, RenderError> {
+        let count = tile.pixels() as usize;
+        self.pixels.resize(count, layout::FilmPixel::default());
+        self.film
+            .read_into(bytemuck::cast_slice_mut(&mut self.pixels))?;
+        let loops: u64 = self.pixels.iter().map(|p| u64::from(p.loops)).sum();
+        if loops > 0 {
+            return Err(RenderError::Loops(loops));
+        }
+        Ok(self.pixels.iter().all(|p| p.samples == samples))
+    }
+
+    /// The tile as it was read last, with what else goes with its film. `begin`: the index of the block's first sample.
+    pub fn read(&self, tile: Tile, begin: u32) -> Result<TileFilm, RenderError> {
+        let moments = match &self.moments {
+            None => None,
+            Some(buffer) => {
+                let mut kept = vec![layout::FilmMoments::default(); self.pixels.len()];
+                buffer.read_into(bytemuck::cast_slice_mut(&mut kept))?;
+                Some(kept.iter().map(unpacked).collect())
+            }
+        };
+        let sums = |p: &layout::FilmPixel| PixelSums {
+            sum: parts(p.sum, p.comp),
+            contrast: vector(p.contrast),
+        };
+        Ok(TileFilm {
+            tile,
+            sums: Sums {
+                samples: self.pixels.first().map_or(0, |p| p.samples),
+                pixels: self.pixels.iter().map(sums).collect(),
+                moments,
+            },
+            tally: self.counted.plus(tally(&self.pixels, tile, begin)),
+        })
+    }
+
+    pub fn read_paths(&self) -> Result<Vec<PathState>, RenderError> {
+        Ok(bytemuck::pod_collect_to_vec(&self.paths.read()?))
+    }
+}
+
+/// Zeros, as many as planned.
+pub fn buffer(device: &Device, plan: &ArrayPlan) -> Result<Buffer, RenderError> {
+    let binding = plan.binding;
+    Ok(device.buffer(binding.name, binding.buffer_use, plan.bytes)?)
+}
+
+/// What was counted in the pixels of a tile, of samples from index `begin` on.
+fn tally(pixels: &[layout::FilmPixel], tile: Tile, begin: u32) -> Tally {
+    let mut counts = Counts::default();
+    for p in pixels {
+        counts = counts.plus(Counts {
+            rays: p.rays.into(),
+            long_paths: p.long_paths.into(),
+            underflows: p.underflows.into(),
+            dropped: Dropped {
+                nan: p.nan.into(),
+                infinite: p.infinite.into(),
+                loops: p.loops.into(),
+            },
+        });
+    }
+    let of = |(i, p): (u32, &layout::FilmPixel)| Largest {
+        address: Address {
+            pixel: tile.pixel(i),
+            index: begin + p.largest_sample,
+        },
+        radiance: p.largest.into(),
+    };
+    let largest = (0..).zip(pixels).map(of).reduce(Largest::or);
+    Tally {
+        counts,
+        largest: largest.filter(|l| l.radiance > 0.0),
+    }
+}
+
+fn packed(moments: &FilmMoments<f32>) -> layout::FilmMoments {
+    layout::FilmMoments {
+        mean: array(moments.mean.sum),
+        mean_comp: array(moments.mean.comp),
+        m2: array(moments.m2.sum),
+        m2_comp: array(moments.m2.comp),
+        ..layout::FilmMoments::default()
+    }
+}
+
+fn unpacked(kept: &layout::FilmMoments) -> FilmMoments<f32> {
+    FilmMoments {
+        mean: parts(kept.mean, kept.mean_comp),
+        m2: parts(kept.m2, kept.m2_comp),
+    }
+}
+
+fn parts(sum: [f32; 3], comp: [f32; 3]) -> PixelSum<f32> {
+    PixelSum {
+        sum: vector(sum),
+        comp: vector(comp),
+    }
+}
+
+fn vector([x, y, z]: [f32; 3]) -> Vec3<f32> {
+    vec3(x, y, z)
+}
+
+fn array(v: Vec3<f32>) -> [f32; 3] {
+    [v.x, v.y, v.z]
+}

@@ -1,0 +1,68 @@
+//! Whether two parts are of one picture.
+
+use super::Header;
+use crate::report::{Job, SettingsRecord};
+
+/// What one part was made from and another was not, such as `seed is 3 there and 4 here`; `None` where they join.
+pub fn differs(there: &Header, here: &Header) -> Option<String> {
+    let [a, b] = [there, here].map(words);
+    let pairs = a.into_iter().zip(b);
+    let other = |((name, there), (_, here)): ((&str, String), (&str, String))| {
+        (there != here).then(|| match name {
+            SCENE => "the scene or one of its meshes is another".to_owned(),
+            _ => format!("{name} is {there} there and {here} here"),
+        })
+    };
+    pairs.into_iter().find_map(other)
+}
+
+const SCENE: &str = "scene";
+
+/// All that the samples depend on, by name, but for how the device rounds.
+fn words(header: &Header) -> Vec<(&'static str, String)> {
+    let Job {
+        size: [width, height],
+        crop,
+        seed,
+        settings,
+        ..
+    } = &header.record.job;
+    let SettingsRecord {
+        fresnel,
+        distribution,
+        absorption,
+        radiance_scaling,
+        max_depth,
+        integrator,
+        lobe,
+        normals,
+        roulette,
+        connect,
+        lights,
+        sampler,
+    } = settings;
+    let crop = crop.map_or("none".to_owned(), |[x0, y0, x1, y1]| {
+        format!("{x0},{y0},{x1},{y1}")
+    });
+    let depth = max_depth.map_or("none".to_owned(), |depth| depth.to_string());
+    let scaling = if *radiance_scaling { "on" } else { "off" };
+    vec![
+        (SCENE, header.digest.clone()),
+        ("vkpt's version", header.record.version.to_string()),
+        ("--size", format!("{width}x{height}")),
+        ("--crop", crop),
+        ("--seed", seed.to_string()),
+        ("--fresnel", fresnel.clone()),
+        ("--distribution", distribution.clone()),
+        ("--absorption", absorption.clone()),
+        ("--radiance-scaling", scaling.to_owned()),
+        ("--max-depth", depth),
+        ("--integrator", integrator.clone()),
+        ("--lobe", lobe.clone()),
+        ("--normals", normals.clone()),
+        ("--roulette", roulette.clone()),
+        ("--connect", connect.clone()),
+        ("--lights", lights.clone()),
+        ("--sampler", sampler.clone()),
+    ]
+}

@@ -1,0 +1,83 @@
+//! What a part was made from, and how its sums lie in the file.
+
+use std::ops::Range;
+
+use serde::{Deserialize, Serialize};
+
+use super::StateError;
+use crate::part::{Layout, Tally};
+use crate::report::Record;
+
+/// What a part was made from. Parts of which all but the record's times, device and samples is equal join.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Header {
+    /// A digest of the scene's text and of the bytes of all its meshes.
+    pub digest: String,
+    /// How its device rounds: parts that agree in this join to the bits of one rendering.
+    pub rounding: String,
+    /// The rendering, as `--json` has it.
+    pub record: Record,
+}
+
+/// All that the file says before its sums.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct Preamble {
+    /// The first index, and the one after the last.
+    pub samples: [u32; 2],
+    /// Width and height of the picture, or of its crop.
+    pub area: [u32; 2],
+    /// `f32` or `f64`.
+    pub scalar: String,
+    /// Whether each sum has moments beside it.
+    pub moments: bool,
+    pub tally: Tally,
+    #[serde(flatten)]
+    pub header: Header,
+}
+
+impl Preamble {
+    pub fn range(&self) -> Range<u32> {
+        self.samples[0]..self.samples[1]
+    }
+
+    pub fn layout(&self) -> Layout {
+        Layout::new(self.range())
+    }
+
+    pub fn pixels(&self) -> u64 {
+        u64::from(self.area[0]) * u64::from(self.area[1])
+    }
+
+    /// Bytes of the sums, of scalars of so many bytes; `None` beyond 2⁶⁴.
+    pub fn bytes(&self, scalar: u64) -> Option<u64> {
+        let a_pixel = self.layout().scalars(self.moments) * scalar;
+        a_pixel.checked_mul(self.pixels())
+    }
+
+    /// What it says is possible, and the record says the same.
+    pub fn check(&self) -> Result<(), StateError> {
+        let wrong = |what: &str| Err(StateError::Header(what.to_owned()));
+        let [begin, end] = self.samples;
+        let job = &self.header.record.job;
+        let area = match job.crop {
+            None => Some(job.size),
+            Some([x0, y0, x1, y1]) => {
+                let within = x1 <= job.size[0] && y1 <= job.size[1];
+                let size = x1.checked_sub(x0).zip(y1.checked_sub(y0));
+                size.filter(|_| within)
+                    .map(|(width, height)| [width, height])
+            }
+        };
+        match () {
+            () if begin >= end => wrong("it has no samples"),
+            () if self.pixels() == 0 || self.pixels() > u64::from(u32::MAX) => {
+                wrong("it has no pixels, or too many")
+            }
+            () if area != Some(self.area) => wrong("its area is not that of its picture"),
+            () if job.spp != end - begin => {
+                wrong("its number of samples is not that of its record")
+            }
+            () => Ok(()),
+        }
+    }
+}

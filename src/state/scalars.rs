@@ -1,0 +1,126 @@
+//! Scalars as bytes, the least significant first.
+
+use crate::part::{AnyPart, Part, PixelSums, Scalar, Sums};
+use crate::reference::film::{FilmMoments, PixelSum};
+use crate::reference::math::{Vec3, vec3};
+
+/// A scalar of files.
+pub trait Bytes: Scalar {
+    const NAME: &'static str;
+    const BYTES: usize;
+    fn put(self, out: &mut Vec<u8>);
+    /// From [`BYTES`](Self::BYTES) of them.
+    fn get(bytes: &[u8]) -> Self;
+}
+
+macro_rules! bytes {
+    ($t:ty) => {
+        impl Bytes for $t {
+            const NAME: &'static str = stringify!($t);
+            const BYTES: usize = size_of::<$t>();
+            fn put(self, out: &mut Vec<u8>) {
+                out.extend_from_slice(&self.to_le_bytes());
+            }
+            fn get(bytes: &[u8]) -> Self {
+                let mut own = [0; size_of::<$t>()];
+                own.copy_from_slice(bytes);
+                <$t>::from_le_bytes(own)
+            }
+        }
+    };
+}
+
+bytes!(f32);
+bytes!(f64);
+
+/// A record of some vectors of three scalars.
+pub trait Packed<F>: Sized {
+    /// Vectors in each.
+    const VECTORS: usize;
+    fn pack(&self, out: &mut Vec<u8>);
+    /// From the bytes of all vectors.
+    fn unpack(bytes: &[u8]) -> Self;
+}
+
+impl<F: Bytes> Packed<F> for Vec3<F> {
+    const VECTORS: usize = 1;
+    fn pack(&self, out: &mut Vec<u8>) {
+        [self.x, self.y, self.z]
+            .into_iter()
+            .for_each(|x| x.put(out));
+    }
+    fn unpack(bytes: &[u8]) -> Self {
+        let scalar = |i: usize| F::get(&bytes[i * F::BYTES..(i + 1) * F::BYTES]);
+        vec3(scalar(0), scalar(1), scalar(2))
+    }
+}
+
+/// The vectors of a record, from its bytes.
+fn vector<F: Bytes>(bytes: &[u8], i: usize) -> Vec3<F> {
+    Vec3::unpack(&bytes[i * 3 * F::BYTES..(i + 1) * 3 * F::BYTES])
+}
+
+fn sum<F: Bytes>(bytes: &[u8], i: usize) -> PixelSum<F> {
+    PixelSum {
+        sum: vector(bytes, i),
+        comp: vector(bytes, i + 1),
+    }
+}
+
+impl<F: Bytes> Packed<F> for PixelSums<F> {
+    const VECTORS: usize = 3;
+    fn pack(&self, out: &mut Vec<u8>) {
+        let all = [self.sum.sum, self.sum.comp, self.contrast];
+        all.iter().for_each(|v| v.pack(out));
+    }
+    fn unpack(bytes: &[u8]) -> Self {
+        Self {
+            sum: sum(bytes, 0),
+            contrast: vector(bytes, 2),
+        }
+    }
+}
+
+impl<F: Bytes> Packed<F> for FilmMoments<F> {
+    const VECTORS: usize = 4;
+    fn pack(&self, out: &mut Vec<u8>) {
+        let all = [self.mean.sum, self.mean.comp, self.m2.sum, self.m2.comp];
+        all.iter().for_each(|v| v.pack(out));
+    }
+    fn unpack(bytes: &[u8]) -> Self {
+        Self {
+            mean: sum(bytes, 0),
+            m2: sum(bytes, 2),
+        }
+    }
+}
+
+/// What takes the arrays of a part one after the other.
+pub trait Sink {
+    type Error;
+    fn array<F: Bytes, T: Packed<F> + Sync>(&mut self, array: &[T]) -> Result<(), Self::Error>;
+}
+
+/// Hands the arrays of a part over, in the order of the file.
+pub fn arrays<S: Sink>(part: &AnyPart, sink: &mut S) -> Result<(), S::Error> {
+    match part {
+        AnyPart::F32(part) => arrays_of(part, sink),
+        AnyPart::F64(part) => arrays_of(part, sink),
+    }
+}
+
+fn arrays_of<F: Bytes, S: Sink>(part: &Part<F>, sink: &mut S) -> Result<(), S::Error> {
+    for values in part.head() {
+        sink.array::<F, _>(values)?;
+    }
+    for Sums {
+        pixels, moments, ..
+    } in part.sums()
+    {
+        sink.array::<F, _>(pixels)?;
+        if let Some(moments) = moments {
+            sink.array::<F, _>(moments)?;
+        }
+    }
+    Ok(())
+}
