@@ -4,11 +4,13 @@
 //! what they invent themselves.
 
 mod mesh;
+mod part;
 mod picture;
 mod prepared;
 mod scene;
 
 pub use mesh::{gltf, obj, ply};
+pub use part::part;
 pub use picture::picture;
 pub use scene::scene;
 

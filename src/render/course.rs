@@ -87,7 +87,10 @@ impl<'a> Course<'a> {
             end: None,
             errors: state.map_or(Vec::new(), |s| s.errors.clone()),
         };
-        course.end = course.spent();
+        course.end = match course.samples() {
+            0 => stop.load(Ordering::Relaxed).then_some(End::Interrupted),
+            _ => course.spent(),
+        };
         if let (Some(_), Some(state)) = (course.end, state)
             && course
                 .errors

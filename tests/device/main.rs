@@ -20,6 +20,7 @@ mod largest;
 mod light_tracing;
 mod oracle;
 mod paired;
+mod parts;
 mod random_scenes;
 mod same_bits;
 mod scene_kernels;

@@ -9,11 +9,12 @@ use crate::bodies;
 type Body = fn(&[u8]);
 
 /// Each fuzz target and its body.
-const TARGETS: [(&str, Body); 5] = [
+const TARGETS: [(&str, Body); 6] = [
     ("scene", bodies::scene),
     ("ply", bodies::ply),
     ("obj", bodies::obj),
     ("gltf", bodies::gltf),
+    ("part", bodies::part),
     ("picture", bodies::picture),
 ];
 

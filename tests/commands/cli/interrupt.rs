@@ -26,7 +26,7 @@ const ENDLESS: [&str; 9] = [
 const SCENE: &str = "screen 16 12\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 3 1 0.5\n\
     brdf .5 .6 .7 0 0 0 1\nbox -9 -9 -2 18 18 1\n";
 
-fn send(id: u32, signal: &str) {
+pub fn send(id: u32, signal: &str) {
     let kill = format!("kill -{signal} {id}");
     let sent = Command::new("sh").args(["-c", &kill]).status();
     assert!(sent.expect("sh runs").success());

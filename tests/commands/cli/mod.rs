@@ -20,10 +20,12 @@ mod outputs;
 #[cfg(target_os = "linux")]
 mod overwriting;
 mod paired;
+mod parts;
 pub mod program;
 mod readme;
 mod refusals;
 mod rendering;
+mod resume;
 mod standard_errors;
 mod streams;
 #[cfg(target_os = "linux")]
