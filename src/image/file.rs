@@ -85,6 +85,8 @@ where
         // A file system without permissions is no reason to lose the file.
         let _ = temporary.as_file().set_permissions(there.permissions());
     }
+    // Else the new name may be on the disk before what it names, and a machine that stops leaves neither file.
+    temporary.as_file().sync_data()?;
     temporary.persist(path)?;
     Ok(())
 }
