@@ -37,7 +37,7 @@ pub struct DoctorArguments {
 
 /// Prints the page, writes the record where it is asked for.
 pub fn doctor(arguments: &DoctorArguments) -> Result<Ending, Failure> {
-    writable::check(&arguments.json)?;
+    let _claims = writable::check(&arguments.json)?;
     let selector = arguments.device.as_ref().unwrap_or(&Selector::Best);
     let examiner = Examiner {
         exhaustive: arguments.exhaustive,

@@ -1,4 +1,5 @@
-//! What is to be written, looked at before the work starts: that it can be, and that nothing is lost by it.
+//! What is to be written, looked at before the work starts: that it can be, that nothing is lost by it, and that nobody else
+//! is at it.
 
 use std::path::{Path, PathBuf};
 
@@ -7,14 +8,33 @@ use same_file::Handle;
 use super::destination::{Destination, all_written};
 use super::exit::Failure;
 use super::streams::Stream;
+use crate::image::claim::Claim;
 use crate::image::file::check_writable;
 use crate::image::place::{Place, folder};
 
-/// Every file can be written, and no two go to one place. Leaves no trace.
-pub fn check<'a>(files: impl IntoIterator<Item = &'a Destination>) -> Result<(), Failure> {
+/// Files that no other vkpt writes while this lives.
+#[derive(Debug, Default)]
+#[must_use = "the files are free again once this is dropped"]
+pub struct Claims {
+    _all: Vec<Claim>,
+}
+
+/// Every file can be written, no two go to one place, and no other vkpt writes one.
+pub fn check<'a>(files: impl IntoIterator<Item = &'a Destination>) -> Result<Claims, Failure> {
     let files: Vec<&Destination> = files.into_iter().collect();
     let named = files.iter().filter(|file| file.stream().is_none());
-    all_written(named.filter_map(|file| file.path()).map(check_writable))?;
+    let paths: Vec<&Path> = named.filter_map(|file| file.path()).collect();
+    all_written(paths.iter().map(|path| check_writable(path)))?;
+    apart(&files)?;
+    let mut all = Vec::new();
+    let claim = |path: &&Path| Claim::new(path).map(|claim| all.push(claim));
+    let claimed: Vec<_> = paths.iter().map(claim).collect();
+    all_written(claimed)?;
+    Ok(Claims { _all: all })
+}
+
+/// No two go to one place.
+fn apart(files: &[&Destination]) -> Result<(), Failure> {
     let goals: Vec<Option<Goal>> = files.iter().map(|file| Goal::of(file)).collect();
     let twice = |i: &usize| goals[*i].is_some() && goals[..*i].contains(&goals[*i]);
     let Some(i) = (1..files.len()).find(twice) else {

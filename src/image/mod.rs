@@ -1,5 +1,6 @@
 //! Pictures in files: films written and films read, and files that appear whole or not at all.
 
+pub mod claim;
 pub mod file;
 pub mod place;
 mod precision;

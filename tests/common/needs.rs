@@ -23,6 +23,8 @@ pub enum Need {
     /// `spirv-val` and `spirv-dis`.
     SpirvTools,
     Chromium,
+    /// Disks of the test's own: user namespaces that may mount.
+    Mounts,
 }
 
 impl Need {
@@ -36,6 +38,7 @@ impl Need {
             Self::Validation => "VKPT_TEST_NO_VALIDATION",
             Self::SpirvTools => "VKPT_TEST_NO_SPIRV_TOOLS",
             Self::Chromium => "VKPT_TEST_NO_CHROMIUM",
+            Self::Mounts => "VKPT_TEST_NO_MOUNTS",
         }
     }
 
@@ -46,6 +49,7 @@ impl Need {
             Self::Validation => "vulkan-validationlayers",
             Self::SpirvTools => "spirv-tools",
             Self::Chromium => "chromium",
+            Self::Mounts => "util-linux",
         }
     }
 

@@ -33,7 +33,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
     if selected.is_empty() {
         return Err(unknown(arguments, &all));
     }
-    writable::check(outputs::files(arguments))?;
+    let _claims = writable::check(outputs::files(arguments))?;
     let selector = arguments.device.clone().unwrap_or(Selector::Best);
     let device = Device::open(&selector).map_err(|e| Failure::Render(e.into()))?;
     let stop = stop_flag();

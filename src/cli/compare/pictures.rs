@@ -16,7 +16,7 @@ use crate::report::{self, Comparison, Tested};
 
 /// Compares A with B, or both with the reference. The flags decide which differences are a failure.
 pub fn pictures(arguments: &PictureArguments) -> Result<Ending, Failure> {
-    writable::check(&arguments.heatmap)?;
+    let _claims = writable::check(&arguments.heatmap)?;
     let known = Known::read_all(arguments)?;
     let inputs: Vec<_> = known.iter().flat_map(Known::inputs).collect();
     spare(&inputs, &arguments.heatmap)?;

@@ -28,7 +28,7 @@ pub use arguments::ConvergeArguments;
 
 /// Renders replicates of every variant, judges them and tells what came out.
 pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
-    writable::check(outputs::files(arguments))?;
+    let _claims = writable::check(outputs::files(arguments))?;
     let plan = Plan {
         seeds: arguments.seeds()?,
         seconds: arguments.time,

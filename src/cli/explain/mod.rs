@@ -19,7 +19,8 @@ pub use arguments::ExplainArguments;
 
 /// Prints the page, or the kernel's GLSL; writes its SPIR-V where it is asked for.
 pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
-    writable::check(&arguments.spirv)?;
+    // What cannot be written is told before the work; it is claimed below, with what goes beside it.
+    drop(writable::check(&arguments.spirv)?);
     let spirv_on_stdout = arguments.spirv.as_ref().is_some_and(Destination::is_stdout);
     if arguments.glsl && spirv_on_stdout {
         return Err(Failure::Usage(
@@ -40,7 +41,7 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
         .map_or(PlanLimits::default(), PlanLimits::of);
     let plan = Plan::new(&job, limits).map_err(Failure::Render)?;
     let inputs = Input::of_scene(request.scene, &loaded.scene);
-    let files = outputs::check(arguments, plan.kernels.len(), &inputs)?;
+    let (files, _claims) = outputs::check(arguments, plan.kernels.len(), &inputs)?;
     let spirv = plan.compile().map_err(Failure::Render)?;
     let text = if arguments.glsl {
         plan.kernels.iter().map(Composed::by_file).collect()

@@ -4,15 +4,15 @@ use super::arguments::ExplainArguments;
 use crate::cli::destination::{Destination, Written};
 use crate::cli::exit::Failure;
 use crate::cli::inputs::{Input, spare};
-use crate::cli::writable;
+use crate::cli::writable::{self, Claims};
 use crate::kernel::Spirv;
 
-/// Where each of the kernels goes, known to be writable; nowhere if nobody asks.
+/// Where each of the kernels goes, known to be writable and claimed; nowhere if nobody asks.
 pub fn check(
     arguments: &ExplainArguments,
     kernels: usize,
     inputs: &[Input],
-) -> Result<Vec<Destination>, Failure> {
+) -> Result<(Vec<Destination>, Claims), Failure> {
     let to = arguments.spirv.iter();
     let files: Vec<_> = to
         .flat_map(|to| (0..kernels).map(|i| numbered(to, i)))
@@ -20,9 +20,9 @@ pub fn check(
     // Where nothing can stand beside the first, all go there, one after the other.
     let mut distinct = files.clone();
     distinct.dedup();
-    writable::check(&distinct)?;
+    let claims = writable::check(&distinct)?;
     spare(inputs, &distinct)?;
-    Ok(files)
+    Ok((files, claims))
 }
 
 /// Writes them.

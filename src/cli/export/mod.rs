@@ -16,7 +16,8 @@ pub use arguments::ExportArguments;
 /// Writes the scene and its meshes, all that is said of it or nothing.
 pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
     let to = output(arguments)?;
-    writable::check([&to])?;
+    // What cannot be written is told before the work; it is claimed below, with the meshes.
+    drop(writable::check([&to])?);
     let request = arguments.request();
     if let Some(message) = setting(&request.settings.model) {
         return Err(Failure::Usage(message.to_owned()));
@@ -42,7 +43,7 @@ pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
     let places = (export.meshes.iter())
         .map(|mesh| beside(&to, &mesh.name))
         .collect::<Result<Vec<_>, _>>()?;
-    writable::check(places.iter().chain([&to]))?;
+    let _claims = writable::check(places.iter().chain([&to]))?;
     let inputs = Input::of_scene(request.scene, &loaded.scene);
     spare(&inputs, places.iter().chain([&to]))?;
     let written = (places.iter().zip(&export.meshes))

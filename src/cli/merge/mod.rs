@@ -35,7 +35,7 @@ pub fn merge(arguments: &MergeArguments) -> Result<Ending, Failure> {
             samples.start
         )]));
     }
-    writable::check(outputs.all())?;
+    let _claims = writable::check(outputs.all())?;
     let read = |path| Input::new("a part", path);
     spare(&parts.paths().map(read).collect::<Vec<_>>(), outputs.all())?;
     check_stderr(arguments, &parts)?;

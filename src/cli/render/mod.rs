@@ -28,14 +28,14 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     }
     let outputs = outputs(arguments)?;
     let kept = kept(arguments, &outputs)?;
-    writable::check(outputs.all())?;
+    // A part of -o is one of the outputs already.
+    let beside = kept.clone().filter(|_| outputs.parts.is_empty());
+    let beside = beside.map(Destination::File);
+    let all = || outputs.all().chain(&beside);
+    let _claims = writable::check(all())?;
     let request = arguments.request()?;
     let loaded = Loaded::new(&request)?;
-    let beside = kept.clone().map(Destination::File);
-    spare(
-        &Input::of_scene(request.scene, &loaded.scene),
-        outputs.all().chain(&beside),
-    )?;
+    spare(&Input::of_scene(request.scene, &loaded.scene), all())?;
     let digest = match kept.is_some() || !outputs.parts.is_empty() {
         true => digest(&loaded.text, &loaded.scene)
             .map_err(|error| Failure::Usage(format!("a mesh can't be read again: {error}")))?,

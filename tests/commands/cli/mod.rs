@@ -10,6 +10,8 @@ mod ends;
 mod environment;
 mod explain;
 mod export;
+#[cfg(target_os = "linux")]
+mod full;
 mod help;
 mod integrator;
 mod interrupt;
@@ -30,3 +32,4 @@ mod standard_errors;
 mod streams;
 #[cfg(target_os = "linux")]
 mod unwritable;
+mod writers;

@@ -89,26 +89,6 @@ fn names_that_no_file_can_have_are_told_before_the_work() {
     assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
 }
 
-/// Beyond `ulimit -f` a write fails like any other, and leaves nothing.
-#[test]
-fn a_file_beyond_the_limit_is_an_error_and_no_kill() {
-    let folder = folder(SCENE);
-    let program = env!("CARGO_BIN_EXE_vkpt");
-    let line = format!("ulimit -f 0; exec {program} {RENDER} -o a.exr");
-    let ran = std::process::Command::new("sh")
-        .current_dir(folder.path())
-        .args(["-c", &line])
-        .output()
-        .expect("a shell");
-    let err = String::from_utf8_lossy(&ran.stderr);
-    assert_eq!(ran.status.code(), Some(5), "{err}");
-    assert!(
-        err.starts_with("error: cannot write a.exr: File too large"),
-        "{err}"
-    );
-    assert_eq!(names(folder.path()), ["scene.scn"]);
-}
-
 /// Whoever reads a pipe would get both pictures in one.
 #[test]
 fn a_pipe_takes_one_output() {
