@@ -53,13 +53,30 @@ pub enum GpuError {
     Kernel(#[from] crate::kernel::KernelError),
 }
 
+/// What a device is opened by.
+const OPENING: [&str; 4] = [
+    "vkCreateInstance",
+    "vkCreateDebugUtilsMessengerEXT",
+    "vkEnumeratePhysicalDevices",
+    "vkCreateDevice",
+];
+
 impl GpuError {
-    /// Whether the device failed under way, so that another attempt on the device opened anew may succeed.
+    /// Whether the device failed under way, and the same work may succeed on a device that is opened anew: not where it
+    /// could not be opened, or was asked for what it does not do.
     pub fn is_loss(&self) -> bool {
-        matches!(
-            self,
-            Self::TimeOut(_) | Self::Lost | Self::OutOfMemory(_) | Self::Vulkan { .. }
-        )
+        match self {
+            Self::TimeOut(_) | Self::Lost | Self::OutOfMemory(_) => true,
+            Self::Vulkan { call, .. } => !OPENING.contains(call),
+            Self::NoVulkan(_)
+            | Self::NoValidationLayer
+            | Self::NoSuchDevice { .. }
+            | Self::Unusable { .. }
+            | Self::TooLarge { .. }
+            | Self::WrongLength { .. }
+            | Self::Mismatch(_)
+            | Self::Kernel(_) => false,
+        }
     }
 
     /// For `map_err`: the error of one Vulkan call.
@@ -70,6 +87,32 @@ impl GpuError {
                 Self::OutOfMemory(call.to_owned())
             }
             result => Self::Vulkan { call, result },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_loss_is_what_another_device_may_do_better() {
+        let of = |call, result| GpuError::of(call)(result);
+        for error in [
+            GpuError::TimeOut(Duration::from_secs(1)),
+            of("vkQueueSubmit", vk::Result::ERROR_DEVICE_LOST),
+            of("vkAllocateMemory", vk::Result::ERROR_OUT_OF_HOST_MEMORY),
+            of("vkWaitForFences", vk::Result::ERROR_UNKNOWN),
+            of("vkMapMemory", vk::Result::ERROR_INITIALIZATION_FAILED),
+        ] {
+            assert!(error.is_loss(), "{error}");
+        }
+        for error in [
+            GpuError::NoVulkan("no driver".into()),
+            of("vkCreateDevice", vk::Result::ERROR_INITIALIZATION_FAILED),
+            GpuError::Mismatch("two buffers".into()),
+        ] {
+            assert!(!error.is_loss(), "{error}");
         }
     }
 }

@@ -58,8 +58,14 @@ impl Buffer {
             .memory_type_index(index as u32);
         // SAFETY: index and size are what the device asked for; the memory is bound once and mapped once.
         unsafe {
-            let out = |_| GpuError::OutOfMemory(format!("{} ({} bytes)", self.name, self.bytes));
-            self.memory = device.raw.allocate_memory(&info, None).map_err(out)?;
+            let allocated = device.raw.allocate_memory(&info, None);
+            self.memory =
+                allocated.map_err(|result| match GpuError::of("vkAllocateMemory")(result) {
+                    GpuError::OutOfMemory(_) => {
+                        GpuError::OutOfMemory(format!("{} ({} bytes)", self.name, self.bytes))
+                    }
+                    other => other,
+                })?;
             device
                 .raw
                 .bind_buffer_memory(self.raw, self.memory, 0)

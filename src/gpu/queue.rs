@@ -100,7 +100,7 @@ impl Queue {
             let started = Instant::now();
             self.submit_and_wait(device)?;
             let host_time = started.elapsed();
-            self.elapsed(device).map(|time| time.unwrap_or(host_time))
+            Ok(self.elapsed(device)?.unwrap_or(host_time))
         }
     }
 
@@ -121,19 +121,19 @@ impl Queue {
             device
                 .raw
                 .wait_for_fences(&[self.fence], true, nanoseconds)
-                .map_err(|result| {
-                    // The device may still be at work on it.
-                    device.abandon();
-                    match result {
-                        vk::Result::TIMEOUT => GpuError::TimeOut(patience),
-                        result => GpuError::of("vkWaitForFences")(result),
-                    }
-                })?;
-            device
-                .raw
-                .reset_fences(&[self.fence])
-                .map_err(GpuError::of("vkResetFences"))
+                .map_err(|result| match result {
+                    vk::Result::TIMEOUT => GpuError::TimeOut(patience),
+                    result => GpuError::of("vkWaitForFences")(result),
+                })
+                // The device may still be at work on it.
+                .inspect_err(|error| device.give_up(error))?;
+            if device.raw.reset_fences(&[self.fence]).is_err() {
+                // It stays signalled, and the next work would be taken for done: that gets a fence of its own.
+                device.raw.destroy_fence(self.fence, None);
+                self.fence = vk::Fence::null();
+            }
         }
+        Ok(())
     }
 
     /// # Safety
@@ -165,7 +165,7 @@ impl Queue {
         Ok(())
     }
 
-    /// Time between the two timestamps, `None` where the queue has none.
+    /// Time between the two timestamps, `None` where the queue has none or they cannot be had: the work is done all the same.
     ///
     /// # Safety
     /// The commands with both timestamps have been executed.
@@ -176,12 +176,16 @@ impl Queue {
         let mut ticks = [0u64; 2];
         let flags = vk::QueryResultFlags::TYPE_64 | vk::QueryResultFlags::WAIT;
         // SAFETY: of the caller.
-        unsafe {
+        let told = unsafe {
             device
                 .raw
                 .get_query_pool_results(self.queries, 0, &mut ticks, flags)
+        };
+        match told {
+            Ok(()) => (),
+            Err(vk::Result::ERROR_DEVICE_LOST) => return Err(GpuError::Lost),
+            Err(_) => return Ok(None),
         }
-        .map_err(GpuError::of("vkGetQueryPoolResults"))?;
         let mask = u64::MAX >> (64 - self.timestamp_bits.min(64));
         let elapsed = ticks[1].wrapping_sub(ticks[0]) & mask;
         let nanoseconds = elapsed as f64 * f64::from(device.limits.timestamp_period);

@@ -33,8 +33,10 @@ pub(super) struct SharedDevice {
     pub statistics: Option<khr::pipeline_executable_properties::Device>,
     pub loop_limit: OnceLock<Option<u32>>,
     queue: Mutex<Queue>,
-    /// Set after a time-out: the device may still be writing, so nothing it uses may be freed.
+    /// Set after a time-out, or where waiting failed: the device may still be writing, so nothing it uses may be freed.
     abandoned: AtomicBool,
+    /// Set once Vulkan says so: the device does nothing any more, so what it used may be freed, and must be.
+    lost: AtomicBool,
     /// Dropped last, and not at all after a time-out: an instance may not go before its device.
     instance: ManuallyDrop<Instance>,
 }
@@ -73,6 +75,7 @@ impl SharedDevice {
                 .then(|| khr::pipeline_executable_properties::Device::new(&instance.raw, &raw)),
             loop_limit: OnceLock::new(),
             abandoned: AtomicBool::new(false),
+            lost: AtomicBool::new(false),
             queue: Mutex::new(queue),
             raw,
             info,
@@ -85,7 +88,7 @@ impl SharedDevice {
     /// device never touch a buffer at once.
     pub fn queue(&self) -> Result<MutexGuard<'_, Queue>, GpuError> {
         let guard = self.queue.lock().unwrap_or_else(PoisonError::into_inner);
-        if self.is_abandoned() {
+        if self.is_abandoned() || self.lost.load(Ordering::Acquire) {
             Err(GpuError::Lost)
         } else {
             Ok(guard)
@@ -101,8 +104,12 @@ impl SharedDevice {
         self.abandoned.load(Ordering::Acquire)
     }
 
-    pub fn abandon(&self) {
-        self.abandoned.store(true, Ordering::Release);
+    /// Gives up a device that failed while work was under way.
+    pub fn give_up(&self, error: &GpuError) {
+        match error {
+            GpuError::Lost => self.lost.store(true, Ordering::Release),
+            _ => self.abandoned.store(true, Ordering::Release),
+        }
     }
 }
 
@@ -135,7 +142,8 @@ impl Drop for SharedDevice {
             return;
         }
         let queue = self.queue.get_mut().unwrap_or_else(PoisonError::into_inner);
-        // SAFETY: buffers and pipelines hold an `Arc` of this, so none is left; every piece of work was waited for.
+        // SAFETY: buffers and pipelines hold an `Arc` of this, so none is left; every piece of work was waited for, or
+        // ended with the device.
         // The instance is not touched again.
         unsafe {
             queue.destroy(&self.raw);

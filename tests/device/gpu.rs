@@ -401,6 +401,10 @@ void main() {
         device.buffer("more", BufferUse::Storage, 4).err(),
         Some(GpuError::Lost)
     ));
+    // Another device of the same process is none the worse for it.
+    if let Some(another) = common::open(Options::default()) {
+        run(&another, 1).expect("runs");
+    }
     // The driver's threads are still at work: let them finish before the process ends.
     std::thread::sleep(10 * needs);
 }
