@@ -1,8 +1,10 @@
-//! The program: its command line, and its pages in a browser.
+//! The program: its command line, its ends on devices that fail, and its pages in a browser.
 
 #[path = "../common/mod.rs"]
 mod common;
 
 mod cli;
+#[cfg(target_os = "linux")]
+mod faults;
 mod report_page;
 mod scripts;

@@ -23,6 +23,8 @@ pub enum Need {
     /// `spirv-val` and `spirv-dis`.
     SpirvTools,
     Chromium,
+    /// What layers of Vulkan are compiled against.
+    VulkanHeaders,
     /// Disks of the test's own: user namespaces that may mount.
     Mounts,
 }
@@ -38,6 +40,7 @@ impl Need {
             Self::Validation => "VKPT_TEST_NO_VALIDATION",
             Self::SpirvTools => "VKPT_TEST_NO_SPIRV_TOOLS",
             Self::Chromium => "VKPT_TEST_NO_CHROMIUM",
+            Self::VulkanHeaders => "VKPT_TEST_NO_VULKAN_HEADERS",
             Self::Mounts => "VKPT_TEST_NO_MOUNTS",
         }
     }
@@ -49,6 +52,7 @@ impl Need {
             Self::Validation => "vulkan-validationlayers",
             Self::SpirvTools => "spirv-tools",
             Self::Chromium => "chromium",
+            Self::VulkanHeaders => "libvulkan-dev",
             Self::Mounts => "util-linux",
         }
     }

@@ -1,0 +1,81 @@
+//! How a rendering ends whose device fails.
+
+use super::trial::{Left, Trial};
+
+/// What holds of every end, and of this fault's.
+pub fn check(fault: &str, trial: &Trial, sound: &Trial) -> Result<(), String> {
+    whole(trial)?;
+    let no = |why: &str| Err(why.to_owned());
+    match trial.code {
+        Some(0) if trial.picture != sound.picture => no("another picture than without faults"),
+        Some(0) if trial.report != Ok(true) => no("no report"),
+        Some(0) => Ok(()),
+        _ if !names_it(fault, &trial.err) => no("no word of what failed"),
+        code if !codes(fault).contains(&code.unwrap_or_default()) => no("the wrong exit code"),
+        // Some samples were done, and are not lost.
+        Some(7) if !matches!(trial.picture, Left::Whole(_)) => no("exit code 7 without a picture"),
+        Some(7) => Ok(()),
+        _ if trial.picture != Left::Old || trial.report != Ok(false) => no("it failed, and wrote"),
+        _ => Ok(()),
+    }
+}
+
+/// The exit codes that this fault may end with, where it does not end well: the one place that knows what a rendering
+/// survives.
+fn codes(fault: &str) -> Vec<i32> {
+    let first = fault.split(':').next().unwrap_or_default();
+    match first {
+        // A cache that fails only costs time.
+        "vkCreatePipelineCache" | "vkGetPipelineCacheData" => vec![],
+        // Another fence takes its place.
+        "vkResetFences" => vec![],
+        // The device's own time is only told.
+        "vkGetQueryPoolResults" if !fault.ends_with(":-4") => vec![],
+        // There may be no driver at all.
+        "vkCreateInstance" if fault.ends_with(":-9") => vec![4],
+        "vkCreateInstance" | "vkEnumeratePhysicalDevices" => vec![1],
+        _ => vec![1, 7],
+    }
+}
+
+/// No panic, no signal, no hang, and no file that is not whole.
+fn whole(trial: &Trial) -> Result<(), String> {
+    if trial.hung {
+        return Err("it hangs".to_owned());
+    }
+    if trial.code.is_none() {
+        return Err("a signal ended it".to_owned());
+    }
+    if trial.code == Some(101) || trial.err.contains("panicked") {
+        return Err("a panic".to_owned());
+    }
+    if let Left::Broken(why) = &trial.picture {
+        return Err(format!("a broken picture: {why}"));
+    }
+    if trial.picture == Left::Nothing {
+        return Err("the old picture is gone".to_owned());
+    }
+    if let Err(why) = &trial.report {
+        return Err(format!("a broken report: {why}"));
+    }
+    // What a rendering can be taken up from.
+    let state = |name: &&String| !name.starts_with('.') && name.ends_with(".vkpt");
+    match trial.others.iter().find(|name| !state(name)) {
+        Some(name) => Err(format!("{name} lies about")),
+        None => Ok(()),
+    }
+}
+
+/// Whether the message says what failed: the call, or what a user knows of it.
+fn names_it(fault: &str, err: &str) -> bool {
+    let call = |fault: &str| fault.split(':').next().unwrap_or_default().to_owned();
+    let told = [
+        "out of memory on the device",
+        "the device was lost",
+        "the device did not finish",
+        "no Vulkan device",
+    ];
+    let error = err.lines().any(|line| line.starts_with("error: "));
+    let named = fault.split(',').any(|one| err.contains(&call(one)));
+    error && (named || told.iter().any(|words| err.contains(words)))
+}

@@ -1,0 +1,88 @@
+//! The harness itself: it finds what programs do wrong that are made to.
+
+use std::path::Path;
+use std::process::Command;
+use std::time::Duration;
+
+use super::expected;
+use super::trial::{Trial, finish, finish_within};
+
+/// A line of the shell in place of the program.
+fn shell(line: &str) -> impl FnOnce(&Path) -> Command {
+    move |folder| {
+        let mut shell = Command::new("sh");
+        shell.current_dir(folder).args(["-c", line]);
+        shell.env("VKPT", env!("CARGO_BIN_EXE_vkpt"));
+        shell
+    }
+}
+
+fn verdict(line: &str, sound: &Trial) -> Result<(), String> {
+    expected::check("vkQueueSubmit:1:-4", &finish(shell(line)), sound)
+}
+
+const RENDER: &str = "$VKPT scene.scn --device cpu-f32 --quiet -o a.exr --json a.json --spp";
+
+#[test]
+fn what_ends_as_it_should_passes() {
+    let sound = finish(shell(&format!("{RENDER} 2")));
+    assert_eq!(sound.code, Some(0), "{}", sound.err);
+    for line in [
+        format!("{RENDER} 2"),
+        "echo 'error: the device was lost' >&2; exit 1".to_owned(),
+        format!("{RENDER} 1; touch a.vkpt; echo 'error: vkQueueSubmit failed' >&2; exit 7"),
+    ] {
+        assert_eq!(verdict(&line, &sound), Ok(()), "{line}");
+    }
+}
+
+#[test]
+fn what_goes_wrong_is_found() {
+    let sound = finish(shell(&format!("{RENDER} 2")));
+    let lost = "echo 'error: the device was lost' >&2";
+    for (line, why) in [
+        ("exit 101".to_owned(), "a panic"),
+        (
+            format!("echo thread main panicked at >&2; {lost}; exit 1"),
+            "a panic",
+        ),
+        ("kill -SEGV $$".to_owned(), "a signal"),
+        (format!("{RENDER} 1"), "another picture"),
+        (format!("{RENDER} 2; rm a.json"), "no report"),
+        ("exit 0".to_owned(), "another picture"),
+        ("exit 1".to_owned(), "no word of what failed"),
+        (
+            "echo 'error: it failed' >&2; exit 1".to_owned(),
+            "no word of what failed",
+        ),
+        (format!("{lost}; exit 5"), "the wrong exit code"),
+        (format!("{lost}; exit 7"), "without a picture"),
+        (
+            format!("{RENDER} 1; {lost}; exit 1"),
+            "it failed, and wrote",
+        ),
+        (
+            format!("rm a.exr; {lost}; exit 1"),
+            "the old picture is gone",
+        ),
+        (
+            format!("{RENDER} 2; truncate -s 300 a.exr; {lost}; exit 7"),
+            "a broken picture",
+        ),
+        (
+            format!("{RENDER} 2; truncate -s 90 a.json; {lost}; exit 7"),
+            "a broken report",
+        ),
+        (
+            format!("touch .vkpt-x; {lost}; exit 1"),
+            ".vkpt-x lies about",
+        ),
+    ] {
+        let found = verdict(&line, &sound);
+        let found = found.expect_err(&line);
+        assert!(found.contains(why), "{line}: {found}");
+    }
+    let sleeps = finish_within(Duration::from_millis(200), shell("exec sleep 60"));
+    let found = expected::check("vkQueueSubmit:1:-4", &sleeps, &sound);
+    assert_eq!(found, Err("it hangs".to_owned()));
+}
