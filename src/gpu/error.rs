@@ -38,8 +38,7 @@ pub enum GpuError {
     #[error("the device did not finish within {0:?}; it is given up")]
     TimeOut(Duration),
     #[error(
-        "the device was lost: its driver stopped the kernel (a watchdog does, after seconds) or crashed; \
-         try fewer samples a dispatch, or --device cpu-f64"
+        "the device was lost: its driver stopped the kernel (a watchdog does, after seconds) or crashed"
     )]
     Lost,
     #[error("out of memory on the device, at {0}")]

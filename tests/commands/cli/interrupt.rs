@@ -80,7 +80,10 @@ fn interrupted(folder: &Path, signal: &str, code: i32) {
 fn the_picture_is_that_of_the_samples_done() {
     let folder = folder(SCENE);
     interrupted(folder.path(), "INT", 130);
-    assert_eq!(names(folder.path()), ["a.exr", "a.json", "scene.scn"]);
+    assert_eq!(
+        names(folder.path()),
+        ["a.exr", "a.json", "a.vkpt", "scene.scn"]
+    );
     let text = fs::read_to_string(folder.path().join("a.json")).expect("a report");
     let json: Value = serde_json::from_str(&text).expect("JSON");
     assert_eq!(json["spp_asked"], 4_000_000_000u64);
@@ -114,7 +117,10 @@ fn other_signals_end_it_as_ctrl_c_does() {
     for (signal, code) in [("TERM", 143), ("HUP", 129)] {
         let folder = folder(SCENE);
         interrupted(folder.path(), signal, code);
-        assert_eq!(names(folder.path()), ["a.exr", "a.json", "scene.scn"]);
+        assert_eq!(
+            names(folder.path()),
+            ["a.exr", "a.json", "a.vkpt", "scene.scn"]
+        );
     }
 }
 

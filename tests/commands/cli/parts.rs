@@ -68,7 +68,7 @@ fn timeless(folder: &Path, name: &str) -> Value {
 fn parts_make_the_files_of_one_rendering() {
     for more in [
         "",
-        " --integrator bidirectional",
+        " --integrator path",
         " --sampler random --aov stderr",
         " --crop 1,0,5,3",
     ] {
@@ -150,7 +150,7 @@ fn missing_and_overlapping_samples_are_named() {
     for said in [
         "samples 4..6 are missing, between 0-4.vkpt (0..4) and 6-10.vkpt (6..10)",
         "samples 10..12 are missing, between 6-10.vkpt (6..10) and 12-14.vkpt (12..14)",
-        "vkpt scene.scn --samples 4..6 --size 6x4 --integrator path -o 4-6.vkpt",
+        "vkpt scene.scn --samples 4..6 --size 6x4 --integrator bidirectional -o 4-6.vkpt",
     ] {
         assert!(err.contains(said), "{err}");
     }
@@ -176,7 +176,7 @@ fn missing_and_overlapping_samples_are_named() {
     // The command that is named renders what is missing.
     ok(
         &folder,
-        "scene.scn --device cpu-f32 --quiet --samples 4..6 --size 6x4 --integrator path -o 4-6.vkpt",
+        "scene.scn --device cpu-f32 --quiet --samples 4..6 --size 6x4 --integrator bidirectional -o 4-6.vkpt",
     );
     ok(
         &folder,
@@ -216,8 +216,8 @@ fn parts_of_something_else_are_refused_by_name() {
             "--sampler is sobol there and random here",
         ),
         (
-            "scene.scn --samples 2..4 --integrator bidirectional",
-            "--integrator is path there and bidirectional here",
+            "scene.scn --samples 2..4 --integrator path",
+            "--integrator is bidirectional there and path here",
         ),
     ];
     for (line, said) in rows {

@@ -105,7 +105,7 @@ fn a_signal_leaves_a_part_to_go_on_from() {
     for (signal, code) in [("TERM", 143), ("HUP", 129), ("INT", 130)] {
         let folder = folder(SCENE);
         let path = folder.path();
-        let mut child = spawn(path, "scene.scn --device cpu-f32 --spp 4000000000 -o a.exr");
+        let child = spawn(path, "scene.scn --device cpu-f32 --spp 4000000000 -o a.exr");
         std::thread::sleep(Duration::from_millis(1500));
         super::interrupt::send(child.id(), signal);
         let ended = child.wait_with_output();
@@ -167,10 +167,10 @@ fn it_goes_on_to_other_ends() {
     assert!(bytes(path, "a.exr") == bytes(path, "b.exr"));
     // By error: as a rendering that was never interrupted.
     ok(&format!(
-        "{COMMON} --target-error 3e-4 --resume -o a.vkpt -o a.exr --json a.json"
+        "{COMMON} --target-error 4e-7 --resume -o a.vkpt -o a.exr --json a.json"
     ));
     ok(&format!(
-        "{COMMON} --target-error 3e-4 -o b.exr --json b.json"
+        "{COMMON} --target-error 4e-7 -o b.exr --json b.json"
     ));
     let spp = |name| -> Value {
         let report: Value = serde_json::from_slice(&bytes(path, name)).expect("JSON");

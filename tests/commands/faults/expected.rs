@@ -12,9 +12,13 @@ pub fn check(fault: &str, trial: &Trial, sound: &Trial) -> Result<(), String> {
         Some(0) => Ok(()),
         _ if !names_it(fault, &trial.err) => no("no word of what failed"),
         code if !codes(fault).contains(&code.unwrap_or_default()) => no("the wrong exit code"),
-        // Some samples were done, and are not lost.
-        Some(7) if !matches!(trial.picture, Left::Whole(_)) => no("exit code 7 without a picture"),
-        Some(7) => Ok(()),
+        // Samples were done, and are not lost.
+        Some(7) if matches!(trial.picture, Left::Whole(_)) => match &trial.resumed {
+            Some(resumed) if *resumed == sound.picture => Ok(()),
+            Some(_) => no("it went on to another picture"),
+            None => no("exit code 7 with a picture, and nothing to go on from"),
+        },
+        Some(7) if trial.resumed.is_some() => no("exit code 7 without a picture"),
         _ if trial.picture != Left::Old || trial.report != Ok(false) => no("it failed, and wrote"),
         _ => Ok(()),
     }
@@ -23,18 +27,18 @@ pub fn check(fault: &str, trial: &Trial, sound: &Trial) -> Result<(), String> {
 /// The exit codes that this fault may end with, where it does not end well: the one place that knows what a rendering
 /// survives.
 fn codes(fault: &str) -> Vec<i32> {
-    let first = fault.split(':').next().unwrap_or_default();
-    match first {
-        // A cache that fails only costs time.
-        "vkCreatePipelineCache" | "vkGetPipelineCacheData" => vec![],
-        // Another fence takes its place.
-        "vkResetFences" => vec![],
-        // The device's own time is only told.
-        "vkGetQueryPoolResults" if !fault.ends_with(":-4") => vec![],
+    let (call, rest) = fault.split_once(':').unwrap_or_default();
+    let memory_or_lost = [":-1", ":-2", ":-4"].iter().any(|end| fault.ends_with(end));
+    match call {
         // There may be no driver at all.
         "vkCreateInstance" if fault.ends_with(":-9") => vec![4],
-        "vkCreateInstance" | "vkEnumeratePhysicalDevices" => vec![1],
-        _ => vec![1, 7],
+        // What cannot be opened is not tried again.
+        "vkCreateInstance" | "vkEnumeratePhysicalDevices" | "vkCreateDevice" if !memory_or_lost => {
+            vec![1]
+        }
+        // One failure is survived: the device is opened anew.
+        _ if !rest.contains([',', '+']) => vec![],
+        _ => vec![7],
     }
 }
 

@@ -14,7 +14,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use layer::Layer;
-use trial::{Trial, rendering};
+use trial::{Left, Trial, rendering};
 
 /// What may go wrong at any call, as Vulkan numbers it: the host's memory, the device's, and what nobody foresaw.
 const ANYWHERE: [i32; 3] = [-1, -2, -13];
@@ -103,6 +103,37 @@ fn any_call_may_fail() {
 #[ignore = "takes a minute; any_call_may_fail tries the calls at both ends and half-way"]
 fn every_call_may_fail() {
     sweep(|calls| (1..=calls).collect());
+}
+
+/// By the last call, nearly all samples are done.
+#[test]
+fn samples_that_are_done_are_left_as_a_picture_and_a_part() {
+    let Some(layer) = Layer::built() else { return };
+    let (sound, counts) = sound(&layer);
+    let last = counts["vkQueueSubmit"];
+    for fault in [
+        format!("vkQueueSubmit:{last}:-4,vkQueueSubmit:{}:-4", last + 1),
+        format!("vkWaitForFences:{last}+:2"),
+        format!("vkWaitForFences:{last}:-4,vkCreateDevice:2+:-3"),
+        format!("vkQueueSubmit:{last}:-4,vkAllocateMemory:12+:-2"),
+    ] {
+        let trial = rendering(&layer, &fault);
+        assert_eq!(trial.code, Some(7), "{fault}: {trial}");
+        assert!(matches!(trial.picture, Left::Whole(_)), "{fault}: {trial}");
+        assert_eq!(trial.report, Ok(true), "{fault}: {trial}");
+        assert!(
+            trial.err.contains("a.vkpt has the samples done by then"),
+            "{fault}: {trial}"
+        );
+        assert!(
+            trial.err.contains("--resume --device cpu-f32"),
+            "{fault}: {trial}"
+        );
+        assert!(
+            trial.resumed.as_ref() == Some(&sound.picture),
+            "{fault}: {trial}"
+        );
+    }
 }
 
 /// A device that comes back and is lost again, one that never works again, one that hangs, and several ways at once.

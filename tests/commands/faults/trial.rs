@@ -41,6 +41,8 @@ pub struct Trial {
     pub report: Result<bool, String>,
     /// The folder's other files.
     pub others: Vec<String>,
+    /// What the picture becomes where the rendering goes on by cpu-f32 from what it left.
+    pub resumed: Option<Left>,
 }
 
 impl fmt::Display for Trial {
@@ -100,13 +102,20 @@ pub fn finish_within(limit: Duration, start: impl FnOnce(&Path) -> Command) -> T
     let code = wait(child, limit);
     let mut others = program::names(folder.path());
     others.retain(|name| !["scene.scn", "a.exr", "a.json"].contains(&name.as_str()));
+    let (left, report) = (picture(&path("a.exr")), report(&path("a.json")));
+    let resumed = path("a.vkpt").exists().then(|| {
+        let line = "scene.scn --device cpu-f32 --spp 64 --quiet -o a.exr --resume";
+        program::words(folder.path(), line);
+        picture(&path("a.exr"))
+    });
     Trial {
         code: code.flatten(),
         hung: code.is_none(),
         err: String::from_utf8_lossy(&fs::read(errors.path()).expect("a file")).into_owned(),
-        picture: picture(&path("a.exr")),
-        report: report(&path("a.json")),
+        picture: left,
+        report,
         others,
+        resumed,
     }
 }
 
