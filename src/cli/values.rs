@@ -106,6 +106,32 @@ pub fn device(text: &str) -> Result<Target, std::convert::Infallible> {
     })
 }
 
+/// What renders one picture.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Devices {
+    One(Target),
+    /// Each makes a part of the samples.
+    Several(Vec<Target>),
+}
+
+/// A device; or several, by their indices, and `cpu-f32`, with commas between: names may have commas.
+pub fn devices(text: &str) -> Result<Devices, String> {
+    let words: Vec<Target> = text
+        .split(',')
+        .filter_map(|word| device(word).ok())
+        .collect();
+    let numbered = |t: &Target| !matches!(t, Target::Vulkan(Selector::Name(_) | Selector::Best));
+    if words.len() < 2 || !words.iter().all(numbered) {
+        return device(text)
+            .map(Devices::One)
+            .map_err(|never| match never {});
+    }
+    match words.contains(&Target::CpuF64) {
+        true => Err("cpu-f64 rounds otherwise than all others: it renders alone".to_owned()),
+        false => Ok(Devices::Several(words)),
+    }
+}
+
 /// A Vulkan device.
 pub fn vulkan_device(text: &str) -> Result<Selector, String> {
     match device(text) {
@@ -119,7 +145,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn devices() {
+    fn devices_by_index_and_by_name() {
         let vulkan = |selector| Ok(Target::Vulkan(selector));
         assert_eq!(device("1"), vulkan(Selector::Index(1)));
         assert_eq!(
@@ -128,6 +154,14 @@ mod tests {
         );
         assert_eq!(device("cpu-f32"), Ok(Target::CpuF32));
         assert_eq!(device("CPU-F64"), Ok(Target::CpuF64));
+        let index = |i| Target::Vulkan(Selector::Index(i));
+        let several = |all: &[Target]| Ok(Devices::Several(all.to_vec()));
+        assert_eq!(devices("0,1"), several(&[index(0), index(1)]));
+        assert_eq!(devices("0,cpu-f32"), several(&[index(0), Target::CpuF32]));
+        assert_eq!(devices("1"), Ok(Devices::One(index(1))));
+        let long = "llvmpipe (LLVM 15.0.6, 256 bits)";
+        assert_eq!(devices(long), Ok(Devices::One(Target::Vulkan(long.into()))));
+        assert!(devices("0,cpu-f64").is_err());
     }
 
     #[test]

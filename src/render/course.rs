@@ -7,11 +7,10 @@ use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
 
-use super::follow::Grows;
 use super::slices::Slices;
-use super::{Job, Outcome, Progress, Start, State};
+use super::{Job, Outcome, Progress, Start, State, Stats};
 use crate::metrics::noise::{Culprits, RelMse, rel_mse};
-use crate::part::Halves;
+use crate::part::{AnyPart, Halves};
 
 /// When a rendering ends before it has all its samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -91,15 +90,15 @@ impl<'a> Course<'a> {
             0 => stop.load(Ordering::Relaxed).then_some(End::Interrupted),
             _ => course.spent(),
         };
-        if let (Some(_), Some(state)) = (course.end, state)
-            && course
-                .errors
-                .last()
-                .is_none_or(|last| last.spp < course.samples())
-        {
-            course.look(|| state.part.halves());
+        if let (Some(_), Some(state)) = (course.end, state) {
+            course.look_at_the_end(|| state.part.halves());
         }
         course
+    }
+
+    /// Whether no slice is to follow.
+    pub fn has_ended(&self) -> bool {
+        self.end.is_some()
     }
 
     /// Samples that every pixel has.
@@ -141,6 +140,26 @@ impl<'a> Course<'a> {
         }
     }
 
+    /// Samples of another part were joined: every pixel has all before the index `samples`.
+    pub fn joined(&mut self, samples: u32, halves: impl FnOnce() -> Halves) {
+        let due = self.next_look() <= samples;
+        self.done = samples;
+        if due {
+            self.look(halves);
+        }
+        let closed = || due && self.is_close();
+        let end = self.end.or_else(|| self.spent());
+        self.end = end.or_else(|| closed().then_some(End::Error));
+    }
+
+    /// Looks at the error after the last sample, unless that was looked at.
+    pub fn look_at_the_end(&mut self, halves: impl FnOnce() -> Halves) {
+        let samples = self.samples();
+        if samples > 0 && self.errors.last().is_none_or(|last| last.spp < samples) {
+            self.look(halves);
+        }
+    }
+
     /// How far it will be once the slice under way, which ends at the index `samples`, has made `part` of its own.
     pub fn progress(&self, samples: u32, part: f64) -> Progress {
         let slice = samples - self.done;
@@ -157,14 +176,14 @@ impl<'a> Course<'a> {
     }
 
     /// What there is of the rendering: interrupted, if it has not come to an end.
-    pub fn so_far(&self, run: &dyn Grows) -> Outcome {
+    pub fn so_far(&self, part: AnyPart, stats: Stats) -> Outcome {
         let state = State {
-            part: run.part(),
+            part,
             errors: self.errors.clone(),
             seconds: self.seconds(),
         };
         let end = self.end.unwrap_or(End::Interrupted);
-        Outcome::new(self.job, state, end, run.stats())
+        Outcome::new(self.job, state, end, stats)
     }
 
     /// Whether samples, patience or time are at their end.

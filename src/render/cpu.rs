@@ -4,15 +4,17 @@ mod light;
 mod path;
 mod replicates;
 
+use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use super::course::Course;
 use super::follow::{Grows, Watch, follow};
 use super::replicates::Growing;
+use super::several::Ranges;
 use super::{
     DISPATCH_TIME, HostFilm, Job, LightFilm, NEAREST, Outcome, Pixels, RenderError, SetUp, Start,
-    Stats,
+    Stats, empty_part,
 };
 use crate::part::{AnyPart, Part, Scalar};
 use crate::reference::world::World;
@@ -46,6 +48,20 @@ pub fn render<F: Scalar>(
     }
 }
 
+/// Hands what makes parts of the job's picture, in f32, to `work`.
+pub fn with_ranges(
+    job: &Job,
+    work: &mut dyn FnMut(&mut dyn Ranges) -> Result<Stats, RenderError>,
+) -> Result<Stats, RenderError> {
+    let empty = empty_part(job, 0);
+    match job.settings.estimator.integrator {
+        Integrator::Path => work(&mut Run::<f32, Pixels<f32>>::new(job, "cpu-f32", empty)),
+        Integrator::Light | Integrator::Bidirectional => {
+            work(&mut Run::<f32, LightFilm<f32>>::new(job, "cpu-f32", empty))
+        }
+    }
+}
+
 /// Renderings by several seeds.
 pub fn replicates<'a, F: Scalar>(job: &'a Job<'a>, seeds: &[u32]) -> Box<dyn Growing + 'a> {
     match job.settings.estimator.integrator {
@@ -62,6 +78,42 @@ struct Run<'a, F, R> {
     world: World<F>,
     film: R,
     stats: Stats,
+}
+
+impl<'a, F: Scalar, R: Render<F>> Run<'a, F, R> {
+    fn new(job: &'a Job<'a>, name: &str, part: Part<F>) -> Self {
+        let began = Instant::now();
+        let world = World::new(job.prepared);
+        let set_up = SetUp {
+            hierarchy: began.elapsed().as_secs_f64(),
+            ..SetUp::default()
+        };
+        let stats = Stats {
+            device: name.into(),
+            driver: driver(),
+            rounding: NEAREST.to_owned(),
+            set_up,
+            ..Stats::default()
+        };
+        Self {
+            job,
+            world,
+            film: R::new(job, part),
+            stats,
+        }
+    }
+}
+
+impl<R: Render<f32>> Ranges for Run<'_, f32, R> {
+    fn make(&mut self, samples: Range<u32>) -> Result<Part<f32>, RenderError> {
+        self.film = R::new(self.job, empty_part(self.job, samples.start));
+        self.film.advance(self.job, &self.world, samples.end);
+        Ok(self.film.part())
+    }
+
+    fn took(&self) -> Stats {
+        self.stats.clone()
+    }
 }
 
 impl<F: Scalar, R: Render<F>> Grows for Run<'_, F, R> {
@@ -92,29 +144,10 @@ fn render_by<F: Scalar, R: Render<F>>(
     stop: &AtomicBool,
     watch: &mut dyn Watch,
 ) -> Result<Outcome, RenderError> {
-    let part = start.part(job)?;
-    let began = Instant::now();
-    let world = World::<F>::new(job.prepared);
-    let stats = Stats {
-        device: name.into(),
-        driver: driver(),
-        rounding: NEAREST.to_owned(),
-        set_up: SetUp {
-            hierarchy: began.elapsed().as_secs_f64(),
-            ..SetUp::default()
-        },
-        ..Stats::default()
-    };
-    let film = R::new(job, part);
-    let mut run = Run {
-        job,
-        world,
-        film,
-        stats,
-    };
+    let mut run = Run::<F, R>::new(job, name, start.part(job)?);
     let mut course = Course::new(job, stop, start, DISPATCH_TIME);
     follow(&mut course, &mut run, watch)?;
-    Ok(course.so_far(&run))
+    Ok(course.so_far(run.part(), run.stats()))
 }
 
 /// What stands where devices have a driver.

@@ -36,9 +36,9 @@ pub trait Watch {
         let _ = so_far;
     }
 
-    /// The device failed, and is about to be opened anew.
-    fn lost(&mut self, error: &RenderError) {
-        let _ = error;
+    /// A device failed; `then` says how the rendering goes on.
+    fn lost(&mut self, error: &RenderError, then: &str) {
+        let _ = (error, then);
     }
 }
 
@@ -58,7 +58,7 @@ pub fn follow(
         let mut part = |part| watch.progress(course.progress(samples, part));
         let longest = run.advance(samples, &mut part)?;
         course.reached(samples, longest, || run.part().halves());
-        watch.reached(&|| course.so_far(run));
+        watch.reached(&|| course.so_far(run.part(), run.stats()));
     }
     Ok(())
 }

@@ -24,7 +24,10 @@ pub fn render(
         Err(failed) if failed.error.is_loss() => failed,
         ended => return ended.map_err(|failed| failed.error),
     };
-    watch.lost(&first.error);
+    watch.lost(
+        &first.error,
+        "it is opened anew, and the rendering goes on by shorter dispatches",
+    );
     let state = first.so_far.as_ref().map(|so_far| so_far.state.clone());
     let start = state.map_or_else(|| start.clone(), Start::After);
     let quarter = DispatchLimits::quartered;

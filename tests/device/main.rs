@@ -24,6 +24,7 @@ mod parts;
 mod random_scenes;
 mod same_bits;
 mod scene_kernels;
+mod several;
 mod standard_errors;
 mod trace;
 mod twins;

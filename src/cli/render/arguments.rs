@@ -11,7 +11,7 @@ use crate::cli::numbers::{self, SamplePath};
 use crate::cli::outputs::OutputArguments;
 use crate::cli::settings::SettingArguments;
 use crate::cli::source::Source;
-use crate::cli::values::{self, choice};
+use crate::cli::values::{self, Devices, choice};
 use crate::cli::view::ViewArguments;
 use crate::gpu::Selector;
 use crate::render::{self, Best, Job, KernelChoice, Target, Until};
@@ -73,10 +73,11 @@ pub struct RenderArguments {
     pub seed: u32,
 
     /// A Vulkan device by its index or part of its name (`vkpt devices` lists them), or the
-    /// reference renderer: cpu-f64, cpu-f32 [default: a GPU; without one, the faster of a CPU's
-    /// Vulkan driver and cpu-f32, whose pictures are the same to the bit]
-    #[arg(long, value_name = "DEVICE", help_heading = "Rendering", value_parser = values::device)]
-    device: Option<Target>,
+    /// reference renderer: cpu-f64, cpu-f32; several, by index, share the samples out, as 0,1 does
+    /// [default: a GPU; without one, the faster of a CPU's Vulkan driver and cpu-f32, whose pictures
+    /// are the same to the bit]
+    #[arg(long, value_name = "DEVICE", help_heading = "Rendering", value_parser = values::devices)]
+    device: Option<Devices>,
 
     /// What the Vulkan kernel holds: composed, what scene and settings need, or full, what any scene
     /// could need. The picture does not depend on it
@@ -156,9 +157,19 @@ impl RenderArguments {
 
     /// What follows one path: whatever is fast, the device that is asked for or the best Vulkan device.
     pub fn target(&self) -> Target {
-        self.device
-            .clone()
-            .unwrap_or(Target::Vulkan(Selector::Best))
+        match &self.device {
+            None => Target::Vulkan(Selector::Best),
+            Some(Devices::One(target)) => target.clone(),
+            Some(Devices::Several(targets)) => targets[0].clone(),
+        }
+    }
+
+    /// All devices, where there are several.
+    pub fn several(&self) -> Option<&[Target]> {
+        match &self.device {
+            Some(Devices::Several(targets)) => Some(targets),
+            _ => None,
+        }
     }
 
     /// What renders the job, and why where the job decides.

@@ -68,7 +68,10 @@ pub fn develop(
         checkpoint: pause.map(|(pause, path)| Checkpoint::new(path.to_owned(), pause, resumes)),
         labels: &labels,
     };
-    let outcome = render::render_from(&job, &best.target, &start, &stop, &mut watcher);
+    let outcome = match arguments.several() {
+        Some(targets) => render::render_several(&job, targets, &start, &stop, &mut watcher),
+        None => render::render_from(&job, &best.target, &start, &stop, &mut watcher),
+    };
     watcher.display.finish();
     let checkpointed = watcher.checkpoint.map_or(resumes, |c| c.written);
     let outcome = outcome.map_err(Failure::Render)?;
@@ -163,9 +166,7 @@ impl Watch for Watcher<'_> {
         }
     }
 
-    fn lost(&mut self, error: &RenderError) {
-        warn(&format!(
-            "the device failed: {error}; it is opened anew, and the rendering goes on by shorter dispatches"
-        ));
+    fn lost(&mut self, error: &RenderError, then: &str) {
+        warn(&format!("the device failed: {error}; {then}"));
     }
 }

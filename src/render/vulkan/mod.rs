@@ -13,18 +13,21 @@ mod rendering;
 mod replicates;
 mod scene_buffers;
 
+use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use super::course::Course;
 use super::follow::{Grows, Watch, follow};
 use super::replicates::Growing;
-use super::{HostFilm, Job, NEAREST, Outcome, RenderError, Start, Stats};
+use super::several::Ranges;
+use super::slices::Slices;
+use super::{HostFilm, Job, NEAREST, Outcome, RenderError, Start, Stats, empty_part};
 use crate::features::Features;
 use crate::gpu::{Device, DeviceKind};
 use crate::kernel::scene::Recording;
 use crate::layout::Record;
-use crate::part::AnyPart;
+use crate::part::{AnyPart, Part};
 use crate::settings::Integrator;
 pub use kernel::statistics;
 use light::LightRun;
@@ -92,19 +95,11 @@ fn render_by<'a, R: Rendering<'a>>(
     watch: &mut dyn Watch,
 ) -> Result<Outcome, Failed> {
     let part = start.part(job)?;
-    let features = job.features();
-    let mut rendering = R::new(job, device, &features, limits)?;
-    let compile_s = rendering.compile()?.as_secs_f64();
-    rendering.go_on(part)?;
-    let mut run = Run {
-        device,
-        features,
-        compile_s,
-        rendering,
-    };
+    let mut run = Run::<R>::new(job, device, limits)?;
+    run.rendering.go_on(part)?;
     let mut course = Course::new(job, stop, start, limits.dispatch_time);
     let ended = follow(&mut course, &mut run, watch);
-    let so_far = course.so_far(&run);
+    let so_far = course.so_far(run.part(), run.stats());
     match ended {
         Ok(()) => Ok(so_far),
         Err(error) => Err(Failed {
@@ -114,12 +109,68 @@ fn render_by<'a, R: Rendering<'a>>(
     }
 }
 
+/// Hands what makes parts of the job's picture on `device` to `work`.
+pub fn with_ranges(
+    job: &Job,
+    device: &Device,
+    limits: DispatchLimits,
+    work: &mut dyn FnMut(&mut dyn Ranges) -> Result<Stats, RenderError>,
+) -> Result<Stats, RenderError> {
+    match job.settings.estimator.integrator {
+        Integrator::Path => work(&mut Run::<PathRun>::new(job, device, limits)?),
+        Integrator::Light | Integrator::Bidirectional => {
+            work(&mut Run::<LightRun>::new(job, device, limits)?)
+        }
+    }
+}
+
 /// A rendering under way.
 struct Run<'a, R> {
+    job: &'a Job<'a>,
     device: &'a Device,
+    limits: DispatchLimits,
     features: Features,
     compile_s: f64,
     rendering: R,
+}
+
+impl<'a, R: Rendering<'a>> Run<'a, R> {
+    /// All is compiled.
+    fn new(
+        job: &'a Job<'a>,
+        device: &'a Device,
+        limits: DispatchLimits,
+    ) -> Result<Self, RenderError> {
+        let features = job.features();
+        let mut rendering = R::new(job, device, &features, limits)?;
+        Ok(Self {
+            compile_s: rendering.compile()?.as_secs_f64(),
+            job,
+            device,
+            limits,
+            features,
+            rendering,
+        })
+    }
+}
+
+impl<'a, R: Rendering<'a>> Ranges for Run<'a, R> {
+    fn make(&mut self, samples: Range<u32>) -> Result<Part<f32>, RenderError> {
+        self.rendering.go_on(empty_part(self.job, samples.start))?;
+        let mut slices = Slices::new(self.limits.dispatch_time);
+        let mut done = samples.start;
+        while done < samples.end {
+            let slice = slices.next(samples.end - done);
+            let longest = self.rendering.advance(done + slice, &mut |_| {})?;
+            slices.took(slice, longest);
+            done += slice;
+        }
+        Ok(self.rendering.film().part())
+    }
+
+    fn took(&self) -> Stats {
+        self.stats()
+    }
 }
 
 impl<'a, R: Rendering<'a>> Grows for Run<'a, R> {

@@ -1,0 +1,241 @@
+//! One rendering on several devices: each takes the range of samples that comes next, as long a one as its speed allows, and
+//! the parts are joined in the order of their samples.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError, mpsc};
+use std::time::{Duration, Instant};
+
+use super::course::Course;
+use super::follow::Watch;
+use super::slices::Slices;
+use super::{
+    DispatchLimits, End, Job, Outcome, RenderError, Start, Stats, Target, cpu, memory, vulkan,
+};
+use crate::gpu::Device;
+use crate::part::{AnyPart, BLOCK, Part};
+
+/// What a range should take: long enough for devices not to wait for each other, short enough for ctrl-c.
+const WANTED: Duration = Duration::from_millis(500);
+
+/// What makes parts on a device.
+pub trait Ranges {
+    /// These samples of every pixel.
+    fn make(&mut self, samples: Range<u32>) -> Result<Part<f32>, RenderError>;
+    /// What it took so far, but for what the parts tell.
+    fn took(&self) -> Stats;
+}
+
+/// Samples that nobody has taken yet.
+struct Left {
+    next: u32,
+    end: u32,
+    /// Of devices that failed.
+    back: Vec<Range<u32>>,
+}
+
+impl Left {
+    /// The next samples, about `wanted` of them, up to the end of a block where they reach one; at most a fair share for one of
+    /// `devices`.
+    fn take(&mut self, wanted: u32, devices: u32) -> Option<Range<u32>> {
+        if let Some(range) = self.back.pop() {
+            return Some(range);
+        }
+        let share = (self.end - self.next).div_ceil(2 * devices);
+        let end = self.next + wanted.min(share).max(1).min(self.end - self.next);
+        let whole = end - end % BLOCK;
+        let end = if whole > self.next { whole } else { end };
+        let range = self.next..end;
+        self.next = end;
+        (!range.is_empty()).then_some(range)
+    }
+}
+
+/// What a device says.
+enum Message {
+    Made(Part<f32>),
+    /// It is open, or has ended: what it took so far.
+    Took(usize, Stats),
+    Failed(usize, RenderError),
+}
+
+/// Renders as [`render_from`](super::render_from) does, on all `targets`, none of which is `cpu-f64`. A device that fails leaves
+/// its samples to the others; once none is left, what is there by then comes out.
+///
+/// # Errors
+/// A device that is not there, or is asked for what it does not do; [`RenderError::Twice`] where all have failed before the first
+/// sample; [`RenderError::Start`] where it is to go on from what another job has left.
+pub fn render_several(
+    job: &Job,
+    targets: &[Target],
+    start: &Start,
+    stop: &AtomicBool,
+    watch: &mut dyn Watch,
+) -> Result<Outcome, RenderError> {
+    memory::check::<f32>(job, targets.len())?;
+    let whole = start.part::<f32>(job)?;
+    let mut joining = Joining {
+        whole,
+        waiting: BTreeMap::new(),
+        stats: vec![None; targets.len()],
+    };
+    let mut course = Course::new(job, stop, start, WANTED);
+    let left = Mutex::new(Left {
+        next: start.range().end,
+        end: job.spp.max(start.range().end),
+        back: Vec::new(),
+    });
+    let mut alive: Vec<usize> = (0..targets.len()).collect();
+    let (mut failure, mut wrong) = (None, false);
+    // Samples that the last device has left are there once the others have ended.
+    while !course.has_ended() && !alive.is_empty() {
+        let halt = AtomicBool::new(false);
+        let (tell, told) = mpsc::channel();
+        std::thread::scope(|scope| {
+            for &i in &alive {
+                let (tell, left, halt, target) = (tell.clone(), &left, &halt, &targets[i]);
+                let count = alive.len() as u32;
+                scope.spawn(move || work(job, target, i, count, left, &[stop, halt], &tell));
+            }
+            drop(tell);
+            for message in told {
+                match message {
+                    Message::Made(part) => joining.take(part, &mut course, watch),
+                    Message::Took(i, stats) => joining.stats[i] = Some(stats),
+                    Message::Failed(i, error) => {
+                        alive.retain(|&other| other != i);
+                        wrong |= !error.is_loss();
+                        if error.is_loss() && !alive.is_empty() {
+                            watch.lost(&error, "the others go on without it");
+                        }
+                        failure = Some(error);
+                    }
+                }
+                halt.store(wrong || course.has_ended(), Ordering::Relaxed);
+            }
+        });
+        if wrong || stop.load(Ordering::Relaxed) {
+            break;
+        }
+    }
+    course.look_at_the_end(|| joining.whole.halves());
+    let so_far = course.so_far(joining.part(), joining.stats());
+    match failure {
+        Some(error) if wrong => Err(error),
+        Some(error) if alive.is_empty() && so_far.spp == 0 => {
+            Err(RenderError::Twice(Box::new(error)))
+        }
+        Some(error) if alive.is_empty() => Ok(Outcome {
+            end: End::Lost,
+            failure: Some(error.to_string()),
+            ..so_far
+        }),
+        _ => Ok(so_far),
+    }
+}
+
+/// Makes parts until no samples are left, or somebody says stop.
+fn work(
+    job: &Job,
+    target: &Target,
+    i: usize,
+    devices: u32,
+    left: &Mutex<Left>,
+    stops: &[&AtomicBool],
+    tell: &mpsc::Sender<Message>,
+) {
+    let mut slices = Slices::new(WANTED);
+    let lock = || left.lock().unwrap_or_else(PoisonError::into_inner);
+    let stopped = || stops.iter().any(|stop| stop.load(Ordering::Relaxed));
+    let ended = with_ranges(job, target, &mut |ranges| {
+        let _ = tell.send(Message::Took(i, ranges.took()));
+        while !stopped() {
+            let Some(range) = lock().take(slices.next(u32::MAX), devices) else {
+                break;
+            };
+            let began = Instant::now();
+            match ranges.make(range.clone()) {
+                Ok(part) => {
+                    slices.took(range.len() as u32, began.elapsed());
+                    // Nobody listens any more only where a panic has ended the rendering.
+                    let _ = tell.send(Message::Made(part));
+                }
+                Err(error) => {
+                    lock().back.push(range);
+                    return Err(error);
+                }
+            }
+        }
+        Ok(ranges.took())
+    });
+    let _ = tell.send(match ended {
+        Ok(stats) => Message::Took(i, stats),
+        Err(error) => Message::Failed(i, error),
+    });
+}
+
+/// Opens the device, and hands what makes parts on it to `work`.
+fn with_ranges(
+    job: &Job,
+    target: &Target,
+    work: &mut dyn FnMut(&mut dyn Ranges) -> Result<Stats, RenderError>,
+) -> Result<Stats, RenderError> {
+    match target {
+        Target::Vulkan(selector) => {
+            let device = Device::open(selector)?;
+            let limits = DispatchLimits::of(&device)?;
+            vulkan::with_ranges(job, &device, limits, work)
+        }
+        Target::CpuF32 => cpu::with_ranges(job, work),
+        Target::CpuF64 => Err(RenderError::Start),
+    }
+}
+
+/// The parts so far.
+struct Joining {
+    /// From the first sample on, without a gap.
+    whole: Part<f32>,
+    /// Behind a gap, by their first sample.
+    waiting: BTreeMap<u32, Part<f32>>,
+    stats: Vec<Option<Stats>>,
+}
+
+impl Joining {
+    fn take(&mut self, part: Part<f32>, course: &mut Course, watch: &mut dyn Watch) {
+        self.waiting.insert(part.range().start, part);
+        while let Some(next) = self.waiting.remove(&self.whole.range().end) {
+            // They are of one job, and one begins where the other ends.
+            let joined = self.whole.append(next, &mut |whole| {
+                course.joined(whole.range().end, || whole.halves());
+            });
+            debug_assert_eq!(joined, Ok(()));
+            watch.progress(course.progress(self.whole.range().end, 1.0));
+            watch.reached(&|| course.so_far(self.part(), self.stats()));
+        }
+    }
+
+    fn part(&self) -> AnyPart {
+        AnyPart::F32(self.whole.clone())
+    }
+
+    /// Of all devices together.
+    fn stats(&self) -> Stats {
+        let all: Vec<&Stats> = self.stats.iter().flatten().collect();
+        let first = all.first().map_or(Stats::default(), |&first| first.clone());
+        let joined = |of: fn(&Stats) -> &String| {
+            let mut names: Vec<&str> = all.iter().map(|stats| &**of(stats)).collect();
+            names.dedup();
+            names.join(", ")
+        };
+        let most = |of: fn(&Stats) -> f64| all.iter().map(|s| of(s)).fold(0.0, f64::max);
+        Stats {
+            device: joined(|s| &s.device),
+            driver: joined(|s| &s.driver),
+            rounding: joined(|s| &s.rounding),
+            compile_s: most(|s| s.compile_s),
+            gpu_s: None,
+            ..first
+        }
+    }
+}
