@@ -77,7 +77,7 @@ pub fn stop(begin: u32, done: u32, to: u32) -> u32 {
 
 /// Whether the sums of a film that end at `index`, of a part that begins at `begin`, are complete.
 pub fn ends_at(begin: u32, index: u32) -> bool {
-    index % BLOCK == 0 || index <= first_block(begin)
+    index.is_multiple_of(BLOCK) || index <= first_block(begin)
 }
 
 /// Whether two nodes side by side, of so many samples and the second ending at `end`, make one of the next level.

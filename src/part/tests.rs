@@ -1,16 +1,23 @@
 use super::*;
 use crate::reference::film::{FilmMoments, FilmPixel, film_moments, film_sample};
 use crate::reference::math::vec3;
-use crate::reference::sampler::random::sampler_block;
 use proptest::prelude::*;
 
 const PIXELS: usize = 3;
 
 /// Sample `index` of a pixel: a multiple of 2⁻³² of up to 24 bits, uneven as fireflies are; every eleventh of pixel 0 is broken.
 fn sample(pixel: usize, index: u32) -> Vec3<f32> {
+    // Splitmix64: Steele, Lea and Flood, Fast Splittable Pseudorandom Number Generators, 2014.
+    let mixed = |channel: u64| {
+        let mut z = (u64::from(index) << 8 | (pixel as u64) << 2 | channel)
+            .wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ z >> 31
+    };
     let word = |channel| {
-        let [a, b, _, _] = sampler_block(pixel as u32, index, channel, 7);
-        ((u64::from(a >> 8) << (b >> 27)) as f32) * 2f32.powi(-32)
+        let z = mixed(channel);
+        ((z >> 40 << (z & 31)) as f32) * 2f32.powi(-32)
     };
     match (pixel, index % 11) {
         (0, 10) => vec3(f32::NAN, 0.0, 0.0),

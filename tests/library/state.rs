@@ -161,7 +161,8 @@ fn what_differs_is_named() {
         "--crop is 0,0,1,1 there and none here",
     );
     named(&|h| h.record.job.seed = 3, "--seed is 3 there and 0 here");
-    let settings: [(&str, fn(&mut Header)); 12] = [
+    type Change = fn(&mut Header);
+    let settings: [(&str, Change); 12] = [
         ("--fresnel is x there and scene here", |h| {
             h.record.job.settings.fresnel = "x".into()
         }),

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::MergeArguments;
+use super::arguments::MergeArguments;
 use crate::cli::command;
 use crate::cli::exit::Failure;
 use crate::state::{self, Header, differs};

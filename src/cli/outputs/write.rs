@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use super::Outputs;
+use super::files::Outputs;
 use super::pictures::Picture;
 use crate::cli::destination::{Destination, json, whole};
 use crate::cli::exit::{Ending, Failure, warn};

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::RenderArguments;
+use super::arguments::RenderArguments;
 use super::record::{error_of, record};
 use crate::cli::exit::{Failure, note, warn};
 use crate::cli::interrupt::stop_flag;

@@ -1,0 +1,77 @@
+//! Which files a picture leaves: pictures, what goes beside them, parts, and the report.
+
+use std::path::Path;
+
+use super::arguments::OutputArguments;
+use super::pictures::{Picture, beside, pictures};
+use crate::cli::console::Console;
+use crate::cli::destination::Destination;
+use crate::cli::exit::Failure;
+use crate::film::Aov;
+use crate::state;
+
+/// Pictures, parts and report.
+#[derive(Debug)]
+pub struct Outputs<'a> {
+    pub arguments: &'a OutputArguments,
+    pub(super) pictures: Vec<Picture>,
+    /// Standard errors; none if nobody asks.
+    pub(super) stderr: Vec<Picture>,
+    /// Files that can be gone on from.
+    pub parts: Vec<Destination>,
+}
+
+impl<'a> Outputs<'a> {
+    /// What the command line asks for, of so many samples; without `-o`, what `default` makes.
+    pub fn new(
+        arguments: &'a OutputArguments,
+        spp: u32,
+        default: impl FnOnce() -> Result<Vec<Destination>, Failure>,
+    ) -> Result<Self, Failure> {
+        let given = match &arguments.output[..] {
+            [] => default()?,
+            given => given.to_vec(),
+        };
+        let (parts, rest): (Vec<_>, Vec<_>) = given.into_iter().partition(is_part);
+        let pictures = pictures(&rest, arguments.format)?;
+        let stderr = match arguments.aov.contains(&Aov::Stderr) && !pictures.is_empty() {
+            true => beside(&pictures, spp)?,
+            false => Vec::new(),
+        };
+        Ok(Self {
+            arguments,
+            pictures,
+            stderr,
+            parts,
+        })
+    }
+
+    /// Whether there are pictures, not parts alone.
+    pub fn has_pictures(&self) -> bool {
+        !self.pictures.is_empty()
+    }
+
+    /// The name of the first picture that is a file.
+    pub fn first_picture(&self) -> Option<&Path> {
+        let mut files = self.pictures.iter().filter_map(|p| p.to.neighbour());
+        files.next()
+    }
+
+    /// Where text for people goes.
+    pub fn console(&self) -> Console {
+        Console::beside(self.all())
+    }
+
+    /// All of them.
+    pub fn all(&self) -> impl Iterator<Item = &Destination> {
+        let pictures = self.pictures.iter().chain(&self.stderr);
+        let pictures = pictures.map(|picture| &picture.to);
+        pictures.chain(&self.parts).chain(&self.arguments.json)
+    }
+}
+
+/// Whether its name says that it is a part of a picture.
+fn is_part(to: &Destination) -> bool {
+    let ending = to.path().and_then(|path| path.extension());
+    ending.is_some_and(|ending| ending.eq_ignore_ascii_case(state::ENDING))
+}
