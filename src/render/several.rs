@@ -1,7 +1,6 @@
 //! One rendering on several devices: each takes the range of samples that comes next, as long a one as its speed allows, and
 //! the parts are joined in the order of their samples.
 
-use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError, mpsc};
@@ -9,12 +8,13 @@ use std::time::{Duration, Instant};
 
 use super::course::Course;
 use super::follow::Watch;
+use super::joining::Joining;
 use super::slices::Slices;
 use super::{
     DispatchLimits, End, Job, Outcome, RenderError, Start, Stats, Target, cpu, memory, vulkan,
 };
 use crate::gpu::Device;
-use crate::part::{AnyPart, BLOCK, Part};
+use crate::part::{BLOCK, Part};
 
 /// What a range should take: long enough for devices not to wait for each other, short enough for ctrl-c.
 const WANTED: Duration = Duration::from_millis(500);
@@ -75,11 +75,7 @@ pub fn render_several(
 ) -> Result<Outcome, RenderError> {
     memory::check::<f32>(job, targets.len())?;
     let whole = start.part::<f32>(job)?;
-    let mut joining = Joining {
-        whole,
-        waiting: BTreeMap::new(),
-        stats: vec![None; targets.len()],
-    };
+    let mut joining = Joining::new(whole, targets.len());
     let mut course = Course::new(job, stop, start, WANTED);
     let left = Mutex::new(Left {
         next: start.range().end,
@@ -189,53 +185,5 @@ fn with_ranges(
         }
         Target::CpuF32 => cpu::with_ranges(job, work),
         Target::CpuF64 => Err(RenderError::Start),
-    }
-}
-
-/// The parts so far.
-struct Joining {
-    /// From the first sample on, without a gap.
-    whole: Part<f32>,
-    /// Behind a gap, by their first sample.
-    waiting: BTreeMap<u32, Part<f32>>,
-    stats: Vec<Option<Stats>>,
-}
-
-impl Joining {
-    fn take(&mut self, part: Part<f32>, course: &mut Course, watch: &mut dyn Watch) {
-        self.waiting.insert(part.range().start, part);
-        while let Some(next) = self.waiting.remove(&self.whole.range().end) {
-            // They are of one job, and one begins where the other ends.
-            let joined = self.whole.append(next, &mut |whole| {
-                course.joined(whole.range().end, || whole.halves());
-            });
-            debug_assert_eq!(joined, Ok(()));
-            watch.progress(course.progress(self.whole.range().end, 1.0));
-            watch.reached(&|| course.so_far(self.part(), self.stats()));
-        }
-    }
-
-    fn part(&self) -> AnyPart {
-        AnyPart::F32(self.whole.clone())
-    }
-
-    /// Of all devices together.
-    fn stats(&self) -> Stats {
-        let all: Vec<&Stats> = self.stats.iter().flatten().collect();
-        let first = all.first().map_or(Stats::default(), |&first| first.clone());
-        let joined = |of: fn(&Stats) -> &String| {
-            let mut names: Vec<&str> = all.iter().map(|stats| &**of(stats)).collect();
-            names.dedup();
-            names.join(", ")
-        };
-        let most = |of: fn(&Stats) -> f64| all.iter().map(|s| of(s)).fold(0.0, f64::max);
-        Stats {
-            device: joined(|s| &s.device),
-            driver: joined(|s| &s.driver),
-            rounding: joined(|s| &s.rounding),
-            compile_s: most(|s| s.compile_s),
-            gpu_s: None,
-            ..first
-        }
     }
 }

@@ -10,12 +10,14 @@ pub fn summary(record: &Record) -> String {
     let crop = record.job.crop.map_or(String::new(), |[x0, y0, x1, y1]| {
         format!(", crop {x0},{y0},{x1},{y1}")
     });
+    let samples = match record.job.range {
+        Some([begin, end]) => format!("samples {begin}..{end} of each pixel"),
+        None => format!("{} per pixel", plural(record.job.spp.into(), "sample")),
+    };
     let mut lines = vec![
         format!(
-            "{}: {width}×{height}{crop}, {} per pixel, seed {}",
-            record.job.scene,
-            plural(record.job.spp.into(), "sample"),
-            record.job.seed
+            "{}: {width}×{height}{crop}, {samples}, seed {}",
+            record.job.scene, record.job.seed
         ),
         format!("  on      {}", machine(record)),
     ];

@@ -97,6 +97,7 @@ fn json_holds_every_field_by_name() {
         "scene": "scenes/a.scn",
         "size": [400, 300],
         "crop": [0, 1, 2, 3],
+        "range": null,
         "spp": 64,
         "spp_asked": 64,
         "ended": "complete",

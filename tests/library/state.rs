@@ -204,3 +204,34 @@ fn what_differs_is_named() {
         named(&change, words);
     }
 }
+
+/// Kept files with bytes of them changed, cut out or put in, under the right checksum.
+#[test]
+fn changed_bytes_are_whole_or_refused() {
+    use proptest::prelude::*;
+    use proptest::test_runner::{Config, RngSeed, TestRunner};
+
+    let mut runner = TestRunner::new(Config {
+        cases: 3000,
+        rng_seed: RngSeed::Fixed(18),
+        failure_persistence: None,
+        ..Config::default()
+    });
+    let change = (any::<prop::sample::Index>(), any::<u8>(), 0u8..3);
+    let changes = prop::collection::vec(change, 1..4);
+    let cases = (prop::sample::select(&KEPT[..]), changes);
+    let held = runner.run(&cases, |(name, changes)| {
+        let mut bytes = bytes(name);
+        for (index, byte, kind) in changes {
+            let at = index.index(bytes.len());
+            match kind {
+                0 => bytes[at] = byte,
+                1 => bytes.insert(at, byte),
+                _ => drop(bytes.remove(at)),
+            }
+        }
+        crate::bodies::part(&bytes);
+        Ok(())
+    });
+    held.expect("no panic");
+}

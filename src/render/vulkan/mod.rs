@@ -11,23 +11,19 @@ mod path;
 mod path_film;
 mod rendering;
 mod replicates;
+mod run;
 mod scene_buffers;
 
-use std::ops::Range;
 use std::sync::atomic::AtomicBool;
-use std::time::Duration;
 
 use super::course::Course;
 use super::follow::{Grows, Watch, follow};
 use super::replicates::Growing;
 use super::several::Ranges;
-use super::slices::Slices;
-use super::{HostFilm, Job, NEAREST, Outcome, RenderError, Start, Stats, empty_part};
-use crate::features::Features;
-use crate::gpu::{Device, DeviceKind};
+use super::{Job, Outcome, RenderError, Start, Stats};
+use crate::gpu::Device;
 use crate::kernel::scene::Recording;
 use crate::layout::Record;
-use crate::part::{AnyPart, Part};
 use crate::settings::Integrator;
 pub use kernel::statistics;
 use light::LightRun;
@@ -36,6 +32,7 @@ pub use outcomes::Outcomes;
 use path::PathRun;
 use rendering::Rendering;
 use replicates::Replicates;
+use run::Run;
 
 /// Why a rendering ended without a picture, and what there is of it.
 #[derive(Debug)]
@@ -120,89 +117,6 @@ pub fn with_ranges(
         Integrator::Path => work(&mut Run::<PathRun>::new(job, device, limits)?),
         Integrator::Light | Integrator::Bidirectional => {
             work(&mut Run::<LightRun>::new(job, device, limits)?)
-        }
-    }
-}
-
-/// A rendering under way.
-struct Run<'a, R> {
-    job: &'a Job<'a>,
-    device: &'a Device,
-    limits: DispatchLimits,
-    features: Features,
-    compile_s: f64,
-    rendering: R,
-}
-
-impl<'a, R: Rendering<'a>> Run<'a, R> {
-    /// All is compiled.
-    fn new(
-        job: &'a Job<'a>,
-        device: &'a Device,
-        limits: DispatchLimits,
-    ) -> Result<Self, RenderError> {
-        let features = job.features();
-        let mut rendering = R::new(job, device, &features, limits)?;
-        Ok(Self {
-            compile_s: rendering.compile()?.as_secs_f64(),
-            job,
-            device,
-            limits,
-            features,
-            rendering,
-        })
-    }
-}
-
-impl<'a, R: Rendering<'a>> Ranges for Run<'a, R> {
-    fn make(&mut self, samples: Range<u32>) -> Result<Part<f32>, RenderError> {
-        self.rendering.go_on(empty_part(self.job, samples.start))?;
-        let mut slices = Slices::new(self.limits.dispatch_time);
-        let mut done = samples.start;
-        while done < samples.end {
-            let slice = slices.next(samples.end - done);
-            let longest = self.rendering.advance(done + slice, &mut |_| {})?;
-            slices.took(slice, longest);
-            done += slice;
-        }
-        Ok(self.rendering.film().part())
-    }
-
-    fn took(&self) -> Stats {
-        self.stats()
-    }
-}
-
-impl<'a, R: Rendering<'a>> Grows for Run<'a, R> {
-    fn advance(
-        &mut self,
-        samples: u32,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Duration, RenderError> {
-        self.rendering.advance(samples, progress)
-    }
-
-    fn part(&self) -> AnyPart {
-        AnyPart::F32(self.rendering.film().part())
-    }
-
-    fn stats(&self) -> Stats {
-        let costs = self.rendering.costs();
-        let info = self.device.info();
-        Stats {
-            device: info.name.clone(),
-            driver: info.driver.clone(),
-            rounding: match info.kind {
-                DeviceKind::Cpu => NEAREST.to_owned(),
-                _ => format!("as {}, {} do", info.name, info.driver),
-            },
-            set_up: costs.set_up,
-            compile_s: self.compile_s,
-            gpu_s: Some(costs.gpu_time.as_secs_f64()),
-            features: self.features.names(),
-            spirv_bytes: costs.spirv_bytes,
-            buffers: self.rendering.buffers(),
-            ..Stats::default()
         }
     }
 }
