@@ -25,4 +25,5 @@ pub mod sample;
 pub mod scene;
 pub mod settings;
 pub mod shape;
+pub mod shell;
 pub mod state;

@@ -9,11 +9,11 @@ use crate::render::Target;
 use crate::report::names::Named;
 use crate::report::{Job, SettingsRecord};
 use crate::settings::Settings;
+use crate::shell::{self, quoted};
 
 /// The words of a command line as a shell takes them.
 pub fn typed(words: impl Iterator<Item = OsString>) -> String {
-    let words = words.map(|word| quoted(&word.to_string_lossy()));
-    words.collect::<Vec<_>>().join(" ")
+    shell::line(words.map(|word| word.to_string_lossy().into_owned()))
 }
 
 /// `vkpt SCENE …` with all that a path depends on, to be followed by `--trace X,Y,I`.
@@ -83,16 +83,6 @@ fn settings(given: &SettingsRecord) -> Vec<String> {
         .collect()
 }
 
-/// A word as a shell takes it.
-pub fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "/._-+=:,".contains(c);
-    if !word.is_empty() && word.chars().all(plain) {
-        word.to_owned()
-    } else {
-        format!("'{}'", word.replace('\'', r"'\''"))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -130,15 +120,5 @@ mod tests {
         };
         let best = Target::Vulkan(Selector::Best);
         assert_eq!(show(&request, &best), "vkpt -");
-    }
-
-    #[test]
-    fn typed_words_are_quoted() {
-        let words = ["vkpt", "a b.txt", "--vary", "connect=mis,light", "it's", ""];
-        let line = typed(words.into_iter().map(OsString::from));
-        assert_eq!(
-            line,
-            "vkpt 'a b.txt' --vary connect=mis,light 'it'\\''s' ''"
-        );
     }
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::arguments::MergeArguments;
 use crate::cli::command;
 use crate::cli::exit::Failure;
+use crate::shell::quoted;
 use crate::state::{self, Header, differs};
 
 /// A file, and what it says of itself.
@@ -161,7 +162,7 @@ fn mended(part: &Told, missing: Range<u32>) -> String {
         true => format!(
             "its rendering ended early, --resume goes on\n  {} --resume -o {}",
             command::rendering(job, part.samples.start..asked),
-            command::quoted(&part.path.to_string_lossy())
+            quoted(&part.path.to_string_lossy())
         ),
         false => format!("render them by\n  {}", command::part(job, missing)),
     }
