@@ -7,6 +7,7 @@ pub mod converge;
 pub mod doctor;
 pub mod explain;
 pub mod export;
+pub mod farm;
 pub mod features;
 pub mod film;
 pub mod flat;

@@ -23,6 +23,7 @@ fn main() -> ExitCode {
         Ok(Task::Merge(arguments)) => cli::merge(&arguments),
         Ok(Task::Explain(arguments)) => cli::explain(&arguments),
         Ok(Task::Export(arguments)) => cli::export(&arguments),
+        Ok(Task::Farm(arguments)) => cli::farm(&arguments),
         Ok(Task::Doctor(arguments)) => cli::doctor(&arguments),
         Ok(Task::Devices) => cli::devices(),
         Ok(Task::Help(text)) => cli::help(&text),

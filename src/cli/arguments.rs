@@ -10,6 +10,7 @@ use super::doctor::DoctorArguments;
 use super::exit::{Ending, Failure};
 use super::explain::ExplainArguments;
 use super::export::ExportArguments;
+use super::farm::FarmArguments;
 use super::merge::MergeArguments;
 use super::numbers::negative;
 use super::render::RenderArguments;
@@ -62,6 +63,8 @@ enum Command {
     Explain(Box<ExplainArguments>),
     /// Write a scene for another renderer, or tell what that has no equal of
     Export(Box<ExportArguments>),
+    /// Write scripts that render scenes in parts on many machines, for Slurm
+    Farm(Box<FarmArguments>),
 }
 
 /// What the command line asks for.
@@ -74,6 +77,7 @@ pub enum Task {
     Check(Box<CheckArguments>),
     Explain(Box<ExplainArguments>),
     Export(Box<ExportArguments>),
+    Farm(Box<FarmArguments>),
     Doctor(DoctorArguments),
     Devices,
     /// Help or version, as clap has it.
@@ -104,6 +108,7 @@ pub fn task() -> Result<Task, Failure> {
         Some(Command::Doctor(arguments)) => Task::Doctor(arguments),
         Some(Command::Explain(arguments)) => Task::Explain(arguments),
         Some(Command::Export(arguments)) => Task::Export(arguments),
+        Some(Command::Farm(arguments)) => Task::Farm(arguments),
     })
 }
 
@@ -115,6 +120,10 @@ pub fn help(text: &clap::Error) -> Result<Ending, Failure> {
 
 /// All commands with all flags.
 fn command() -> clap::Command {
-    let command = Arguments::command().mut_args(negative);
-    command.mut_subcommands(|command| command.mut_args(negative))
+    with_negative(Arguments::command())
+}
+
+/// The command, and those in it, with flags that take negative numbers.
+fn with_negative(command: clap::Command) -> clap::Command {
+    command.mut_args(negative).mut_subcommands(with_negative)
 }

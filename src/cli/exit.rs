@@ -48,6 +48,8 @@ pub enum Failure {
     },
     /// Pictures that can't be read or compared.
     Pictures(Vec<String>),
+    /// Jobs that a batch system did not take.
+    Submission(String),
     /// A device that gets something wrong that pictures depend on.
     Unhealthy(String),
 }
@@ -87,7 +89,7 @@ impl Failure {
             Self::Render(RenderError::Twice(_)) | Self::Lost { .. } => LOST,
             Self::Render(RenderError::Memory { .. }) | Self::Memory(_) => MEMORY,
             Self::Scene(errors) if errors.lacks_memory => MEMORY,
-            Self::Render(_) | Self::Comparison(_) | Self::Unhealthy(_) => 1,
+            Self::Render(_) | Self::Comparison(_) | Self::Submission(_) | Self::Unhealthy(_) => 1,
             Self::Usage(_) | Self::CommandLine(_) => 2,
             Self::Scene(_)
             | Self::Prepare(_)
@@ -119,7 +121,9 @@ impl Failure {
             }
             Self::Render(e) => error(&e),
             Self::Comparison(differences) => differences.iter().for_each(|d| error(d)),
-            Self::NoDevice(message) | Self::Memory(message) => error(&message),
+            Self::NoDevice(message) | Self::Memory(message) | Self::Submission(message) => {
+                error(&message)
+            }
             Self::Unhealthy(device) => error(&format!("{device} is not healthy")),
             Self::Lost { why, part } => {
                 let resume = part.map_or(String::new(), |part| {

@@ -12,6 +12,7 @@ mod doctor;
 mod exit;
 mod explain;
 mod export;
+mod farm;
 mod identity;
 mod inputs;
 mod integrator;
@@ -43,6 +44,7 @@ pub use doctor::{DoctorArguments, doctor};
 pub use exit::{Ending, Failure, exit};
 pub use explain::{ExplainArguments, explain};
 pub use export::{ExportArguments, export};
+pub use farm::{FarmArguments, farm};
 pub use limits::meet_limits;
 pub use merge::{MergeArguments, merge};
 

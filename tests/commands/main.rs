@@ -6,5 +6,6 @@ mod common;
 mod cli;
 #[cfg(target_os = "linux")]
 mod faults;
+mod farm;
 mod report_page;
 mod scripts;

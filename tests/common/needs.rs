@@ -27,6 +27,13 @@ pub enum Need {
     VulkanHeaders,
     /// Disks of the test's own: user namespaces that may mount.
     Mounts,
+    /// `slurmctld`, `slurmd`, `munged` and the commands of Slurm.
+    Slurm,
+    Shellcheck,
+    /// GNU parallel.
+    Parallel,
+    /// Python's `distributed`.
+    Dask,
 }
 
 impl Need {
@@ -42,6 +49,10 @@ impl Need {
             Self::Chromium => "VKPT_TEST_NO_CHROMIUM",
             Self::VulkanHeaders => "VKPT_TEST_NO_VULKAN_HEADERS",
             Self::Mounts => "VKPT_TEST_NO_MOUNTS",
+            Self::Slurm => "VKPT_TEST_NO_SLURM",
+            Self::Shellcheck => "VKPT_TEST_NO_SHELLCHECK",
+            Self::Parallel => "VKPT_TEST_NO_PARALLEL",
+            Self::Dask => "VKPT_TEST_NO_DASK",
         }
     }
 
@@ -54,6 +65,10 @@ impl Need {
             Self::Chromium => "chromium",
             Self::VulkanHeaders => "libvulkan-dev",
             Self::Mounts => "util-linux",
+            Self::Slurm => "slurm-wlm munge",
+            Self::Shellcheck => "shellcheck",
+            Self::Parallel => "parallel",
+            Self::Dask => "python3-distributed",
         }
     }
 

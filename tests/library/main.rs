@@ -17,6 +17,7 @@ mod corpus;
 mod energy;
 mod estimators;
 mod export;
+mod farm;
 mod icosphere;
 mod image;
 mod index_matched;

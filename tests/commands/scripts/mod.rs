@@ -2,5 +2,5 @@
 #![cfg(unix)]
 
 mod gpu;
-mod program;
+pub mod program;
 mod test;

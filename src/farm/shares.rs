@@ -1,0 +1,38 @@
+//! Which samples of every pixel each part renders.
+
+use std::ops::Range;
+
+/// Samples of every pixel, by their indices.
+pub type Share = Range<u32>;
+
+/// A part that begins at a multiple of this is small: a state keeps the sums of whole blocks of so many samples.
+const BLOCK: u32 = 256;
+
+/// The blocks that a share has at least, so that shares of whole blocks are about the same.
+const LEAST_BLOCKS: u64 = 4;
+
+/// All of `samples` in `tasks` shares, or in as many as there are samples. They differ by one block at most.
+pub fn shares(samples: Share, tasks: u32) -> Vec<Share> {
+    let count = samples.len() as u64;
+    let tasks = u64::from(tasks).min(count);
+    let Some(size) = count.checked_div(tasks) else {
+        return Vec::new();
+    };
+    let block = (1 << (size / LEAST_BLOCKS).max(1).ilog2()).min(u64::from(BLOCK));
+    let blocks = count.div_ceil(block);
+    let begin = |task: u64| samples.start + (blocks * task / tasks * block).min(count) as u32;
+    (0..tasks)
+        .map(|task| begin(task)..begin(task + 1))
+        .collect()
+}
+
+/// Rounds of up to `tasks` shares each: the first has a block a task, each later one as many samples as all before it together,
+/// until there are `spp`.
+pub fn rounds(spp: u32, tasks: u32) -> Vec<Vec<Share>> {
+    let ends = std::iter::successors(Some(tasks.saturating_mul(BLOCK)), |end| {
+        (*end < spp).then(|| end.saturating_mul(2))
+    });
+    let mut begin = 0;
+    ends.map(|end| shares(std::mem::replace(&mut begin, end)..end.min(spp), tasks))
+        .collect()
+}
