@@ -2,23 +2,24 @@
 
 use std::ops::Range;
 
+use crate::part::BLOCK;
+
 /// Samples of every pixel, by their indices.
 pub type Share = Range<u32>;
 
-/// A part that begins at a multiple of this is small: a state keeps the sums of whole blocks of so many samples.
-const BLOCK: u32 = 256;
-
-/// The blocks that a share has at least, so that shares of whole blocks are about the same.
-const LEAST_BLOCKS: u64 = 4;
-
-/// All of `samples` in `tasks` shares, or in as many as there are samples. They differ by one block at most.
+/// All of `samples` in `tasks` shares, or in as many as there are samples. They are about the same, and whole blocks where there is
+/// one for each: of a part that begins within a block, each sample of that block is kept by itself.
 pub fn shares(samples: Share, tasks: u32) -> Vec<Share> {
     let count = samples.len() as u64;
     let tasks = u64::from(tasks).min(count);
     let Some(size) = count.checked_div(tasks) else {
         return Vec::new();
     };
-    let block = (1 << (size / LEAST_BLOCKS).max(1).ilog2()).min(u64::from(BLOCK));
+    let block = if size < u64::from(BLOCK) {
+        1
+    } else {
+        u64::from(BLOCK)
+    };
     let blocks = count.div_ceil(block);
     let begin = |task: u64| samples.start + (blocks * task / tasks * block).min(count) as u32;
     (0..tasks)

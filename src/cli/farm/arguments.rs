@@ -12,7 +12,7 @@ const EXIT_CODES: &str = "\
 Exit codes:
     0  the scripts are written, and submitted where that was asked for
     1  they are written, but could not be submitted
-    2  the command line is wrong, or a folder holds parts of a rendering already
+    2  the command line is wrong, or a folder contains parts of a rendering already
     3  a scene or one of its meshes is wrong; nothing was written
     5  a file or stdout could not be written
     6  there is not enough memory";
@@ -39,9 +39,9 @@ pub struct SlurmArguments {
     #[arg(required = true, value_name = "SCENE")]
     pub scenes: Vec<Source>,
 
-    /// Picture to write in the end: .png, .hdr or .exr; may be repeated. The scripts go to the folder
-    /// NAME.farm beside the first [default: the scene's name with .png and .exr, in the working
-    /// directory]
+    /// Picture to write in the end: .png, .hdr or .exr, or .vkpt, a part of all samples; may be
+    /// repeated. The scripts go to the folder NAME.farm beside the first [default: the scene's name with
+    /// .png and .exr, in the working directory]
     #[arg(short, long = "output", value_name = "FILE")]
     pub output: Vec<Destination>,
 

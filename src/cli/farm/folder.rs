@@ -28,7 +28,7 @@ impl Folder {
         let folder = Self { path, farm };
         match folder.path.join("parts").exists() {
             true => Err(Failure::Usage(format!(
-                "{} holds parts of a rendering: `bash {}` goes on with it. Remove the folder to begin anew",
+                "{} contains parts of a rendering: `bash {}` goes on with it. Remove the folder to begin anew",
                 folder.path.display(),
                 quoted(&folder.submit().to_string_lossy())
             ))),

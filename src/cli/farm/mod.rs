@@ -10,15 +10,17 @@ use std::path::{Path, PathBuf};
 use self::arguments::{SlurmArguments, System};
 use self::folder::{Folder, text};
 use super::destination::Destination;
-use super::exit::{Ending, Failure};
+use super::exit::{Ending, Failure, note};
 use super::inputs::{Input, spare};
 use super::integrator;
 use super::job::Loaded;
+use super::outputs::is_part;
 use super::source::Source;
 use super::streams::put;
 use super::writable;
 use crate::farm::{Farm, rounds, shares};
 use crate::image::Format;
+use crate::part::BLOCK;
 use crate::shell::quoted;
 pub use arguments::FarmArguments;
 
@@ -40,6 +42,11 @@ pub fn farm(arguments: &FarmArguments) -> Result<Ending, Failure> {
             "two scenes would have their scripts in one folder, {}: give them other names, or a command each with -o",
             folders[i].path.display()
         )));
+    }
+    if arguments.tasks > 1 && arguments.spp() / arguments.tasks < BLOCK {
+        note(&format!(
+            "parts of fewer than {BLOCK} samples are large, 12 bytes for each sample of a pixel: fewer --tasks make smaller ones"
+        ));
     }
     for folder in &folders {
         folder.write()?;
@@ -131,11 +138,12 @@ fn pictures(arguments: &SlurmArguments, scene: &Source) -> Result<Vec<Destinatio
         });
         return Ok(named.into());
     }
-    let is_picture = |to: &&Destination| to.neighbour().and_then(Format::of).is_some();
-    match arguments.output.iter().find(|to| !is_picture(to)) {
+    let is_picture = |to: &Destination| to.neighbour().and_then(Format::of).is_some();
+    let all = &arguments.output;
+    match all.iter().find(|to| !is_picture(to) && !is_part(to)) {
         Some(to) => Err(Failure::Usage(format!(
-            "-o {to} names no picture: its ending must be .png, .hdr or .exr"
+            "-o {to} cannot be merged into: its ending must be .png, .hdr, .exr or .vkpt"
         ))),
-        None => Ok(arguments.output.clone()),
+        None => Ok(all.clone()),
     }
 }

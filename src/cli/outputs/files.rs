@@ -71,7 +71,7 @@ impl<'a> Outputs<'a> {
 }
 
 /// Whether its name says that it is a part of a picture.
-fn is_part(to: &Destination) -> bool {
+pub fn is_part(to: &Destination) -> bool {
     let ending = to.path().and_then(|path| path.extension());
     ending.is_some_and(|ending| ending.eq_ignore_ascii_case(state::ENDING))
 }

@@ -6,5 +6,5 @@ mod pictures;
 mod write;
 
 pub use arguments::OutputArguments;
-pub use files::Outputs;
+pub use files::{Outputs, is_part};
 pub use write::{Written, write};

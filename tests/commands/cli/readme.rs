@@ -13,9 +13,10 @@ fn readme_and_help_name_the_same_flags() {
     let commands = [
         "check", "compare", "converge", "doctor", "explain", "export",
     ];
-    let help = commands.iter().fold(help_of(&["--help"]), |help, c| {
-        help + &help_of(&[c, "--help"])
-    });
+    let commands = commands.map(|command| vec![command, "--help"]);
+    let all = [vec!["--help"], vec!["farm", "slurm", "--help"]];
+    let all = all.iter().chain(&commands);
+    let help: String = all.map(|words| help_of(words)).collect();
     let in_help = help
         .lines()
         .filter_map(|line| line.trim_start().strip_prefix("--"));

@@ -1,4 +1,4 @@
-//! A farm in a folder of its own, by a program that stands for vkpt.
+//! A farm in a folder of its own.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,46 +6,42 @@ use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 use super::slurm::Slurm;
-use crate::cli::program::{Run, SCENE, finish, run};
-use crate::scripts::program::program;
+use crate::cli::program::{Run, finish, run};
 
 /// A name that a shell would take apart.
-pub const SCENE_NAME: &str = "it's a \"scene\" #1.txt";
+const NAME: &str = "it's a \"scene\" #1.txt";
+
+/// A floor in the light of a ball.
+const SCENE: &str = "screen 8 6\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 3 1 0.5\nbrdf .5 .6 .7 0 0 0 1\n\
+    box -9 -9 -2 18 18 1\n";
 
 /// What `vkpt farm slurm` left, ready to be submitted.
 pub struct Farm {
     folder: TempDir,
+    size: &'static str,
 }
 
 impl Farm {
-    /// The scripts of a scene, whose program takes so long for each sample.
-    pub fn new(flags: &[&str], seconds_a_sample: f64) -> Self {
+    /// The scripts for a picture of that size.
+    pub fn new(size: &'static str, flags: &[&str]) -> Self {
         let folder = tempfile::tempdir().expect("a folder");
-        fs::write(folder.path().join(SCENE_NAME), SCENE).expect("a scene");
-        let all = [&["farm", "slurm", SCENE_NAME, "-o", "out/it's.exr"], flags].concat();
+        fs::write(folder.path().join(NAME), SCENE).expect("a scene");
         fs::create_dir(folder.path().join("out")).expect("a folder");
-        let made = run(folder.path(), &all);
-        assert_eq!(made.code, Some(0), "{}", made.err);
-        let body = format!(
-            "export SECONDS_A_SAMPLE={seconds_a_sample}\n{}",
-            include_str!("vkpt.sh")
-        );
-        let vkpt = program(folder.path(), "vkpt", &body);
-        let farm = Self { folder };
-        let text = farm
-            .text("farm.sh")
-            .replace(env!("CARGO_BIN_EXE_vkpt"), &vkpt.to_string_lossy());
-        fs::write(farm.path("farm.sh"), text).expect("a script");
+        let farm = Self { folder, size };
+        let farmed = ["farm", "slurm", NAME, "-o", "out/it's.exr"];
+        farm.vkpt(&[&farmed, flags].concat());
         farm
+    }
+
+    fn vkpt(&self, words: &[&str]) {
+        let common = ["--device", "cpu-f32", "--size", self.size];
+        let made = run(self.folder.path(), &[words, &common].concat());
+        assert_eq!(made.code, Some(0), "{}", made.err);
     }
 
     /// A file of the folder of scripts.
     pub fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join("out/it's.farm").join(name)
-    }
-
-    pub fn text(&self, name: &str) -> String {
-        fs::read_to_string(self.path(name)).expect("a text")
     }
 
     /// Runs `submit.sh`, from elsewhere.
@@ -56,9 +52,19 @@ impl Farm {
         run
     }
 
-    /// The samples of the picture, one a line.
-    pub fn picture(&self) -> String {
-        fs::read_to_string(self.folder.path().join("out/it's.exr")).unwrap_or_default()
+    /// Whether the merge has left a picture.
+    pub fn has_picture(&self) -> bool {
+        self.folder.path().join("out/it's.exr").exists()
+    }
+
+    /// That the picture is, byte by byte, that of one run with so many samples.
+    pub fn is_one_run_of(&self, spp: u32) {
+        let scene = self.folder.path().join(NAME);
+        let spp = spp.to_string();
+        self.vkpt(&[&scene.to_string_lossy(), "--spp", &spp, "-o", "one.exr"]);
+        let bytes = |name: &str| fs::read(self.folder.path().join(name)).expect("a picture");
+        let same = bytes("one.exr") == bytes("out/it's.exr");
+        assert!(same, "{}{}", self.logs("part"), self.logs("merge"));
     }
 
     /// What all tasks, or all merges, have printed.
@@ -73,29 +79,16 @@ impl Farm {
         texts.collect()
     }
 
-    /// The processes that render a part, by their numbers.
-    pub fn rendering(&self, part: &str) -> Vec<String> {
-        let processes = fs::read_dir("/proc").expect("a folder").flatten();
-        let renders = |path: &Path| {
-            let words = fs::read_to_string(path.join("cmdline")).unwrap_or_default();
+    /// The process that renders these samples, such as `0..256`, by its number.
+    pub fn renders(&self, samples: &str) -> Option<String> {
+        let parts = self.path("parts").display().to_string();
+        let is_it = |process: &Path| {
+            let words = fs::read_to_string(process.join("cmdline")).unwrap_or_default();
             let words: Vec<&str> = words.split('\0').collect();
-            words.contains(&part)
-                && words
-                    .iter()
-                    .any(|w| w.starts_with(&*self.path("parts").to_string_lossy()))
+            words.contains(&samples) && words.iter().any(|word| word.starts_with(&parts))
         };
-        let mut ids = Vec::new();
-        for path in processes
-            .map(|entry| entry.path())
-            .filter(|path| renders(path))
-        {
-            ids.extend(path.file_name().map(|id| id.to_string_lossy().into_owned()));
-        }
-        ids
+        let mut processes = fs::read_dir("/proc").expect("a folder").flatten();
+        let found = processes.find(|process| is_it(&process.path()))?;
+        Some(found.file_name().to_string_lossy().into_owned())
     }
-}
-
-/// The picture of so many samples: one run's.
-pub fn one_run(samples: u32) -> String {
-    (0..samples).map(|sample| format!("{sample}\n")).collect()
 }

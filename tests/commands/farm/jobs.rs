@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use super::folder::{Farm, one_run};
+use super::folder::Farm;
 use super::slurm::{Slurm, until};
 use crate::cli::program::shell;
 
@@ -10,128 +10,116 @@ use crate::cli::program::shell;
 #[test]
 fn an_array_survives_kills_and_requeues_and_merges_to_one_run() {
     let Some(slurm) = Slurm::start() else { return };
-    let farm = Farm::new(&["--spp", "512", "--tasks", "8"], 0.05);
+    let farm = Farm::new("64x48", &["--spp", "8192", "--tasks", "8"]);
     farm.submit(&slurm);
-    until("four tasks that render", || slurm.jobs("R").len() == 4);
-    let mut killed = Vec::new();
-    until("a task to kill", || {
-        killed = farm.rendering("64..128");
-        !killed.is_empty()
+    let mut processes = Vec::new();
+    until("three tasks that render", || {
+        let samples = ["0..1024", "1024..2048", "2048..3072"];
+        processes = samples.iter().filter_map(|s| farm.renders(s)).collect();
+        processes.len() == 3
     });
-    slurm.says(&["kill", "-KILL", &killed[0]]);
-    let running = slurm.jobs("R");
-    slurm.says(&["scontrol", "requeue", &running[2]]);
-    slurm.says(&["scancel", "--signal=USR1", "--batch", &running[3]]);
-    until("two tasks that wait again", || {
-        slurm
-            .says(&["squeue", "-h", "-o", "%r"])
-            .contains("BeginTime")
-    });
+    slurm.says(&["kill", "-KILL", &processes[0]]);
+    let job = |task: &str| {
+        let jobs = slurm.jobs("R");
+        let found = jobs.iter().find(|job| job.ends_with(task));
+        found.expect("a task that runs").clone()
+    };
+    slurm.says(&["scontrol", "requeue", &job("_2")]);
+    slurm.says(&["scancel", "--signal=USR1", "--batch", &job("_3")]);
     slurm.finish();
+    farm.is_one_run_of(8192);
     let parts = farm.logs("part");
-    assert_eq!(
-        farm.picture(),
-        one_run(512),
-        "{parts}\n{}",
-        farm.logs("merge")
-    );
     assert_eq!(parts.matches("ended with 137").count(), 1, "{parts}");
     assert_eq!(parts.matches("ended with 143").count(), 2, "{parts}");
     assert_eq!(parts.matches("DUE TO JOB REQUEUE").count(), 2, "{parts}");
 }
 
-/// What the merge says to do is done: by hand, and by submitting again.
+/// What the merge says to do is done: by hand, by sbatch, and by submitting again.
 #[test]
 fn the_merge_says_which_parts_failed_and_how_to_render_them() {
     let Some(slurm) = Slurm::start() else { return };
-    let farm = Farm::new(&["--spp", "64", "--tasks", "4"], 0.0);
+    let farm = Farm::new("8x6", &["--spp", "1024", "--tasks", "4"]);
     fs::create_dir_all(farm.path("parts/unfinished")).expect("a folder");
-    let states = ["0-16", "32-48"].map(|part| farm.path(&format!("parts/unfinished/{part}.vkpt")));
-    states
-        .iter()
-        .for_each(|state| fs::write(state, "not a state").expect("a file"));
+    let states = ["0-256", "512-768"].map(|p| farm.path(&format!("parts/unfinished/{p}.vkpt")));
+    for state in &states {
+        fs::write(state, "not a state").expect("a file");
+    }
     farm.submit(&slurm);
     slurm.finish();
     let said = farm.logs("merge");
-    assert!(farm.picture().is_empty(), "{said}");
-    let commands: Vec<&str> = said
-        .lines()
-        .filter_map(|line| line.strip_prefix("    "))
-        .collect();
+    assert!(!farm.has_picture(), "{said}");
+    for missing in [
+        "part 1, samples 0 to 256, is missing",
+        "part 3, samples 512 to 768, is missing",
+    ] {
+        assert!(said.contains(missing), "{said}");
+    }
+    let commands = said.lines().filter_map(|line| line.strip_prefix("    "));
+    let commands: Vec<&str> = commands.collect();
     assert_eq!(commands.len(), 4, "{said}");
     assert!(
-        said.contains("part 1, samples 0 to 16, is missing"),
+        farm.logs("part").contains("--resume cannot go on"),
         "{said}"
     );
-    assert!(
-        said.contains("part 3, samples 32 to 48, is missing"),
-        "{said}"
-    );
-    assert!(farm.logs("part").contains("error: "), "{said}");
 
-    states
-        .iter()
-        .for_each(|state| fs::remove_file(state).expect("a file"));
+    for state in &states {
+        fs::remove_file(state).expect("a file");
+    }
     let by_hand = shell(&farm.path(""), commands[1]);
     assert_eq!(by_hand.code, Some(0), "{}", by_hand.err);
-    assert!(farm.path("parts/0-16.vkpt").exists(), "{said}");
-    let by_slurm = format!("cd / && {}", commands[2]);
-    slurm.says(&["bash", "-c", &by_slurm]);
+    assert!(farm.path("parts/0-256.vkpt").exists(), "{said}");
+    slurm.says(&["bash", "-c", commands[2]]);
     slurm.finish();
-    assert!(
-        farm.path("parts/32-48.vkpt").exists(),
-        "{}",
-        farm.logs("part")
-    );
+    assert!(farm.path("parts/512-768.vkpt").exists(), "{said}");
     let again = farm.submit(&slurm);
     assert!(!again.out.contains("parts:"), "{}", again.out);
     slurm.finish();
-    assert_eq!(farm.picture(), one_run(64));
+    farm.is_one_run_of(1024);
 }
 
-/// The error is 1 over the samples, so that 2048 are needed.
 #[test]
-fn rounds_end_at_the_target_or_when_time_is_up() {
+fn rounds_end_at_the_target_when_time_is_up_or_with_the_last_sample() {
     let Some(slurm) = Slurm::start() else { return };
-    let target = Farm::new(&["--target-error", "6e-4", "--tasks", "2"], 0.0);
-    let late = Farm::new(&["--time", "1e-3", "--tasks", "1"], 0.01);
-    let capped = Farm::new(
-        &["--target-error", "1e-9", "--tasks", "2", "--spp", "600"],
-        0.0,
-    );
+    let target = Farm::new("32x24", &["--target-error", "2e-5", "--tasks", "2"]);
+    let late = Farm::new("8x6", &["--time", "1e-3", "--tasks", "1"]);
+    let capped = ["--target-error", "1e-12", "--tasks", "2", "--spp", "600"];
+    let capped = Farm::new("8x6", &capped);
     for farm in [&target, &late, &capped] {
         farm.submit(&slurm);
     }
     slurm.finish();
-    for (farm, samples, said) in [
-        (&target, 2048, "the relMSE is below 0.0006"),
-        (&late, 256, "later than 0.001 s"),
-        (&capped, 600, "all samples are rendered"),
+    for (farm, said) in [
+        (&target, "the relMSE is below 0.00002"),
+        (&late, "later than 0.001 s"),
+        (&capped, "all samples are rendered"),
     ] {
         let log = farm.logs("merge");
-        assert!(log.contains(said), "{log}");
-        assert_eq!(farm.picture(), one_run(samples), "{log}");
+        assert!(log.contains(said), "{log}{}", farm.logs("part"));
     }
+    late.is_one_run_of(256);
+    capped.is_one_run_of(600);
+    let round = fs::read_to_string(target.path("round")).expect("a number");
+    let round: u32 = round.trim_end().parse().expect("a number");
+    assert!(round > 1, "{}", target.logs("merge"));
+    target.is_one_run_of(512 << (round - 1));
 }
 
-/// More than one array can have: the second begins at 1001.
+/// An array has fewer tasks than there are parts: the second array begins at part 1001.
 #[test]
 fn long_arrays_are_split() {
     let Some(slurm) = Slurm::start() else { return };
-    let farm = Farm::new(&["--spp", "1003", "--tasks", "1003"], 0.0);
-    // All but four parts are there.
+    let farm = Farm::new("1x1", &["--spp", "1003", "--tasks", "1003"]);
+    // All parts but four are done: what they contain is of no interest here.
     fs::create_dir_all(farm.path("parts")).expect("a folder");
     for sample in (0..1003).filter(|sample| ![0, 999, 1000, 1002].contains(sample)) {
         let part = farm.path(&format!("parts/{sample}-{}.vkpt", sample + 1));
-        fs::write(part, format!("{sample}\n")).expect("a file");
+        fs::write(part, "").expect("a file");
     }
-    let submitted = farm.submit(&slurm);
-    assert_eq!(
-        submitted.out.matches("parts: job").count(),
-        2,
-        "{}",
-        submitted.out
-    );
+    let submitted = farm.submit(&slurm).out;
+    assert_eq!(submitted.matches("parts: job").count(), 2, "{submitted}");
     slurm.finish();
-    assert_eq!(farm.picture(), one_run(1003), "{}", farm.logs("part"));
+    for part in ["0-1", "999-1000", "1000-1001", "1002-1003"] {
+        let part = farm.path(&format!("parts/{part}.vkpt"));
+        assert!(part.exists(), "{}", farm.logs("part"));
+    }
 }

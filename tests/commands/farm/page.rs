@@ -1,12 +1,14 @@
-//! The commands of docs/farm.md, with a program that stands for vkpt.
+//! The commands of docs/farm.md.
 
 use std::fs;
+use std::os::unix::fs::symlink;
+use std::path::Path;
 use std::process::Command;
 
 use tempfile::TempDir;
 
-use super::folder::one_run;
-use crate::cli::program::{Run, SCENE, finish, names, words};
+use super::slurm::Slurm;
+use crate::cli::program::{SCENE, finish, names, run};
 use crate::common::needs::Need;
 use crate::scripts::program::program;
 
@@ -21,29 +23,39 @@ fn block(heading: &str, language: &str) -> &'static str {
     block.split("```").next().expect("an end")
 }
 
-/// A folder with the page's scene, in whose `bin` vkpt and ssh are.
+/// A folder with the page's scenes, in whose `bin` vkpt and ssh are.
 fn folder() -> TempDir {
     let folder = tempfile::tempdir().expect("a folder");
+    for name in ["bin", "shots"] {
+        fs::create_dir(folder.path().join(name)).expect("a folder");
+    }
+    for name in ["glass.txt", "shots/1.txt", "shots/2.txt"] {
+        fs::write(folder.path().join(name), SCENE).expect("a scene");
+    }
     let bin = folder.path().join("bin");
-    fs::create_dir(&bin).expect("a folder");
-    fs::write(folder.path().join("glass.txt"), SCENE).expect("a scene");
-    program(&bin, "vkpt", include_str!("vkpt.sh"));
+    symlink(env!("CARGO_BIN_EXE_vkpt"), bin.join("vkpt")).expect("a link");
     program(&bin, "ssh", "cd /\nexec bash -c \"$2\"");
     folder
 }
 
-/// Runs a program with `text` as its file, in the page's folder; gives the picture.
-fn picture(interpreter: &str, text: &str) -> String {
-    let folder = folder();
+/// Runs a block by a command in the folder.
+fn run_block(folder: &Path, mut command: Command, block: &str) {
     let path = std::env::var("PATH").expect("PATH");
-    let path = format!("{}:{path}", folder.path().join("bin").display());
-    let file = folder.path().join("commands");
-    fs::write(&file, text).expect("a file");
-    let mut command = Command::new(interpreter);
-    let command = command.arg(file).current_dir(folder.path());
-    let Run { code, out, err } = finish(command.env("PATH", path));
-    assert_eq!(code, Some(0), "{out}{err}");
-    fs::read_to_string(folder.path().join("glass.exr")).expect("a picture")
+    let path = format!("{}:{path}", folder.join("bin").display());
+    fs::write(folder.join("block"), block).expect("a file");
+    let command = command.arg("block").current_dir(folder).env("PATH", path);
+    let run = finish(command);
+    assert_eq!(run.code, Some(0), "{}{}", run.out, run.err);
+}
+
+/// The block makes the picture of one run.
+fn makes_the_picture(interpreter: &str, block: &str) {
+    let folder = folder();
+    run_block(folder.path(), Command::new(interpreter), block);
+    let one = ["glass.txt", "--spp", "1024", "-o", "one.exr"];
+    assert_eq!(run(folder.path(), &one).code, Some(0));
+    let bytes = |name: &str| fs::read(folder.path().join(name)).expect("a picture");
+    assert!(bytes("glass.exr") == bytes("one.exr"));
 }
 
 /// What is missing where a command fails.
@@ -57,18 +69,29 @@ fn runs(words: &[&str]) -> Result<(), String> {
 
 #[test]
 fn slurm() {
-    for heading in ["## Slurm", "### Rounds"] {
+    let Some(slurm) = Slurm::start() else { return };
+    for (heading, pictures) in [
+        ("## Slurm", &["glass.exr", "glass.png"][..]),
+        ("### Frames", &["1.exr", "1.png", "2.exr", "2.png"]),
+    ] {
         let folder = folder();
-        for line in block(heading, "sh").lines() {
-            let line = line.split(" #").next().expect("a command").trim();
-            match line.strip_prefix("vkpt ") {
-                Some(arguments) => {
-                    assert_eq!(words(folder.path(), arguments).code, Some(0), "{line}")
-                }
-                None => assert_eq!(line, "bash glass.farm/submit.sh"),
-            }
-        }
-        assert!(names(&folder.path().join("glass.farm")).contains(&"submit.sh".to_owned()));
+        run_block(folder.path(), slurm.command("bash"), block(heading, "sh"));
+        slurm.finish();
+        let left = names(folder.path());
+        assert!(
+            pictures.iter().all(|p| left.iter().any(|name| name == p)),
+            "{left:?}"
+        );
+    }
+    // Which take minutes.
+    for line in block("### Rounds", "sh").lines() {
+        let words = line
+            .split(" #")
+            .next()
+            .expect("a command")
+            .split_whitespace();
+        let words: Vec<&str> = words.skip(1).collect();
+        assert_eq!(run(folder().path(), &words).code, Some(0), "{line}");
     }
 }
 
@@ -78,27 +101,19 @@ fn gnu_parallel() {
         .find(|| runs(&["parallel", "--version"]))
         .is_some()
     {
-        assert_eq!(
-            picture("bash", block("## GNU parallel", "sh")),
-            one_run(1024)
-        );
+        makes_the_picture("bash", block("## GNU parallel", "sh"));
     }
 }
 
 #[test]
 fn ssh() {
-    assert_eq!(picture("bash", block("## ssh", "sh")), one_run(1024));
+    makes_the_picture("bash", block("## ssh", "sh"));
 }
 
 #[test]
 fn dask() {
-    if Need::Dask
-        .find(|| runs(&["python3", "-c", "import distributed"]))
-        .is_some()
-    {
-        assert_eq!(
-            picture("python3", block("## Dask", "python")),
-            one_run(1024)
-        );
+    let imports = ["python3", "-c", "import distributed"];
+    if Need::Dask.find(|| runs(&imports)).is_some() {
+        makes_the_picture("python3", block("## Dask", "python"));
     }
 }

@@ -21,7 +21,7 @@ fn each_scene_gets_a_folder_that_says_how_to_submit_it() {
     fs::write(folder.path().join("shots/b.1.txt"), SCENE).expect("a scene");
     let made = words(
         folder.path(),
-        "farm slurm scene.scn shots/b.1.txt --spp 8 --tasks 4",
+        "farm slurm scene.scn shots/b.1.txt --spp 1024 --tasks 4",
     );
     assert_eq!((made.code, made.err.as_str()), (Some(0), ""));
     assert_eq!(
@@ -34,7 +34,7 @@ fn each_scene_gets_a_folder_that_says_how_to_submit_it() {
         assert!(made.out.contains(&submit), "{}", made.out);
     }
     let parts = fs::read_to_string(folder.path().join("scene.farm/parts.txt")).expect("a text");
-    assert_eq!(parts, "1 0 2\n1 2 4\n1 4 6\n1 6 8\n");
+    assert_eq!(parts, "1 0 256\n1 256 512\n1 512 768\n1 768 1024\n");
 }
 
 #[test]
@@ -73,8 +73,8 @@ fn what_cannot_be_rendered_leaves_no_folder() {
         ("scene.scn --tasks 65", 2, "--spp 64"),
         ("scene.scn --tasks 10001 --spp 20000", 2, "at most 10000"),
         ("scene.scn --tasks 0", 2, "from 1 to"),
-        ("scene.scn -o a.txt", 2, ".png, .hdr or .exr"),
-        ("scene.scn -o -", 2, "names no picture"),
+        ("scene.scn -o a.txt", 2, ".png, .hdr, .exr or .vkpt"),
+        ("scene.scn -o -", 2, "cannot be merged into"),
         ("scene.scn -o none/a.exr", 5, "none/a.exr"),
         ("scene.scn --max-depth -1", 2, "whole number"),
         (
