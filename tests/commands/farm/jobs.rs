@@ -10,11 +10,11 @@ use crate::cli::program::shell;
 #[test]
 fn an_array_survives_kills_and_requeues_and_merges_to_one_run() {
     let Some(slurm) = Slurm::start() else { return };
-    let farm = Farm::new("64x48", &["--spp", "8192", "--tasks", "8"]);
+    let farm = Farm::new("64x48", &["--spp", "4096", "--tasks", "8"]);
     farm.submit(&slurm);
     let mut processes = Vec::new();
     until("three tasks that render", || {
-        let samples = ["0..1024", "1024..2048", "2048..3072"];
+        let samples = ["0..512", "512..1024", "1024..1536"];
         processes = samples.iter().filter_map(|s| farm.renders(s)).collect();
         processes.len() == 3
     });
@@ -27,7 +27,7 @@ fn an_array_survives_kills_and_requeues_and_merges_to_one_run() {
     slurm.says(&["scontrol", "requeue", &job("_2")]);
     slurm.says(&["scancel", "--signal=USR1", "--batch", &job("_3")]);
     slurm.finish();
-    farm.is_one_run_of(8192);
+    farm.is_one_run_of(4096);
     let parts = farm.logs("part");
     assert_eq!(parts.matches("ended with 137").count(), 1, "{parts}");
     assert_eq!(parts.matches("ended with 143").count(), 2, "{parts}");
@@ -80,7 +80,7 @@ fn the_merge_says_which_parts_failed_and_how_to_render_them() {
 #[test]
 fn rounds_end_at_the_target_when_time_is_up_or_with_the_last_sample() {
     let Some(slurm) = Slurm::start() else { return };
-    let target = Farm::new("32x24", &["--target-error", "2e-5", "--tasks", "2"]);
+    let target = Farm::new("32x24", &["--target-error", "5e-9", "--tasks", "2"]);
     let late = Farm::new("8x6", &["--time", "1e-3", "--tasks", "1"]);
     let capped = ["--target-error", "1e-12", "--tasks", "2", "--spp", "600"];
     let capped = Farm::new("8x6", &capped);
@@ -89,7 +89,7 @@ fn rounds_end_at_the_target_when_time_is_up_or_with_the_last_sample() {
     }
     slurm.finish();
     for (farm, said) in [
-        (&target, "the relMSE is below 0.00002"),
+        (&target, "the relMSE is below 0.000000005"),
         (&late, "later than 0.001 s"),
         (&capped, "all samples are rendered"),
     ] {

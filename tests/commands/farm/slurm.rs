@@ -80,7 +80,7 @@ impl Slurm {
                 SlurmdUser={user}
                 AuthType=auth/munge
                 CredType=cred/munge
-                AuthInfo=socket={folder}/munge,cred_expire=10
+                AuthInfo=socket={folder}/munge,cred_expire=5
                 SlurmctldPort={controller}
                 SlurmctldPidFile={folder}/slurmctld.pid
                 SlurmctldLogFile={folder}/slurmctld.log
@@ -95,6 +95,7 @@ impl Slurm {
                 SlurmdParameters=config_overrides
                 MpiDefault=none
                 KillWait=5
+                SchedulerParameters=batch_sched_delay=0,sched_interval=1
                 AccountingStorageType=accounting_storage/none
                 JobAcctGatherType=jobacct_gather/none
                 NodeName=n1 NodeHostname={host} NodeAddr=127.0.0.1 Port={node} CPUs=4
