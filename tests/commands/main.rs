@@ -4,8 +4,8 @@
 mod common;
 
 mod cli;
+mod farm;
 #[cfg(target_os = "linux")]
 mod faults;
-mod farm;
 mod report_page;
 mod scripts;

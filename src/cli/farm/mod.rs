@@ -97,7 +97,7 @@ fn check(arguments: &SlurmArguments) -> Result<(), Failure> {
 /// The farm of one scene, which is read to find what is wrong with it.
 fn folder(arguments: &SlurmArguments, scene: &Source) -> Result<Folder, Failure> {
     let pictures = pictures(arguments, scene)?;
-    writable::check(&pictures)?;
+    drop(writable::check(&pictures)?);
     let request = arguments.request(scene);
     integrator::check(&request.settings)?;
     let loaded = Loaded::new(&request)?;

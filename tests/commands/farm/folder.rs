@@ -1,11 +1,12 @@
 //! A farm in a folder of its own.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use tempfile::TempDir;
 
-use super::slurm::Slurm;
+use super::process::Process;
+use super::slurm::{Slurm, until};
 use crate::cli::program::{Run, finish, run};
 
 /// A name that a shell would take apart.
@@ -62,7 +63,7 @@ impl Farm {
         let scene = self.folder.path().join(NAME);
         let spp = spp.to_string();
         self.vkpt(&[&scene.to_string_lossy(), "--spp", &spp, "-o", "one.exr"]);
-        let bytes = |name: &str| fs::read(self.folder.path().join(name)).expect("a picture");
+        let bytes = |name: &str| fs::read(self.folder.path().join(name)).ok();
         let same = bytes("one.exr") == bytes("out/it's.exr");
         assert!(same, "{}{}", self.logs("part"), self.logs("merge"));
     }
@@ -79,16 +80,26 @@ impl Farm {
         texts.collect()
     }
 
-    /// The process that renders these samples, such as `0..256`, by its number.
-    pub fn renders(&self, samples: &str) -> Option<String> {
+    /// The process that renders these samples, such as `0..256`; halted while it does.
+    pub fn halted(&self, samples: &str) -> Process {
+        let mut found = None;
+        until("a part that is rendered", || {
+            found = self.process(samples).filter(Process::has_begun);
+            found.is_some()
+        });
+        let process = found.expect("it was waited for");
+        process.send("STOP");
+        process
+    }
+
+    fn process(&self, samples: &str) -> Option<Process> {
         let parts = self.path("parts").display().to_string();
-        let is_it = |process: &Path| {
-            let words = fs::read_to_string(process.join("cmdline")).unwrap_or_default();
+        let all = fs::read_dir("/proc").expect("a folder").flatten();
+        let mut all = all.map(|process| Process(process.path()));
+        all.find(|process| {
+            let words = process.says("cmdline");
             let words: Vec<&str> = words.split('\0').collect();
             words.contains(&samples) && words.iter().any(|word| word.starts_with(&parts))
-        };
-        let mut processes = fs::read_dir("/proc").expect("a folder").flatten();
-        let found = processes.find(|process| is_it(&process.path()))?;
-        Some(found.file_name().to_string_lossy().into_owned())
+        })
     }
 }

@@ -12,26 +12,27 @@ fn an_array_survives_kills_and_requeues_and_merges_to_one_run() {
     let Some(slurm) = Slurm::start() else { return };
     let farm = Farm::new("64x48", &["--spp", "4096", "--tasks", "8"]);
     farm.submit(&slurm);
-    let mut processes = Vec::new();
-    until("three tasks that render", || {
-        let samples = ["0..512", "512..1024", "1024..1536"];
-        processes = samples.iter().filter_map(|s| farm.renders(s)).collect();
-        processes.len() == 3
-    });
-    slurm.says(&["kill", "-KILL", &processes[0]]);
+    let samples = ["0..512", "512..1024", "1024..1536"];
+    let [killed, _requeued, timed_out] = samples.map(|samples| farm.halted(samples));
     let job = |task: &str| {
         let jobs = slurm.jobs("R");
         let found = jobs.iter().find(|job| job.ends_with(task));
         found.expect("a task that runs").clone()
     };
+    killed.send("KILL");
+    // Slurm wakes what it ends.
     slurm.says(&["scontrol", "requeue", &job("_2")]);
     slurm.says(&["scancel", "--signal=USR1", "--batch", &job("_3")]);
+    until("the script's TERM", || timed_out.has_term_pending());
+    timed_out.send("CONT");
     slurm.finish();
     farm.is_one_run_of(4096);
     let parts = farm.logs("part");
     assert_eq!(parts.matches("ended with 137").count(), 1, "{parts}");
     assert_eq!(parts.matches("ended with 143").count(), 2, "{parts}");
-    assert_eq!(parts.matches("DUE TO JOB REQUEUE").count(), 2, "{parts}");
+    assert_eq!(parts.matches("try 2").count(), 1, "{parts}");
+    // Two of the eight began a second time.
+    assert_eq!(parts.matches("try 1").count(), 10, "{parts}");
 }
 
 /// What the merge says to do is done: by hand, by sbatch, and by submitting again.

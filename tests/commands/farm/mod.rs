@@ -4,5 +4,6 @@
 mod folder;
 mod jobs;
 mod page;
+mod process;
 mod refusals;
 mod slurm;

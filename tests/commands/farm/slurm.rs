@@ -119,7 +119,10 @@ impl Slurm {
     /// A program that asks this Slurm.
     pub fn command(&self, program: &str) -> Command {
         let mut command = Command::new(program);
-        command.env("SLURM_CONF", self.folder.path().join("slurm.conf"));
+        // Which jobs are submitted with, too: with a thread each, parts take as long on large machines as on small ones.
+        command
+            .env("SLURM_CONF", self.folder.path().join("slurm.conf"))
+            .env("RAYON_NUM_THREADS", "1");
         command
     }
 
