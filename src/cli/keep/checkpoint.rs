@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use crate::cli::exit::{note, warn};
-use crate::image::file::{FileError, write_whole};
+use crate::image::file::write_whole;
 use crate::part::AnyPart;
 use crate::state::{self, Header};
 
@@ -17,7 +17,7 @@ const SHARE: u32 = 100;
 
 /// Where checkpoints go, and when.
 pub struct Checkpoint {
-    pub path: PathBuf,
+    path: PathBuf,
     pause: Duration,
     /// When the last one was written, or the rendering began.
     last: Instant,
@@ -46,9 +46,16 @@ impl Checkpoint {
         self.last.elapsed() >= self.pause.max(self.took * SHARE)
     }
 
-    /// Writes one. What cannot be written is said once, and the rendering goes on: the disk may have room by the next time.
-    pub fn write(&mut self, header: &Header, part: &AnyPart) {
-        match self.try_write(header, part) {
+    /// Writes the one that `make` makes. What cannot be written is said once, and the rendering goes on: the disk may have room
+    /// by the next time.
+    pub fn write(&mut self, make: impl FnOnce() -> (Header, AnyPart)) {
+        let start = Instant::now();
+        let (header, part) = make();
+        let written = write_whole(&self.path, |out| state::write(out, &header, &part));
+        self.last = Instant::now();
+        self.took = start.elapsed();
+        self.written |= written.is_ok();
+        match written {
             Ok(()) if self.failed => {
                 note(&format!("{} is written again", self.path.display()));
                 self.failed = false;
@@ -62,15 +69,5 @@ impl Checkpoint {
             }
             Err(_) => {}
         }
-    }
-
-    /// Writes one; on an error, the one before stays.
-    pub fn try_write(&mut self, header: &Header, part: &AnyPart) -> Result<(), FileError> {
-        let start = Instant::now();
-        let written = write_whole(&self.path, |out| state::write(out, header, part));
-        self.last = Instant::now();
-        self.took = start.elapsed();
-        self.written |= written.is_ok();
-        written
     }
 }

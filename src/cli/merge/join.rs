@@ -1,11 +1,15 @@
-//! Joining the parts, one file after the other: one of them is in memory beside what they make.
+//! Joining the parts, one file after the other: while one is joined, the next is read, and no more of them are in memory.
+
+use std::path::Path;
+use std::sync::mpsc::sync_channel;
+use std::thread;
 
 use super::order::InOrder;
 use crate::cli::exit::Failure;
 use crate::cli::render::error_of;
-use crate::part::AnyPart;
+use crate::part::{AnyPart, Misfit};
 use crate::render::{ErrorAt, look};
-use crate::state::{self, Kept};
+use crate::state::{self, Header, Kept, StateError};
 
 /// What the parts make.
 pub struct Joined {
@@ -19,32 +23,54 @@ pub struct Joined {
 /// # Errors
 /// Of a file that is damaged, or was changed since its header was read.
 pub fn join(parts: &InOrder) -> Result<Joined, Failure> {
-    let mut joined: Option<Joined> = None;
-    let mut seconds = 0.0;
-    for (path, header) in parts.paths().zip(parts.headers()) {
-        let wrong = |error: String| Failure::Pictures(vec![format!("{}: {error}", path.display())]);
-        let Kept { part, .. } = state::read(path).map_err(|error| wrong(error.to_string()))?;
-        seconds += header.record.seconds.render;
-        match &mut joined {
-            None => {
-                let errors = header.record.error.iter().map(error_of).collect();
-                joined = Some(Joined { part, errors });
-            }
-            Some(Joined {
-                part: whole,
-                errors,
-            }) => {
-                let [x0, y0, ..] = header.record.job.crop.unwrap_or_default();
-                let last = parts.samples().len() as u32;
-                let mut see = |spp: u32, halves: &dyn Fn() -> _| {
-                    if spp.is_power_of_two() || spp == last {
-                        look(errors, spp, seconds, [x0, y0], halves);
-                    }
-                };
-                let added = whole.append(part, &mut see);
-                added.map_err(|misfit| wrong(misfit.to_string()))?;
+    thread::scope(|scope| {
+        let (send, read) = sync_channel::<Result<Kept, StateError>>(0);
+        scope.spawn(move || {
+            // Nobody takes another once one was wrong.
+            let mut all = parts.paths().map(state::read);
+            all.all(|kept| send.send(kept).is_ok())
+        });
+        let mut joined: Option<Joined> = None;
+        let mut seconds = 0.0;
+        for ((path, header), kept) in parts.paths().zip(parts.headers()).zip(read) {
+            let Kept { part, .. } = kept.map_err(|error| wrong(path, error))?;
+            seconds += header.record.seconds.render;
+            match &mut joined {
+                None => {
+                    let errors = header.record.error.iter().map(error_of).collect();
+                    joined = Some(Joined { part, errors });
+                }
+                Some(whole) => {
+                    let last = parts.samples().len() as u32;
+                    let added = whole.append(part, header, last, seconds);
+                    added.map_err(|misfit| wrong(path, misfit))?;
+                }
             }
         }
+        joined.ok_or_else(|| Failure::Usage("there are no parts".to_owned()))
+    })
+}
+
+fn wrong(path: &Path, why: impl std::fmt::Display) -> Failure {
+    Failure::Pictures(vec![format!("{}: {why}", path.display())])
+}
+
+impl Joined {
+    /// Adds the next part, and looks at the error after powers of two and after `last` samples; `seconds` are those of all
+    /// parts so far.
+    fn append(
+        &mut self,
+        next: AnyPart,
+        header: &Header,
+        last: u32,
+        seconds: f64,
+    ) -> Result<(), Misfit> {
+        let [x0, y0, ..] = header.record.job.crop.unwrap_or_default();
+        let errors = &mut self.errors;
+        self.part.append(next, &mut |spp, halves| {
+            if spp.is_power_of_two() || spp == last {
+                look(errors, spp, seconds, [x0, y0], halves);
+            }
+        })
     }
-    joined.ok_or_else(|| Failure::Usage("there are no parts".to_owned()))
 }

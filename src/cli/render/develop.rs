@@ -161,8 +161,10 @@ impl Watch for Watcher<'_> {
 
     fn reached(&mut self, so_far: &dyn Fn() -> Outcome) {
         if let Some(checkpoint) = self.checkpoint.as_mut().filter(|c| c.is_due()) {
-            let outcome = so_far();
-            checkpoint.write(&self.labels.header(&outcome), &outcome.state.part);
+            checkpoint.write(|| {
+                let outcome = so_far();
+                (self.labels.header(&outcome), outcome.state.part)
+            });
         }
     }
 
