@@ -5,7 +5,7 @@ mod develop;
 mod record;
 mod trace;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use self::develop::{Goal, Made, develop};
 use self::trace::trace;
@@ -16,6 +16,7 @@ use crate::cli::job::Loaded;
 use crate::cli::keep::digest;
 use crate::cli::outputs::{Outputs, Written, write};
 use crate::cli::writable;
+use crate::image::file::check_writable;
 use crate::render::End;
 use crate::state::ENDING;
 pub use arguments::RenderArguments;
@@ -68,16 +69,28 @@ fn outputs(arguments: &RenderArguments) -> Result<Outputs<'_>, Failure> {
 /// Where checkpoints go, and what is gone on from: the first part of `-o`, else a file beside the first picture.
 fn kept(arguments: &RenderArguments, outputs: &Outputs) -> Result<Option<PathBuf>, Failure> {
     let mut parts = outputs.parts.iter().filter_map(|to| to.neighbour());
+    if let Some(part) = parts.next() {
+        return Ok(Some(part.to_owned()));
+    }
     let beside = outputs.first_picture().map(|p| p.with_extension(ENDING));
-    let path = parts.next().map(PathBuf::from).or(beside);
-    match (path, arguments.resume, arguments.pause()) {
+    match (beside, arguments.resume, arguments.pause()) {
         (None, true, _) => Err(Failure::Usage(
             "--resume goes on from a file beside the first picture, and there is none beside stdout, a device or a pipe: add -o FILE"
                 .to_owned(),
         )),
-        (path, false, None) => Ok(path.filter(|_| !outputs.parts.is_empty())),
-        (path, _, _) => Ok(path),
+        (beside, true, _) => Ok(beside),
+        (_, false, None) => Ok(None),
+        (beside, false, Some(_)) => Ok(beside.filter(|path| can_be_kept(path))),
     }
+}
+
+/// Whether a part can be written there; a rendering that nobody asked it of goes on without.
+fn can_be_kept(path: &Path) -> bool {
+    let checked = check_writable(path);
+    if let Err(error) = &checked {
+        warn(&format!("no checkpoints can be written: {error}"));
+    }
+    checked.is_ok()
 }
 
 /// Writes what was made, its part included where it is to be kept.
@@ -93,15 +106,10 @@ fn leave(outputs: &Outputs, made: Made, kept: Option<PathBuf>) -> Result<Ending,
         return Ok(Ending::Interrupted);
     }
     let early = matches!(outcome.end, End::Interrupted | End::Lost);
-    let beside = kept.filter(|_| outputs.parts.is_empty() && (early || checkpointed));
-    let parts = [
-        &outputs.parts[..],
-        &beside
-            .map(Destination::File)
-            .into_iter()
-            .collect::<Vec<_>>(),
-    ]
-    .concat();
+    let mut parts = outputs.parts.clone();
+    if parts.is_empty() && (early || checkpointed) {
+        parts.extend(kept.map(Destination::File));
+    }
     let written = Written {
         film: &outcome.film,
         stderr: outcome.stderr.as_ref().map(|film| (film, freedom)),
@@ -111,12 +119,11 @@ fn leave(outputs: &Outputs, made: Made, kept: Option<PathBuf>) -> Result<Ending,
     };
     let ending = write(outputs, written)?;
     let part = parts.first().map(ToString::to_string);
-    match (outcome.failure, part) {
-        (Some(why), part) => Err(Failure::Lost { why, part }),
-        (None, Some(part)) if early && !outputs.arguments.quiet => {
-            note(&format!("--resume goes on from {part}"));
-            Ok(ending)
-        }
-        _ => Ok(ending),
+    if let Some(why) = outcome.failure {
+        return Err(Failure::Lost { why, part });
     }
+    if let Some(part) = part.filter(|_| early && !outputs.arguments.quiet) {
+        note(&format!("--resume goes on from {part}"));
+    }
+    Ok(ending)
 }

@@ -299,3 +299,22 @@ fn short_renderings_leave_pictures_alone() {
     assert_eq!(run.code, Some(0));
     assert_eq!(names(path), ["a.exr", "a.vkpt", "scene.scn"]);
 }
+
+#[test]
+fn a_rendering_goes_on_where_no_checkpoint_can_be_written() {
+    let folder = folder(SCENE);
+    let path = folder.path();
+    // A folder of that name is in the way.
+    fs::create_dir(path.join("a.vkpt")).expect("a folder");
+    let run = words(path, &format!("{COMMON} --spp 3 -o a.exr"));
+    assert_eq!(run.code, Some(0), "{}", run.err);
+    assert!(
+        run.err
+            .contains("warning: no checkpoints can be written: a.vkpt"),
+        "{}",
+        run.err
+    );
+    assert!(path.join("a.exr").is_file());
+    let run = words(path, &format!("{COMMON} --spp 3 -o a.exr --resume"));
+    assert_eq!(run.code, Some(5), "{}", run.err);
+}
