@@ -107,7 +107,7 @@ mod tests {
         let device = show(&request, &Target::Vulkan(Selector::Index(1)));
         let references = show(&request, &Target::CpuF64);
         let common = "vkpt 'it'\\''s a.txt' --size 40x30 --seed 7 --absorption term --radiance-scaling off \
-             --max-depth 3 --lobe norms --normals distribution --roulette 0.8 --sampler random --integrator path";
+             --max-depth 3 --lobe norms --normals distribution --roulette 0.8 --lights power --sampler random --integrator path";
         assert_eq!(device, format!("{common} --device 1"));
         assert_eq!(references, format!("{common} --device cpu-f64"));
         request = Request {

@@ -32,11 +32,14 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     // A part of -o is one of the outputs already.
     let beside = kept.clone().filter(|_| outputs.parts.is_empty());
     let beside = beside.map(Destination::File);
-    let all = || outputs.all().chain(&beside);
-    let _claims = writable::check(all())?;
+    // What is wrong with what is asked for is said first.
+    let _claims = (writable::check(outputs.all())?, writable::check(&beside)?);
     let request = arguments.request()?;
     let loaded = Loaded::new(&request)?;
-    spare(&Input::of_scene(request.scene, &loaded.scene), all())?;
+    spare(
+        &Input::of_scene(request.scene, &loaded.scene),
+        outputs.all().chain(&beside),
+    )?;
     let digest = match kept.is_some() || !outputs.parts.is_empty() {
         true => digest(&loaded.text, &loaded.scene)
             .map_err(|error| Failure::Usage(format!("a mesh can't be read again: {error}")))?,
@@ -72,7 +75,8 @@ fn kept(arguments: &RenderArguments, outputs: &Outputs) -> Result<Option<PathBuf
     if let Some(part) = parts.next() {
         return Ok(Some(part.to_owned()));
     }
-    let beside = outputs.first_picture().map(|p| p.with_extension(ENDING));
+    let picture = outputs.first_picture();
+    let beside = picture.map(|p| p.with_extension(ENDING));
     match (beside, arguments.resume, arguments.pause()) {
         (None, true, _) => Err(Failure::Usage(
             "--resume goes on from a file beside the first picture, and there is none beside stdout, a device or a pipe: add -o FILE"
@@ -80,12 +84,16 @@ fn kept(arguments: &RenderArguments, outputs: &Outputs) -> Result<Option<PathBuf
         )),
         (beside, true, _) => Ok(beside),
         (_, false, None) => Ok(None),
-        (beside, false, Some(_)) => Ok(beside.filter(|path| can_be_kept(path))),
+        (beside, false, Some(_)) => Ok(beside.filter(|path| can_be_kept(path, picture))),
     }
 }
 
-/// Whether a part can be written there; a rendering that nobody asked it of goes on without.
-fn can_be_kept(path: &Path) -> bool {
+/// Whether a part can be written beside the picture; a rendering that nobody asked it of goes on without. What is wrong with the
+/// picture's own place is said of that.
+fn can_be_kept(path: &Path, picture: Option<&Path>) -> bool {
+    if picture.is_some_and(|picture| check_writable(picture).is_err()) {
+        return false;
+    }
     let checked = check_writable(path);
     if let Err(error) = &checked {
         warn(&format!("no checkpoints can be written: {error}"));

@@ -22,10 +22,10 @@ fn a_wrong_command_line_is_2() {
         (&[], "<SCENE>"),
         (&["scene.scn", "other.scn"], "other.scn"),
         (&["scene.scn", "--nonsense"], "--nonsense"),
-        (&["scene.scn", "-o", "a.jpg"], ".png, .hdr or .exr"),
+        (&["scene.scn", "-o", "a.jpg"], ".png, .hdr, .exr or .vkpt"),
         (
             &["scene.scn", "-o", "a.png", "-o", "b"],
-            ".png, .hdr or .exr",
+            ".png, .hdr, .exr or .vkpt",
         ),
         (&["scene.scn", "--spp", "0"], "--spp"),
         (&["scene.scn", "--spp", "4294967296"], "--spp"),
