@@ -85,7 +85,19 @@ fn names_that_no_file_can_have_are_told_before_the_work() {
         assert!(ran.err.contains(said), "{}: {}", line, ran.err);
         assert_eq!(names(folder.path()), ["scene.scn"]);
     }
+    // A part beside it would have a name that is longer by one.
     let ran = words(folder.path(), &format!("{RENDER} -o {most}"));
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    assert!(
+        ran.err
+            .starts_with("warning: no checkpoints can be written: n"),
+        "{}",
+        ran.err
+    );
+    let ran = words(
+        folder.path(),
+        &format!("{RENDER} -o {most} --checkpoint off"),
+    );
     assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
 }
 
