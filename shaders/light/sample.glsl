@@ -13,7 +13,7 @@ struct LightSample {
     float pdf;
     // |N_L.wi| at the point.
     float cosine;
-    // The face that the point is on, as in Hit: with the light's shape, what a shadow ray leads to.
+    // The face that the point is on, as in Hit: with the light's shape, what a shadow ray leads to. Of surroundings the texel.
     uint prim;
 };
 

@@ -2,7 +2,7 @@
 
 use super::exit::{Failure, note, warn};
 use crate::memory::{free, held};
-use crate::prepared::triangles_and_peak;
+use crate::prepared::Footprint;
 use crate::report::human::{bytes, thousands};
 use crate::scene::Scene;
 
@@ -12,10 +12,11 @@ const LARGE: u64 = 1 << 30;
 /// Says what a large scene will take; warns where that is not free without swapping, and fails where it is not free at
 /// all.
 pub fn announce(scene: &Scene, quiet: bool) -> Result<(), Failure> {
-    let (triangles, needed) = triangles_and_peak(scene);
+    let footprint = Footprint::of(scene);
+    let needed = footprint.peak();
     let what = format!(
-        "{} triangles take about {} of memory",
-        thousands(triangles),
+        "{} take about {} of memory",
+        parts(footprint),
         bytes(needed)
     );
     // The scene itself is there already.
@@ -33,4 +34,18 @@ pub fn announce(scene: &Scene, quiet: bool) -> Result<(), Failure> {
         _ => {}
     }
     Ok(())
+}
+
+/// What takes the memory, in words.
+fn parts(footprint: Footprint) -> String {
+    let Footprint {
+        triangles, texels, ..
+    } = footprint;
+    let triangles = (triangles, format!("{} triangles", thousands(triangles)));
+    let texels = (
+        texels,
+        format!("{} texels of surroundings", thousands(texels)),
+    );
+    let there = [triangles, texels].into_iter().filter(|part| part.0 > 0);
+    there.map(|part| part.1).collect::<Vec<_>>().join(" and ")
 }

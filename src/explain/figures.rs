@@ -4,7 +4,7 @@ use super::Compiled;
 use crate::film::Aov;
 use crate::flat::bvh::NODE_WORDS;
 use crate::layout::BufferUse;
-use crate::prepared::Prepared;
+use crate::prepared::{Footprint, Prepared};
 use crate::render::{ArrayPlan, HierarchyPlan, Job, Plan};
 use crate::report::explanation::{Buffer, Hierarchy, KernelSize, Memory};
 
@@ -50,7 +50,7 @@ pub fn memory(job: &Job, plan: &Plan) -> Memory {
         tile_pixels: plan.tile_pixels,
         tiles: plan.tiles,
         scene: scene(job.prepared),
-        peak: job.prepared.peak_bytes(),
+        peak: Footprint::of_prepared(job.prepared).peak(),
         films: plan.pixels * plan.state.film_bytes(&plan.features),
         pictures: films * plan.pixels * size_of::<[f32; 3]>() as u64,
     }
@@ -63,6 +63,7 @@ pub fn primitives(p: &Prepared) -> usize {
 
 /// Bytes of the arrays of the prepared scene.
 fn scene(p: &Prepared) -> u64 {
+    let surroundings = p.surroundings.as_ref();
     let arrays = [
         size_of_val(&p.shapes[..]),
         p.primitives.bytes(),
@@ -72,6 +73,8 @@ fn scene(p: &Prepared) -> u64 {
         size_of_val(&p.light_tree.nodes[..]),
         size_of_val(&p.light_tree.trails[..]),
         size_of_val(&p.triangle_cdf[..]),
+        surroundings.map_or(0, |s| size_of_val(&s.picture.rgb[..])),
+        surroundings.map_or(0, |s| size_of_val(&s.ends[..])),
     ];
     arrays.iter().sum::<usize>() as u64
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::features::{Member, is_rough, is_specular};
-use crate::prepared::{Light, LightKind, Material, NONE, Prepared, Shape, ShapeKind};
+use crate::prepared::{Light, Material, Prepared, Shape, ShapeKind};
 
 /// The lines, rising, each once; 0 is the material that a shape has which follows none.
 pub fn lines(prepared: &Prepared, member: Member) -> Vec<usize> {
@@ -54,7 +54,7 @@ fn brings(m: &Material, member: Member) -> bool {
 
 fn lights(prepared: &Prepared, of: impl Fn(&Light) -> bool) -> Vec<usize> {
     let line = |l: &Light| match (l.kind, l.shape) {
-        (LightKind::Background, _) | (_, NONE) => prepared.background_line,
+        (kind, _) if kind.is_outside() => prepared.background_line,
         (_, shape) => prepared.shapes[shape as usize].line,
     };
     prepared.lights.iter().filter(|l| of(l)).map(line).collect()

@@ -65,7 +65,8 @@ fn remark(subject: &Subject, member: Member) -> String {
     match (member, first) {
         (Member::Distribution(distribution), Some(m)) => chosen(subject, m, distribution),
         (Member::Fresnel(form), Some(m)) => form_of(subject, m, form),
-        (Member::Light(kind), _) if kind != LightKind::Background => light(subject, kind),
+        (Member::Light(LightKind::Surroundings), _) => surroundings(subject),
+        (Member::Light(kind), _) if !kind.is_outside() => light(subject, kind),
         (Member::LightPick(pick), _) => format!(
             "{} lights: {}",
             subject.job.prepared.lights.len(),
@@ -128,6 +129,14 @@ fn light(subject: &Subject, kind: LightKind) -> String {
         .min_by_key(|s| s.line)
         .map_or(0, |s| prepared.materials[s.material as usize].line);
     format!("line {line}: {}", subject.quote(line))
+}
+
+/// The size of the picture all around.
+fn surroundings(subject: &Subject) -> String {
+    let surroundings = subject.job.prepared.surroundings.as_ref();
+    surroundings.map_or(String::new(), |s| {
+        format!("{} × {} texels", s.map.width, s.map.height)
+    })
 }
 
 /// Up to six decimals, no zeros behind.

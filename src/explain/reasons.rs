@@ -11,7 +11,7 @@ pub fn reason(subject: &Subject, member: Member) -> String {
         Member::Shape(kind) | Member::InBvh(kind) => {
             return format!("the scene has no {}", kind.description().name);
         }
-        Member::Light(kind) => return light(kind),
+        Member::Light(kind) => return light(subject, kind),
         Member::Material(kind) => material(kind),
         Member::DiffuseBeside => "no surface has Kd beside Ks or Kt",
         Member::Distribution(which) => distribution(subject, which),
@@ -39,10 +39,13 @@ pub fn reason(subject: &Subject, member: Member) -> String {
     words.to_owned()
 }
 
-fn light(kind: LightKind) -> String {
-    match kind.shape() {
-        Some(shape) => format!("no {} shines", shape.description().name),
-        None => "the background is black".to_owned(),
+fn light(subject: &Subject, kind: LightKind) -> String {
+    let pictured = subject.job.prepared.surroundings.is_some();
+    match (kind.shape(), kind) {
+        (Some(shape), _) => format!("no {} shines", shape.description().name),
+        (None, LightKind::Surroundings) => "no picture shows what is outside".to_owned(),
+        (None, _) if pictured => "a picture shows what is outside".to_owned(),
+        (None, _) => "the background is black".to_owned(),
     }
 }
 

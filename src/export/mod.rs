@@ -47,6 +47,10 @@ pub struct Export {
 /// All that Mitsuba has no equal of, each reason once, in the order of the file.
 pub fn mitsuba(subject: &Subject) -> Result<Export, Vec<Refusal>> {
     let mut refusals = place::refusals(subject.prepared);
+    if subject.scene.surroundings.is_some() {
+        let line = subject.scene.background_line;
+        refusals.push(Refusal::new(line, Reason::Surroundings));
+    }
     let surfaces = surface::nodes(subject.prepared, &mut refusals);
     let shapes = shape::nodes(subject, &mut refusals);
     if !refusals.is_empty() {

@@ -83,6 +83,10 @@ pub enum Reason {
     #[error("the eye stands inside this light: Mitsuba's shines outwards alone")]
     EyeInLight,
     #[error(
+        "a picture of the surroundings: Mitsuba blends its texels, which are of constant radiance here"
+    )]
+    Surroundings,
+    #[error(
         "faces of this shape and of that of line {0} are in one place: which of them is seen is left to rounding in Mitsuba"
     )]
     Coincident(usize),

@@ -1,7 +1,7 @@
 //! Which integrator suits a scene, by what it has alone.
 
 use crate::prepared::cdf::CDF_TOTAL;
-use crate::prepared::{Light, LightKind, Prepared};
+use crate::prepared::{Light, Prepared};
 use crate::settings::{Absorption, Connect, Integrator, Settings};
 
 /// An integrator, and why it was chosen: words that complete "it was chosen: …".
@@ -18,7 +18,6 @@ const SMALL: f64 = 0.01;
 /// Paths from both ends where small lights shine on what gathers light, and from the eye elsewhere
 /// (`benches/2026-11-29-auto.md`).
 pub fn chosen(prepared: &Prepared, settings: &Settings) -> Chosen {
-    let shine = |kind: LightKind| kind != LightKind::Background;
     let path = |why| Chosen {
         integrator: Integrator::Path,
         why,
@@ -30,7 +29,7 @@ pub fn chosen(prepared: &Prepared, settings: &Settings) -> Chosen {
         () if settings.estimator.connect != Connect::Mis => {
             path("--connect weighs paths from the eye alone")
         }
-        () if !prepared.lights.iter().any(|l| shine(l.kind)) => path("no shape shines"),
+        () if !prepared.lights.iter().any(|l| !l.kind.is_outside()) => path("no shape shines"),
         () if background_share(prepared) > 0.5 => {
             path("most light is the background's, which paths from the eye find by themselves")
         }
@@ -47,9 +46,9 @@ pub fn chosen(prepared: &Prepared, settings: &Settings) -> Chosen {
 
 /// The background's part of the power of all lights, as they are drawn by it.
 fn background_share(prepared: &Prepared) -> f64 {
-    let of = |(i, light): (usize, &Light)| match light.kind {
-        LightKind::Background => prepared.light_cdf[i + 1] - prepared.light_cdf[i],
-        _ => 0,
+    let of = |(i, light): (usize, &Light)| match light.kind.is_outside() {
+        true => prepared.light_cdf[i + 1] - prepared.light_cdf[i],
+        false => 0,
     };
     let drawn: u32 = prepared.lights.iter().enumerate().map(of).sum();
     f64::from(drawn) / f64::from(CDF_TOTAL)

@@ -6,7 +6,7 @@ pub mod bvh;
 use glam::DVec3;
 
 use crate::layout::OnDevice;
-use crate::prepared::{Prepared, device};
+use crate::prepared::{Prepared, Surroundings, device};
 
 /// What the kernels read of these records.
 pub fn records<T: OnDevice>(records: &[T]) -> Vec<T::Record> {
@@ -19,6 +19,11 @@ pub fn camera(prepared: &Prepared, seed: u32) -> device::Camera {
         seed,
         ..prepared.camera.record()
     }
+}
+
+/// The axes and the size of surroundings.
+pub fn surroundings(surroundings: &Surroundings) -> device::Surroundings {
+    surroundings.map.record()
 }
 
 /// Nine floats a triangle: its corners.

@@ -8,7 +8,7 @@ mod split;
 use glam::DVec3;
 
 use super::placed::Placed;
-use super::{Light, LightKind, LightNode};
+use super::{Light, LightNode};
 use crate::shape::Bounds;
 use cone::Cone;
 use emitter::Emitter;
@@ -31,8 +31,8 @@ pub struct LightTree {
 }
 
 impl LightTree {
-    /// Over all `lights`; empty where there is none.
-    pub fn new(placed: &Placed, lights: &[Light]) -> Self {
+    /// Over all `lights`, everything outside of the mean radiance `outside` among them; empty where there is none.
+    pub fn new(placed: &Placed, lights: &[Light], outside: DVec3) -> Self {
         let mut tree = Self {
             nodes: Vec::new(),
             trails: vec![0; lights.len()],
@@ -41,13 +41,9 @@ impl LightTree {
             .zip(lights)
             .filter_map(|(i, light)| Emitter::new(placed, light, i))
             .collect();
-        let background = (0..)
-            .zip(lights)
-            .find(|(_, light)| light.kind == LightKind::Background);
+        let background = (0..).zip(lights).find(|(_, light)| light.kind.is_outside());
         // From every side the background sends irradiance π L.
-        let sky = background.map_or(0.0, |(_, l)| {
-            std::f64::consts::PI * l.radiance.element_sum()
-        });
+        let sky = background.map_or(0.0, |_| std::f64::consts::PI * outside.element_sum());
         let total = sky + emitters.iter().map(|e| e.power).sum::<f64>();
         let share = |power: f64| (power / total).max(LEAST);
         emitters.iter_mut().for_each(|e| e.power = share(e.power));

@@ -8,6 +8,16 @@ use super::cdf::{CdfError, quantised_cdf};
 use super::placed::Placed;
 use super::{Light, LightKind, Material, NONE, Shape, ShapeKind};
 
+/// Everything outside, as a light.
+#[derive(Clone, Copy, Debug)]
+pub struct Outside {
+    pub kind: LightKind,
+    /// Of its record: what a picture is multiplied by.
+    pub radiance: DVec3,
+    /// Over all directions.
+    pub mean: DVec3,
+}
+
 /// Emitters with the probabilities of choosing them.
 #[derive(Debug, Default)]
 pub struct Lights {
@@ -17,14 +27,14 @@ pub struct Lights {
 }
 
 impl Lights {
-    /// One light a shape of positive radiance, in the order of shapes, then the background if it shines.
+    /// One light a shape of positive radiance, in the order of shapes, then everything outside if it shines.
     ///
-    /// A light is chosen in proportion to its power π·A·L̄; the background counts as the sphere around
+    /// A light is chosen in proportion to its power π·A·L̄; what is outside counts as the sphere around
     /// the scene, whose area lets the same power through.
     pub fn new(
         placed: &Placed,
         materials: &[Material],
-        background: DVec3,
+        outside: Outside,
     ) -> Result<Self, CdfError> {
         let mut all = Self::default();
         let mut power = Vec::new();
@@ -37,17 +47,17 @@ impl Lights {
                 power.push(area * radiance.element_sum());
             }
         }
-        if background.max_element() > 0.0 {
+        if outside.mean.max_element() > 0.0 {
             all.lights.push(Light {
-                kind: LightKind::Background,
+                kind: outside.kind,
                 shape: NONE,
                 first: 0,
                 count: 0,
                 cdf: 0,
-                radiance: background,
+                radiance: outside.radiance,
             });
             let radius = placed.all_bounds(DVec3::ZERO).radius();
-            power.push(4.0 * PI * radius * radius * background.element_sum());
+            power.push(4.0 * PI * radius * radius * outside.mean.element_sum());
         }
         // A scene without extent is lit by its background alone.
         if power == [0.0] {

@@ -20,6 +20,7 @@ mod placed;
 mod prepare;
 mod range;
 pub mod record;
+mod surroundings;
 
 use glam::DVec3;
 
@@ -30,7 +31,7 @@ pub use crate::shape::{
     Sphere, Triangle,
 };
 pub use light_tree::LightTree;
-pub use memory::triangles_and_peak;
+pub use memory::Footprint;
 pub use prepare::{PrepareError, prepare};
 pub use record::aim::Aim;
 pub use record::camera::Camera;
@@ -38,6 +39,8 @@ pub use record::light::Light;
 pub use record::light_node::LightNode;
 pub use record::material::{Material, MaterialKind, OPAQUE_SIGMA};
 pub use record::shape::Shape;
+pub use record::surroundings_row::SurroundingsRow;
+pub use surroundings::Surroundings;
 
 /// The records as the kernels read them.
 pub mod device {
@@ -47,6 +50,8 @@ pub mod device {
     pub use super::record::light_node::device::LightNode;
     pub use super::record::material::device::Material;
     pub use super::record::shape::device::Shape;
+    pub use super::record::surroundings::device::Surroundings;
+    pub use super::record::surroundings_row::device::SurroundingsRow;
     pub use crate::shape::device::{Coincidence, Cuboid, Cylinder, Sphere};
 }
 
@@ -73,8 +78,10 @@ pub struct Prepared {
     pub aims: Vec<Aim>,
     /// The least share of all directions that a light fills, seen from what light paths are aimed at.
     pub light_share: Option<f64>,
-    /// Radiance of everything outside.
+    /// Mean radiance of everything outside.
     pub background: DVec3,
+    /// The picture that shows it.
+    pub surroundings: Option<Surroundings>,
     /// The scene file's line, 0 where none says so.
     pub background_line: usize,
     /// Material whose inside the eye stands in, or [`NONE`].

@@ -5,12 +5,12 @@ use glam::{DQuat, DVec3};
 use super::cdf::CdfError;
 use super::dark;
 use super::light_tree::LightTree;
-use super::lights::Lights;
+use super::lights::{Lights, Outside};
 use super::medium::Media;
 use super::placed::Placed;
 use super::{
-    Camera, Light, Material, MaterialKind, NONE, Prepared, Primitives, Space, coincide, eye,
-    material, medium, memory, range,
+    Camera, Light, LightKind, Material, MaterialKind, NONE, Prepared, Space, Surroundings,
+    coincide, eye, material, medium, range,
 };
 use crate::scene::{self, MaterialKind as SceneMaterial, Scene};
 use crate::settings::Settings;
@@ -57,18 +57,20 @@ pub fn prepare(
     materials
         .iter_mut()
         .for_each(|m| m.sigma = material::extinction_in(m.sigma, &space));
-    let lights = Lights::new(&placed, &materials, scene.background)?;
+    let surroundings = match &scene.surroundings {
+        Some(surroundings) => Surroundings::new(surroundings)?,
+        None => None,
+    };
+    let outside = outside(scene, surroundings.as_ref());
+    let lights = Lights::new(&placed, &materials, outside)?;
     let camera = camera(&scene.camera, &space, width, height);
     range::check_camera(&camera, scene.camera_line)?;
     range::check_materials(&materials)?;
     range::warn_of_narrow(&camera, scene.camera_line, &mut warnings);
     range::warn_of_small(&placed, &space, &mut warnings);
     range::enlarge(&mut placed);
-    range::warn_of_radiances(
-        &materials,
-        (scene.background, scene.background_line),
-        &mut warnings,
-    );
+    let largest = (surroundings.as_ref()).map_or(scene.background.max_element(), |s| s.largest);
+    range::warn_of_radiances(&materials, (largest, scene.background_line), &mut warnings);
     medium::warn_of_overlaps(&placed, &materials, &mut warnings);
     placed.primitives.coincident = coincide::coincidences(&placed, &materials);
     eye::warn_of_surface(camera.eye, &placed, &materials, &mut warnings);
@@ -83,7 +85,7 @@ pub fn prepare(
     let (eye_medium, light_media) = media(camera.eye, &placed, &materials, &lights.lights);
     let aims = super::aims::aims(&placed, &materials);
     let light_share = super::aims::light_share(&placed, &lights.lights, &aims);
-    let light_tree = LightTree::new(&placed, &lights.lights);
+    let light_tree = LightTree::new(&placed, &lights.lights, outside.mean);
     let mut shapes = placed.shapes;
     for (i, light) in lights.lights.iter().enumerate() {
         if light.shape != NONE {
@@ -103,11 +105,28 @@ pub fn prepare(
         aims,
         light_share,
         triangle_cdf: lights.triangle_cdf,
-        background: scene.background,
+        background: outside.mean,
+        surroundings,
         background_line: scene.background_line,
         eye_medium,
         warnings,
     })
+}
+
+/// Everything outside as a light.
+fn outside(scene: &Scene, surroundings: Option<&Surroundings>) -> Outside {
+    match surroundings {
+        Some(s) => Outside {
+            kind: LightKind::Surroundings,
+            radiance: DVec3::splat(s.scale),
+            mean: s.mean,
+        },
+        None => Outside {
+            kind: LightKind::Background,
+            radiance: scene.background,
+            mean: scene.background,
+        },
+    }
 }
 
 /// The scene's camera looks down −Z of its frame. `ry` is the tangent of half the vertical field of view, rx = ry·W/H.
@@ -125,14 +144,6 @@ fn camera(camera: &scene::Camera, space: &Space, width: u32, height: u32) -> Cam
 }
 
 impl Prepared {
-    /// About the most bytes of the host's memory that its triangles took or will take at once, from reading to rendering.
-    pub fn peak_bytes(&self) -> u64 {
-        let Primitives {
-            triangles, normals, ..
-        } = &self.primitives;
-        memory::peak(triangles.len() as u64, !normals.is_empty())
-    }
-
     /// Whether light travels through the inside of shapes of this material.
     pub fn is_transmissive(material: &Material) -> bool {
         matches!(

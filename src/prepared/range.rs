@@ -1,7 +1,5 @@
 //! What single precision cannot hold of a scene, or not resolve: refused, or warned of.
 
-use glam::DVec3;
-
 use super::placed::Placed;
 use super::{Camera, Material, PrepareError};
 use crate::shape::{Body, Space};
@@ -21,16 +19,15 @@ const LARGEST_RADIANCE: f64 = 79_228_162_514_264_337_593_543_950_336.0;
 /// Warns of emitters brighter than [`LARGEST_RADIANCE`]; of the background, whose line is 0 where none says so, with them.
 pub fn warn_of_radiances(
     materials: &[Material],
-    background: (DVec3, usize),
+    background: (f64, usize),
     warnings: &mut Vec<String>,
 ) {
-    let emitters = materials.iter().map(|m| (m.radiance, m.line));
+    let emitters = (materials.iter()).map(|m| (m.radiance.max_element(), m.line));
     for (radiance, line) in emitters.chain([background]) {
-        if radiance.max_element() > LARGEST_RADIANCE {
+        if radiance > LARGEST_RADIANCE {
             warnings.push(format!(
-                "line {line}: the radiance {:e} is above 2^96: 2^32 samples that bring so much add up to more than single \
+                "line {line}: the radiance {radiance:e} is above 2^96: 2^32 samples that bring so much add up to more than single \
                  precision holds, and those that do count as black",
-                radiance.max_element()
             ));
         }
     }

@@ -5,9 +5,8 @@ use super::light::emission::{
     mesh_emission, mesh_emission_pdf, no_emission, sphere_emission, sphere_emission_pdf,
 };
 use super::light::{
-    LightSample, background_light_pdf, background_light_sample, box_light_pdf, box_light_sample,
-    cylinder_light_pdf, cylinder_light_sample, mesh_light_pdf, mesh_light_sample, sphere_light_pdf,
-    sphere_light_sample,
+    LightSample, box_light_pdf, box_light_sample, cylinder_light_pdf, cylinder_light_sample,
+    mesh_light_pdf, mesh_light_sample, sphere_light_pdf, sphere_light_sample,
 };
 use super::math::{Real, Vec3};
 use super::shape::cover::Cover;
@@ -152,7 +151,7 @@ impl<F: Real> Primitives<F> {
         }
     }
 
-    /// A direction from `p` to a point of `light`; `cdf` has the choice among the triangles of every mesh.
+    /// A direction from `p` to a point of `light`, which is a shape; `cdf` has the choice among the triangles of every mesh.
     pub fn light_sample(
         &self,
         light: &Light<F>,
@@ -176,7 +175,7 @@ impl<F: Real> Primitives<F> {
                 let cdf = Self::part(cdf, light);
                 mesh_light_sample(p, &self.triangles, light.first, cdf, u24, u)
             }
-            LightKind::Background => background_light_sample(u),
+            LightKind::Background | LightKind::Surroundings => LightSample::none(),
         }
     }
 
@@ -203,7 +202,7 @@ impl<F: Real> Primitives<F> {
                 let cdf = Self::part(cdf, light);
                 mesh_emission(&self.triangles, light.first, cdf, u24, u)
             }
-            LightKind::Background => no_emission(),
+            LightKind::Background | LightKind::Surroundings => no_emission(),
         }
     }
 
@@ -232,7 +231,7 @@ impl<F: Real> Primitives<F> {
                 let cdf = Self::part(cdf, light);
                 mesh_emission_pdf(&self.triangles, light.first, cdf, prim, wi)
             }
-            LightKind::Background => F::zero(),
+            LightKind::Background | LightKind::Surroundings => F::zero(),
         }
     }
 
@@ -262,7 +261,7 @@ impl<F: Real> Primitives<F> {
                 let cdf = Self::part(cdf, light);
                 mesh_light_pdf(&self.triangles, light.first, cdf, prim, distance, cosine)
             }
-            LightKind::Background => background_light_pdf(),
+            LightKind::Background | LightKind::Surroundings => F::zero(),
         }
     }
 

@@ -4,8 +4,12 @@ use super::accel::Accel;
 use super::bsdf::Material;
 use super::camera::Camera;
 use super::light::emission::Emission;
+use super::light::surroundings::surroundings_radiance;
 use super::light::tree::LightNode;
-use super::light::{LightSample, cdf_choice, cdf_probability};
+use super::light::{
+    LightSample, Outside, Surroundings, background_light_sample, background_outside, cdf_choice,
+    cdf_probability, surroundings_light_sample, surroundings_outside,
+};
 use super::math::{Real, Vec3};
 pub use super::primitives::Light;
 use super::primitives::Primitives;
@@ -23,8 +27,10 @@ pub struct World<F> {
     pub primitives: Primitives<F>,
     pub materials: Vec<Material<F>>,
     pub lights: Vec<Light<F>>,
-    /// Index of the background among the lights, where it shines.
+    /// Index among the lights of everything outside, where it shines.
     pub background_light: Option<usize>,
+    /// Where a picture shows it.
+    pub surroundings: Option<Surroundings<F>>,
     /// Of each light, the material whose inside it stands in, or `NONE`.
     pub light_media: Vec<u32>,
     /// What light paths of bidirectional path tracing are aimed at.
@@ -56,7 +62,8 @@ impl<F: Real> World<F> {
             eye_medium: prepared.eye_medium,
             shapes: prepared.shapes.clone(),
             materials: materials.map(|m| Material::rounded(m, F::new)).collect(),
-            background_light: lights.clone().position(|l| l.kind == LightKind::Background),
+            background_light: lights.clone().position(|l| l.kind.is_outside()),
+            surroundings: prepared.surroundings.as_ref().map(Surroundings::new),
             lights: lights.map(|l| Light::rounded(l, F::new)).collect(),
             light_media: prepared.light_media.clone(),
             aims: (prepared.aims.iter())
@@ -124,7 +131,29 @@ impl<F: Real> World<F> {
     /// A direction from `p` to a point of `light`.
     pub fn light_sample(&self, light: usize, p: Vec3<F>, u24: u32, u: [F; 2]) -> LightSample<F> {
         let (light, cdf) = (&self.lights[light], &self.triangle_cdf);
-        self.primitives.light_sample(light, cdf, p, u24, u)
+        match (light.kind, &self.surroundings) {
+            (LightKind::Background, _) => background_light_sample(u),
+            (LightKind::Surroundings, Some(s)) => surroundings_light_sample(s, u),
+            _ => self.primitives.light_sample(light, cdf, p, u24, u),
+        }
+    }
+
+    /// Radiance of `light` at a point of primitive `prim`, or of the texel `prim` of surroundings.
+    pub fn light_radiance(&self, light: usize, prim: u32) -> Vec3<F> {
+        let Light { kind, radiance, .. } = self.lights[light];
+        match (kind, &self.surroundings) {
+            (LightKind::Surroundings, Some(s)) => radiance * surroundings_radiance(s, prim),
+            _ => radiance,
+        }
+    }
+
+    /// What is seen along `wi` of `light`, which is everything outside.
+    pub fn outside_seen(&self, light: usize, wi: Vec3<F>) -> Outside<F> {
+        let radiance = self.lights[light].radiance;
+        match &self.surroundings {
+            Some(s) => surroundings_outside(s, radiance, wi),
+            None => background_outside(radiance),
+        }
     }
 
     /// A point of `light`, uniform over its area.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use glam::DVec3;
 
 use super::log::Log;
+use super::surroundings::Outside;
 use super::text::Token;
 use super::{
     Brdf, Camera, Errors, Geometry, Material, MaterialKind, Read, Scene, Screen, Shape, WordLines,
@@ -12,7 +13,7 @@ use super::{
 use crate::settings::{Distribution, Fresnel};
 
 /// A command that counts once: unseen, seen on a line but wrong, or set there.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Once<T> {
     Unseen,
     Wrong,
@@ -42,7 +43,7 @@ pub(super) struct Builder {
     /// With its line.
     pub camera: Once<(Camera, usize)>,
     /// With its line.
-    pub background: Once<(DVec3, usize)>,
+    pub background: Once<(Outside, usize)>,
     /// For the materials that follow.
     pub distribution: Option<Distribution>,
     /// For the materials that follow.
@@ -55,6 +56,10 @@ pub(super) struct Builder {
     taken: Option<usize>,
     materials: Vec<Material>,
     shapes: Vec<Shape>,
+    /// The shapes that follow may carry surroundings.
+    expects_carrier: bool,
+    /// Spheres that do if the eye is in them: indices of shapes.
+    carriers: Vec<usize>,
 }
 
 impl Builder {
@@ -73,6 +78,8 @@ impl Builder {
             taken: None,
             materials: Vec::new(),
             shapes: Vec::new(),
+            expects_carrier: false,
+            carriers: Vec::new(),
         }
     }
 
@@ -89,6 +96,12 @@ impl Builder {
             kind,
         };
         self.taken = None;
+        self.expects_carrier = false;
+    }
+
+    /// Until the next material a sphere about the eye carries surroundings, and is no shape.
+    pub fn expect_carrier(&mut self) {
+        self.expects_carrier = true;
     }
 
     /// Adds a shape of the current material. Materials that no shape takes are not kept.
@@ -97,6 +110,9 @@ impl Builder {
             self.materials.push(self.material.clone());
             self.materials.len() - 1
         });
+        if self.expects_carrier && matches!(geometry, Geometry::Sphere { .. }) {
+            self.carriers.push(self.shapes.len());
+        }
         self.shapes.push(Shape {
             line,
             material,
@@ -108,9 +124,13 @@ impl Builder {
     pub fn finish(mut self, text: String, strict: bool) -> Result<Read, Errors> {
         self.required(self.screen.is_unseen(), "screen W H");
         self.required(self.camera.is_unseen(), "camera ex ey ez  ry  ORIENTATION");
-        let (background, background_line) = match self.background {
-            Once::Set(background) => background,
-            Once::Unseen | Once::Wrong => (DVec3::ZERO, 0),
+        if let Once::Set((camera, _)) = self.camera {
+            self.take_carriers(camera.eye);
+        }
+        let (background, surroundings, background_line) = match self.background {
+            Once::Set((Outside::Constant(radiance), line)) => (radiance, None, line),
+            Once::Set((Outside::Picture(picture), line)) => (DVec3::ZERO, Some(picture), line),
+            Once::Unseen | Once::Wrong => (DVec3::ZERO, None, 0),
         };
         let scene = match (self.screen, self.camera) {
             (Once::Set(screen), Once::Set((camera, camera_line))) => Some(Scene {
@@ -119,6 +139,7 @@ impl Builder {
                 camera,
                 camera_line,
                 background,
+                surroundings,
                 background_line,
                 materials: self.materials,
                 shapes: self.shapes,
@@ -131,6 +152,16 @@ impl Builder {
             warnings,
             text,
         })
+    }
+
+    /// Takes away the spheres that carry surroundings about `eye`.
+    fn take_carriers(&mut self, eye: DVec3) {
+        let holds_eye = |shape: &Shape| matches!(shape.geometry, Geometry::Sphere { centre, radius } if eye.distance(centre) < radius);
+        for index in std::mem::take(&mut self.carriers).into_iter().rev() {
+            if holds_eye(&self.shapes[index]) {
+                self.shapes.remove(index);
+            }
+        }
     }
 
     /// An error if the command that `usage` begins with is not there.

@@ -3,7 +3,7 @@
 use super::arguments::Arguments;
 use super::builder::Builder;
 use super::text::{Line, Token, shorten};
-use super::{camera, foreign, material, shape, view};
+use super::{camera, foreign, material, shape, surroundings, view};
 
 struct Command {
     word: &'static str,
@@ -11,7 +11,7 @@ struct Command {
     read: fn(&mut Builder, &mut Arguments),
 }
 
-const COMMANDS: [Command; 12] = [
+const COMMANDS: [Command; 13] = [
     Command {
         word: "screen",
         usage: "screen W H",
@@ -29,8 +29,13 @@ const COMMANDS: [Command; 12] = [
     },
     Command {
         word: "background",
-        usage: "background r g b",
-        read: view::background,
+        usage: "background r g b  or  background FILE [SCALE] ORIENTATION",
+        read: surroundings::background,
+    },
+    Command {
+        word: "ibl",
+        usage: "ibl FILE [SCALE] ORIENTATION",
+        read: surroundings::ibl,
     },
     Command {
         word: "brdf",

@@ -12,7 +12,6 @@ type Row = (&'static [&'static str], &'static str, &'static str);
 const ROWS: [Row; 8] = [
     (
         &[
-            "ibl",
             "skydome",
             "skybox",
             "sky",
@@ -23,7 +22,7 @@ const ROWS: [Row; 8] = [
             "env",
         ],
         "the picture lacks these surroundings and their light",
-        "`background r g b` gives light from all around",
+        "`background FILE` has a picture all around, `background r g b` constant light",
     ),
     (
         &["passes", "pass", "samples", "spp", "iterations"],

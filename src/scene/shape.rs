@@ -3,8 +3,8 @@
 use super::arguments::Arguments;
 use super::builder::Builder;
 use super::field::{any, not_zero, positive, vector};
-use super::mesh::{MeshError, read_mesh};
-use super::mesh_path::{MeshPath, mesh_path, similar};
+use super::file_path::{FilePath, file_path, similar};
+use super::mesh::{MeshError, is_mesh_name, read_mesh};
 use super::orientation::orientation;
 use super::{Geometry, Mesh};
 
@@ -71,7 +71,8 @@ pub(super) fn cylinder(builder: &mut Builder, arguments: &mut Arguments) {
 /// `mesh FILE  tx ty tz  s  ORIENTATION`
 pub(super) fn mesh(builder: &mut Builder, arguments: &mut Arguments) {
     let folder = builder.folder().to_owned();
-    let Some(MeshPath { path, place }) = mesh_path(&folder, arguments, &mut builder.log) else {
+    let named = file_path(&folder, arguments, &mut builder.log, is_mesh_name);
+    let Some(FilePath { path, place }) = named else {
         return;
     };
     let read = read_mesh(&path);
@@ -82,12 +83,16 @@ pub(super) fn mesh(builder: &mut Builder, arguments: &mut Arguments) {
             let error = log.error(place, format!("{}: {reason}", path.display()), "");
             if matches!(reason, MeshError::Missing) {
                 let is_utf_8 = !path.to_string_lossy().contains(char::REPLACEMENT_CHARACTER);
-                error.help(match similar(&folder, &path).filter(|_| is_utf_8) {
-                    Some(name) => format!("did you mean `{name}`?"),
-                    None if is_utf_8 => LOOKED_FOR.to_owned(),
-                    None => "the name is not UTF-8: save the scene as UTF-8, or rename the mesh"
-                        .to_owned(),
-                });
+                error.help(
+                    match similar(&folder, &path, is_mesh_name).filter(|_| is_utf_8) {
+                        Some(name) => format!("did you mean `{name}`?"),
+                        None if is_utf_8 => LOOKED_FOR.to_owned(),
+                        None => {
+                            "the name is not UTF-8: save the scene as UTF-8, or rename the mesh"
+                                .to_owned()
+                        }
+                    },
+                );
             }
         }
         Ok(mesh) => {

@@ -1,9 +1,11 @@
 //! A scene as its file has it: names and units of the file, in f64.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
+use crate::film::Film;
 use crate::settings::{Distribution, Fresnel};
 
 /// A scene file, read and checked.
@@ -14,13 +16,28 @@ pub struct Scene {
     pub camera: Camera,
     /// The line that says so.
     pub camera_line: usize,
-    /// Radiance of everything outside.
+    /// Radiance of everything outside; black beside surroundings.
     pub background: DVec3,
+    /// A picture of it.
+    pub surroundings: Option<Surroundings>,
     /// The line that says so, 0 where none does.
     pub background_line: usize,
     pub materials: Vec<Material>,
     /// In file order.
     pub shapes: Vec<Shape>,
+}
+
+/// Everything outside as a picture shows it, in equal steps of both angles: its upper edge is seen along the +Z of its frame,
+/// its middle along +X, and +Y a quarter of its width to the left.
+#[derive(Clone, Debug)]
+pub struct Surroundings {
+    pub path: PathBuf,
+    /// Radiances, none negative.
+    pub picture: Arc<Film>,
+    /// They are multiplied by it.
+    pub scale: f64,
+    /// The frame in the world.
+    pub rotate: DQuat,
 }
 
 /// Picture size in pixels.

@@ -1,9 +1,9 @@
-//! What is seen, and what lies behind it: `screen`, `background`.
+//! The size of the picture: `screen`.
 
 use super::Screen;
 use super::arguments::Arguments;
 use super::builder::Builder;
-use super::field::{Number, RADIANCE, any, vector};
+use super::field::{Number, any};
 use super::log::Log;
 
 /// Longest side of a picture, in pixels.
@@ -36,16 +36,4 @@ fn side(log: &mut Log, number: Number, what: &str) -> Option<u32> {
     };
     log.error(number.place, wrong, "");
     None
-}
-
-/// `background r g b`
-pub(super) fn background(builder: &mut Builder, arguments: &mut Arguments) {
-    let log = &mut builder.log;
-    let radiance = arguments.numbers(log, RADIANCE);
-    let line = arguments.command().place.line;
-    builder.background.set(
-        radiance.map(|radiance| (vector(&radiance), line)),
-        arguments.command(),
-        log,
-    );
 }

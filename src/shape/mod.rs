@@ -51,20 +51,26 @@ macro_rules! kinds {
             }
         }
 
-        /// What a light is: a shape of this kind, or everything outside.
+        /// What a light is: a shape of this kind, or everything outside, of constant radiance or as a picture has it.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[repr(u32)]
-        pub enum LightKind { $($kind,)* Background }
+        pub enum LightKind { $($kind,)* Background, Surroundings }
 
         impl LightKind {
-            pub const EVERY: [Self; 1 + ShapeKind::EVERY.len()] = [$(Self::$kind,)* Self::Background];
+            pub const EVERY: [Self; 2 + ShapeKind::EVERY.len()] =
+                [$(Self::$kind,)* Self::Background, Self::Surroundings];
 
             /// The kind of the shape that shines.
             pub fn shape(self) -> Option<ShapeKind> {
                 match self {
                     $(Self::$kind => Some(ShapeKind::$kind),)*
-                    Self::Background => None,
+                    Self::Background | Self::Surroundings => None,
                 }
+            }
+
+            /// Whether it is everything outside.
+            pub fn is_outside(self) -> bool {
+                self.shape().is_none()
             }
         }
 

@@ -17,6 +17,7 @@ pub mod scenes;
 pub mod settings;
 pub mod spirv_tools;
 pub mod stats;
+pub mod surroundings;
 pub mod table;
 
 use std::sync::OnceLock;

@@ -173,3 +173,13 @@ distribution ggx
 brdf 0 0 0 .04 .04 .04 .6 .9 .95 .9 1.5
 box -2.5 -2.5 -2 5 5 4.5
 ";
+
+/// Diffuse, glossy and clear, under a picture that is turned, beside a light.
+pub fn surroundings(picture: &Path) -> String {
+    format!(
+        "screen 32 24\ncamera 0 -6 2 .35 x 75\nbackground {} .7 z 40 x 15\nlight 3 2 1\nsphere 3 0 4 .5\n\
+         brdf .5 .4 .3 0 0 0 1\nbox -5 -5 -.1 10 10 .1\nbrdf .2 .2 .2 .4 .3 .2 .2\nsphere -.9 0 .8 .8\n\
+         brdf 0 0 0 .04 .04 .04 .3 .9 1 .8 1.5\nbox .2 -.4 .01 1.2 1.2 1.2\n",
+        picture.display()
+    )
+}

@@ -16,7 +16,7 @@ const ALPHA: f64 = 1e-3;
 /// Rounding of a sum of products in f32, for means that have no variance.
 const ROUNDING: f64 = 1e-5;
 
-fn targets() -> Vec<Target> {
+pub fn targets() -> Vec<Target> {
     let mut targets = vec![Target::CpuF64];
     if common::device().is_some() {
         targets.push(Target::Vulkan(common::selector()));
@@ -25,19 +25,19 @@ fn targets() -> Vec<Target> {
 }
 
 /// A picture with a known mean.
-struct Case {
-    name: String,
-    scene: String,
-    settings: Settings,
-    spp: u32,
-    expected: Rgb,
+pub struct Case {
+    pub name: String,
+    pub scene: String,
+    pub settings: Settings,
+    pub spp: u32,
+    pub expected: Rgb,
     /// The most that one path brings: of light that is found in two ways, by both together.
-    most: f64,
+    pub most: f64,
     /// 1: all pixels show the same thing, each is a sample. More: the mean of each seed's picture is a sample.
-    seeds: u32,
+    pub seeds: u32,
 }
 
-type Rgb = [f64; 3];
+pub type Rgb = [f64; 3];
 
 impl Case {
     /// Of all pixels and seeds together.
@@ -63,7 +63,7 @@ fn samples(case: &Case, target: &Target) -> [Vec<f64>; 3] {
 
 /// Every case on every target. Each must fail with its expectation 1 % off, or, where so few paths cannot tell 1 %, by
 /// what they can tell.
-fn check(cases: &[Case]) {
+pub fn check(cases: &[Case]) {
     let level = sidak(ALPHA, 3 * cases.len() * targets().len());
     for target in targets() {
         for case in cases {

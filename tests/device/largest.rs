@@ -176,6 +176,7 @@ fn the_device_has_that_of_the_reference_whatever_tiles_and_dispatches() {
                 tile_pixels,
                 budget,
                 read_first: true,
+                storage_buffer: 1 << 27,
                 dispatch_time: DISPATCH_TIME,
             };
             assert_eq!(of(on_device_within(&job, limits)), reference, "{limits:?}");

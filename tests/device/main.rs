@@ -26,6 +26,7 @@ mod same_bits;
 mod scene_kernels;
 mod several;
 mod standard_errors;
+mod surroundings;
 mod trace;
 mod twins;
 mod while_rendering;

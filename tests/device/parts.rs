@@ -41,6 +41,7 @@ fn sums_of_many_blocks_are_those_of_the_reference() {
                 tile_pixels,
                 budget: 500,
                 read_first: true,
+                storage_buffer: 1 << 27,
                 dispatch_time,
             };
             let made = on_device_within(&job, limits).expect("the same device");

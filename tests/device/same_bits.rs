@@ -11,8 +11,11 @@ use vkpt::settings::Settings;
 use crate::common::render::{
     difference, job, on_device, on_device_within, outcome, prepared, prepared_file,
 };
-use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE, flush_meshes, scene_files};
+use crate::common::scenes::{
+    FLUSH, MANY, SMOOTH, TABLE, WIDE, flush_meshes, scene_files, surroundings,
+};
 use crate::common::settings::{estimators, models};
+use crate::common::surroundings::uneven_sky;
 use crate::common::{self, cpu_driver};
 
 pub fn same(a: &Film, b: &Film, what: &str) {
@@ -109,6 +112,7 @@ pub fn limits_leave_no_trace(settings: Settings, spp: u32) {
             tile_pixels,
             budget,
             read_first,
+            storage_buffer: 1 << 27,
             dispatch_time: DISPATCH_TIME,
         };
         let other = on_device_within(&job, limits).expect("the same device");
@@ -178,11 +182,14 @@ fn the_device_equals_the_reference_with_each_setting() {
         return;
     }
     let all = [("the default", Settings::default())];
+    let sky = uneven_sky();
     for (name, settings) in all.into_iter().chain(estimators()).chain(models()) {
         let scene = prepared(WIDE, &settings);
         device_equals_reference(&job(&scene, settings, 8, 1), name);
-        let scene = prepared(MANY, &settings);
-        device_equals_reference(&job(&scene, settings, 4, 1), name);
+        for text in [MANY, &surroundings(sky.path())] {
+            let scene = prepared(text, &settings);
+            device_equals_reference(&job(&scene, settings, 4, 1), name);
+        }
     }
     let (square, cube) = (common::meshes::square(), common::meshes::cube());
     let meshes = flush_meshes(square.path(), cube.path());

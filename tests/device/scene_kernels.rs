@@ -73,6 +73,7 @@ fn the_validation_layer_is_silent() {
             tile_pixels: 100,
             budget: 20,
             read_first: false,
+            storage_buffer: 1 << 27,
             dispatch_time: DISPATCH_TIME,
         },
     ];

@@ -118,6 +118,7 @@ fn crop_and_limits_leave_no_trace(settings: Settings) {
             tile_pixels,
             budget,
             read_first: true,
+            storage_buffer: 1 << 27,
             dispatch_time: DISPATCH_TIME,
         };
         let other = on_device_within(&whole, limits).expect("the same device");

@@ -1,4 +1,4 @@
-//! What tells one scene from another, its meshes included.
+//! What tells one scene from another, the files that it names included.
 
 use std::fs::File;
 use std::io;
@@ -6,7 +6,8 @@ use std::path::Path;
 
 use crate::scene::{Geometry, Scene};
 
-/// A digest of the scene's text and of the bytes of all its meshes, in hexadecimal: BLAKE3 of their digests, in order.
+/// A digest of the scene's text and of the bytes of all its meshes and of its surroundings, in hexadecimal: BLAKE3 of their
+/// digests, in order.
 pub fn digest(text: &str, scene: &Scene) -> io::Result<String> {
     let mut all = blake3::Hasher::new();
     all.update(blake3::hash(text.as_bytes()).as_bytes());
@@ -16,6 +17,9 @@ pub fn digest(text: &str, scene: &Scene) -> io::Result<String> {
                 all.update(of_file(path)?.as_bytes());
             }
         }
+    }
+    if let Some(surroundings) = &scene.surroundings {
+        all.update(of_file(&surroundings.path)?.as_bytes());
     }
     Ok(all.finalize().to_hex().to_string())
 }

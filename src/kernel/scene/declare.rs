@@ -4,7 +4,7 @@ use super::integrator::Own;
 use super::{Parameters, Recording, SPLATS};
 use crate::features::{Features, LightPick};
 use crate::layout::{self, BufferUse, GpuStruct, constants};
-use crate::prepared::device;
+use crate::prepared::{LightKind, device};
 use crate::settings::{Integrator, Roulette};
 
 /// What an array is made of.
@@ -148,6 +148,10 @@ fn structs(features: &Features) -> String {
     }
     if !features.lights.is_empty() {
         text += &device::Light::glsl();
+    }
+    if features.lights.contains(&LightKind::Surroundings) {
+        text += &device::Surroundings::glsl();
+        text += &device::SurroundingsRow::glsl();
     }
     if features.aims {
         text += &device::Aim::glsl();

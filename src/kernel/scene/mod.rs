@@ -21,7 +21,7 @@ pub struct Parameters<'a> {
     pub bindings: &'a [Binding],
     /// Entries of the hierarchy's traversal stack, and the largest coordinate in it.
     pub bvh: Option<(u32, f32)>,
-    /// Index of the background among the lights, where it shines.
+    /// Index among the lights of everything outside, where it shines.
     pub background_light: Option<u32>,
     pub recording: Recording,
     /// Read what is tried one by one before any branch, as CPU drivers want it; no bit depends on it.
@@ -266,10 +266,10 @@ fn files(
         ),
         (
             "background",
-            match (both, features.lights.contains(&LightKind::Background)) {
-                (false, true) => "integrator/path/background/constant",
+            match (both, features.lights.iter().any(|l| l.is_outside())) {
+                (false, true) => "integrator/path/background/shining",
                 (false, false) => "integrator/path/background/black",
-                (true, true) => "integrator/bidirectional/background/constant",
+                (true, true) => "integrator/bidirectional/background/shining",
                 (true, false) => "integrator/bidirectional/background/black",
             },
         ),
@@ -360,5 +360,5 @@ fn recorder(integrator: Integrator, side: Side, recording: Recording) -> &'stati
 
 /// Whether a shape is among the lights.
 fn shine(lights: &BTreeSet<LightKind>) -> bool {
-    lights.iter().any(|&l| l != LightKind::Background)
+    lights.iter().any(|l| !l.is_outside())
 }

@@ -6,3 +6,5 @@ pub mod light;
 pub mod light_node;
 pub mod material;
 pub mod shape;
+pub mod surroundings;
+pub mod surroundings_row;

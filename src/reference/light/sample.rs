@@ -1,5 +1,6 @@
 //! What a light sampler returns; twin of `shaders/light/sample.glsl`.
 
+use crate::prepared::NONE;
 use crate::reference::math::{Real, Vec3, dot3, length3, vec3};
 
 /// A direction to a point of a light.
@@ -14,8 +15,21 @@ pub struct LightSample<F> {
     /// |N_L·wi| at the point.
     pub cosine: F,
     /// The face that the point is on, as in [`Hit::prim`](crate::reference::shape::Hit::prim): with the light's shape, what
-    /// a shadow ray leads to.
+    /// a shadow ray leads to. Of surroundings the texel.
     pub prim: u32,
+}
+
+impl<F: Real> LightSample<F> {
+    /// No sample.
+    pub fn none() -> Self {
+        Self {
+            wi: Vec3::zero(),
+            distance: -F::one(),
+            pdf: F::zero(),
+            cosine: F::one(),
+            prim: NONE,
+        }
+    }
 }
 
 /// 1/area; 0 where there is none.

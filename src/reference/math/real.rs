@@ -63,6 +63,8 @@ pub trait Real:
     fn is_infinite(self) -> bool;
     /// (sin 2πu, cos 2πu) for u in [0, 1], exact at multiples of 1/4.
     fn sincos_2pi(u: Self) -> (Self, Self);
+    /// The angle of (x, y) from the x axis, in turns, from −1/2 to 1/2: 0 at the origin.
+    fn turns(y: Self, x: Self) -> Self;
     /// eˣ
     fn exp(x: Self) -> Self;
     /// eˣ − 1, accurate near 0.
@@ -128,6 +130,9 @@ impl Real for f32 {
     fn sincos_2pi(u: Self) -> (Self, Self) {
         elementary::sincos_2pi(u)
     }
+    fn turns(y: Self, x: Self) -> Self {
+        elementary::turns(y, x)
+    }
     fn exp(x: Self) -> Self {
         elementary::exp(x)
     }
@@ -159,6 +164,9 @@ impl Real for f64 {
         let (k, r) = elementary::quadrant(u);
         let (sin_r, cos_r) = (r * std::f64::consts::FRAC_PI_2).sin_cos();
         elementary::rotate_by_quadrant(k, sin_r, cos_r)
+    }
+    fn turns(y: Self, x: Self) -> Self {
+        y.atan2(x) / std::f64::consts::TAU
     }
     fn exp(x: Self) -> Self {
         f64::exp(x)

@@ -55,10 +55,28 @@ pub fn light_media(prepared: &Prepared, features: &Features) -> Vec<u32> {
 
 /// Index of the background among [`lights`]: the scene's, or the one that is not there.
 pub fn background_light(prepared: &Prepared, features: &Features) -> Option<u32> {
-    let own = prepared.lights.iter().position(is_background);
+    let own = prepared.lights.iter().position(is_outside);
     let dark = looks_for_more(prepared, features).then_some(prepared.lights.len());
     own.or(dark).map(|i| i as u32)
 }
+
+/// Surroundings, where the scene has none: a black picture of one texel.
+pub const BLACK_TEXEL: device::Surroundings = device::Surroundings {
+    x: [1.0, 0.0, 0.0],
+    width: 1,
+    y: [0.0, 1.0, 0.0],
+    height: 1,
+    z: [0.0, 0.0, 1.0],
+    pad0: 0,
+};
+
+/// The row of [`BLACK_TEXEL`].
+pub const BLACK_ROW: device::SurroundingsRow = device::SurroundingsRow {
+    top: 0.0,
+    bottom: 1.0,
+    pdf: 0.0,
+    end: 0,
+};
 
 /// The corners' shading normals: zeros, as for a mesh that gives none, where no mesh gives any.
 pub fn normals(prepared: &Prepared) -> Vec<[[f32; 3]; 3]> {
@@ -91,11 +109,11 @@ const DARK: device::Light = device::Light {
 
 /// Whether the kernel has a use for lights, or for a background, that the scene lacks.
 fn looks_for_more(prepared: &Prepared, features: &Features) -> bool {
-    let background = features.lights.contains(&LightKind::Background)
-        && !prepared.lights.iter().any(is_background);
+    let outside = features.lights.iter().any(|kind| kind.is_outside());
+    let background = outside && !prepared.lights.iter().any(is_outside);
     background || (prepared.lights.is_empty() && !features.lights.is_empty())
 }
 
-fn is_background(light: &Light) -> bool {
-    light.kind == LightKind::Background
+fn is_outside(light: &Light) -> bool {
+    light.kind.is_outside()
 }

@@ -8,6 +8,8 @@ use crate::layout::PathState;
 pub struct PlanLimits {
     /// The most bytes in a uniform buffer.
     pub uniform_buffer: u64,
+    /// The most bytes in a storage buffer.
+    pub storage_buffer: u64,
     /// Pixels under way at once.
     pub tile_pixels: u32,
     /// Whether threads read before any branch what they try one by one
@@ -20,6 +22,7 @@ impl PlanLimits {
     pub fn of(device: &Device) -> Self {
         Self {
             uniform_buffer: device.limits().uniform_buffer,
+            storage_buffer: device.limits().storage_buffer,
             tile_pixels: tile_pixels(device),
             // A GPU would run out of scalar registers.
             read_first: device.info().kind == DeviceKind::Cpu,
@@ -31,6 +34,7 @@ impl Default for PlanLimits {
     fn default() -> Self {
         Self {
             uniform_buffer: 1 << 16,
+            storage_buffer: 1 << 27,
             tile_pixels: 1 << 20,
             read_first: false,
         }

@@ -13,12 +13,50 @@ use crate::flat::bvh::Bvh;
 use crate::flat::{self, bvh};
 use crate::kernel::scene::{Binding, Element, Parameters, Recording};
 use crate::layout::{BufferUse, Records};
-use crate::prepared::{LightKind, Prepared, ShapeKind};
+use crate::prepared::{LightKind, Prepared, ShapeKind, Surroundings};
 use crate::render::Job;
 use crate::settings::Integrator;
 
 /// The array that holds the camera, and the seed with it.
 pub const CAMERA: &str = "camera";
+
+/// The parts of surroundings' arrays: of the counts of texels, and of their values.
+const ENDS: [&str; 8] = [
+    "surroundings_ends_0",
+    "surroundings_ends_1",
+    "surroundings_ends_2",
+    "surroundings_ends_3",
+    "surroundings_ends_4",
+    "surroundings_ends_5",
+    "surroundings_ends_6",
+    "surroundings_ends_7",
+];
+const VALUES: [&str; 24] = [
+    "surroundings_values_0",
+    "surroundings_values_1",
+    "surroundings_values_2",
+    "surroundings_values_3",
+    "surroundings_values_4",
+    "surroundings_values_5",
+    "surroundings_values_6",
+    "surroundings_values_7",
+    "surroundings_values_8",
+    "surroundings_values_9",
+    "surroundings_values_10",
+    "surroundings_values_11",
+    "surroundings_values_12",
+    "surroundings_values_13",
+    "surroundings_values_14",
+    "surroundings_values_15",
+    "surroundings_values_16",
+    "surroundings_values_17",
+    "surroundings_values_18",
+    "surroundings_values_19",
+    "surroundings_values_20",
+    "surroundings_values_21",
+    "surroundings_values_22",
+    "surroundings_values_23",
+];
 
 /// The arrays of one scene, in the order of their bindings, and its hierarchy.
 pub struct ScenePlan<'a> {
@@ -46,7 +84,7 @@ impl<'a> ScenePlan<'a> {
     ) -> Self {
         let mut all = Arrays {
             all: Vec::new(),
-            uniform_buffer: limits.uniform_buffer,
+            limits,
         };
         all.scene(job.prepared, job.seed);
         all.primitives(job.prepared, features);
@@ -103,7 +141,7 @@ impl<'a> ScenePlan<'a> {
 /// The arrays so far.
 struct Arrays<'a> {
     all: Vec<SceneArray<'a>>,
-    uniform_buffer: u64,
+    limits: PlanLimits,
 }
 
 impl<'a> Arrays<'a> {
@@ -159,14 +197,42 @@ impl<'a> Arrays<'a> {
         if features.aims {
             self.records("aims", &prepared.aims);
         }
+        if features.lights.contains(&LightKind::Surroundings) {
+            self.surroundings(prepared.surroundings.as_ref());
+        }
         if features.lights.contains(&LightKind::Mesh) {
             self.lent("triangle_cdf", Element::Uint, &prepared.triangle_cdf);
         }
     }
 
+    fn surroundings(&mut self, surroundings: Option<&'a Surroundings>) {
+        let Some(s) = surroundings else {
+            self.records("surroundings", vec![absent::BLACK_TEXEL]);
+            self.records("surroundings_rows", vec![absent::BLACK_ROW]);
+            self.lent(ENDS[0], Element::Uint, &[0_u32]);
+            self.lent(VALUES[0], Element::Float, &[0.0_f32; 3]);
+            return;
+        };
+        self.records("surroundings", vec![flat::surroundings(s)]);
+        self.records("surroundings_rows", &s.rows);
+        self.parts(&ENDS, Element::Uint, &s.ends);
+        self.parts(&VALUES, Element::Float, s.picture.rgb.as_flattened());
+    }
+
+    /// An array in as few parts as the device's buffers allow, each of a power of two of words but the last.
+    fn parts<T: NoUninit>(&mut self, names: &[&'static str], element: Element, words: &'a [T]) {
+        let most = (self.limits.storage_buffer / 4).max(1).ilog2();
+        for (name, part) in names.iter().zip(words.chunks(1 << most)) {
+            self.lent(name, element, part);
+        }
+    }
+
     fn records(&mut self, name: &'static str, records: impl Records + 'a) {
-        self.all
-            .push(SceneArray::records(name, records, self.uniform_buffer));
+        self.all.push(SceneArray::records(
+            name,
+            records,
+            self.limits.uniform_buffer,
+        ));
     }
 
     fn words<T: NoUninit>(

@@ -4,7 +4,6 @@ use crate::reference::camera::eye_sample;
 use crate::reference::integrator::bidirectional::aim::aimed_density;
 use crate::reference::integrator::bidirectional::bend::reverse_pdf;
 use crate::reference::integrator::path::pick::{pick_normal, pick_probability};
-use crate::reference::light::background_light_pdf;
 use crate::reference::math::{Real, Vec3, dot3, length3};
 use crate::reference::path::vertex::Vertex;
 use crate::reference::world::World;
@@ -106,7 +105,7 @@ fn source<F: Real>(world: &World<F>, settings: &Settings, last: &Bounce<F>, end:
         End::Background { light } => Source {
             distance: 1.0,
             cosine: 1.0,
-            connection: (expected(light) * background_light_pdf()).f64(),
+            connection: (expected(light) * world.outside_seen(light, last.wi).pdf).f64(),
             start: 0.0,
             leaving: 0.0,
         },

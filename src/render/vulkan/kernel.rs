@@ -29,7 +29,7 @@ impl<'a> Kernel<'a> {
         device: &'a Device,
         features: &Features,
         recording: Recording,
-        read_first: bool,
+        limits: PlanLimits,
         state: &StatePlan,
     ) -> Result<Self, RenderError> {
         let mut costs = Costs::default();
@@ -37,10 +37,6 @@ impl<'a> Kernel<'a> {
         let bvh = hierarchy(job.prepared, features);
         costs.set_up.hierarchy = start.elapsed().as_secs_f64();
         let start = Instant::now();
-        let limits = PlanLimits {
-            read_first,
-            ..PlanLimits::of(device)
-        };
         let plan = ScenePlan::new(job, features, bvh.as_ref(), limits);
         let composed = composed(&plan, features, recording)?;
         let spirv: Vec<_> = (composed.iter())

@@ -126,7 +126,14 @@ impl<'a> LightRun<'a> {
             true => StatePlan::Bidirectional(light, eye),
             false => StatePlan::Light(light),
         };
-        let mut kernel = Kernel::new(job, device, features, recording, limits.read_first, &state)?;
+        let mut kernel = Kernel::new(
+            job,
+            device,
+            features,
+            recording,
+            limits.plan(device),
+            &state,
+        )?;
         let light = LightPaths::new(device, &light, &mut kernel)?;
         let eye = both
             .then(|| EyePaths::new(device, &eye, &mut kernel))

@@ -19,6 +19,8 @@ pub struct DispatchLimits {
     /// Each thread reads primitives that are tried one by one before any branch, as CPU drivers want it
     /// (`kernel/scene/generate/written_out.rs`).
     pub read_first: bool,
+    /// Bytes of a buffer, at most: what may lie in several (`render/plan/scene.rs`) does where it is larger.
+    pub storage_buffer: u64,
     /// What a dispatch should take.
     pub dispatch_time: Duration,
 }
@@ -34,8 +36,18 @@ impl DispatchLimits {
             tile_pixels: plan.tile_pixels,
             budget: budget(device)?,
             read_first: plan.read_first,
+            storage_buffer: plan.storage_buffer,
             dispatch_time: DISPATCH_TIME,
         })
+    }
+
+    /// What a plan depends on of them, and of the device.
+    pub(super) fn plan(self, device: &Device) -> PlanLimits {
+        PlanLimits {
+            read_first: self.read_first,
+            storage_buffer: self.storage_buffer,
+            ..PlanLimits::of(device)
+        }
     }
 
     /// A quarter of all that a dispatch takes on.

@@ -110,9 +110,9 @@ impl<'a> PathRun<'a> {
         let tiles = thread_tiles(job, limits.tile_pixels);
         let largest = tiles.iter().map(Tile::pixels).max().unwrap_or(1);
         let plan = PathPlan::new(features, largest, recording);
-        let read_first = limits.read_first;
+        let plan_limits = limits.plan(device);
         let state = StatePlan::Path(plan);
-        let mut kernel = Kernel::new(job, device, features, recording, read_first, &state)?;
+        let mut kernel = Kernel::new(job, device, features, recording, plan_limits, &state)?;
         let start = Instant::now();
         let film = DeviceFilm::new(device, &plan)?;
         let recorded = plan.recorded.map(|r| buffer(device, &r)).transpose()?;

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use serde_json::Value;
-use vkpt::prepared::triangles_and_peak;
+use vkpt::prepared::Footprint;
 use vkpt::scene::parse;
 
 use super::program::{folder, run};
@@ -23,8 +23,9 @@ fn the_peak_is_about_what_is_said_beforehand() {
         let file = ply::bytes(&mesh, normals.as_deref());
         fs::write(folder.path().join("blob.ply"), file).expect("a mesh");
         let read = parse(SCENE, &folder.path().join("scene.scn"), false).expect("a good scene");
-        let (triangles, said) = triangles_and_peak(&read.scene);
-        assert_eq!(triangles, 302_580);
+        let footprint = Footprint::of(&read.scene);
+        let said = footprint.peak();
+        assert_eq!(footprint.triangles, 302_580);
         let render = [
             "scene.scn",
             "--spp",

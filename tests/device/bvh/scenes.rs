@@ -37,6 +37,7 @@ impl Builder {
             light_tree: Default::default(),
             triangle_cdf: Vec::new(),
             background: DVec3::ZERO,
+            surroundings: None,
             background_line: 0,
             eye_medium: NONE,
             warnings: Vec::new(),

@@ -5,7 +5,8 @@ use vkpt::settings::Settings;
 
 use crate::common::meshes::{cube, ply, square};
 use crate::common::render::prepared;
-use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE, flush_meshes};
+use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE, flush_meshes, surroundings};
+use crate::common::surroundings::uneven_sky;
 
 /// Clear glass, smooth and rough, under a background that is the only light.
 pub const CLEAR: &str = "screen 32 24
@@ -52,6 +53,7 @@ element face 4\nproperty list uchar int vertex_indices\nend_header
 /// The scenes by name.
 pub fn small_scenes(settings: &Settings) -> Vec<(&'static str, Prepared)> {
     let (cube, square, pyramid) = (cube(), square(), ply(PYRAMID));
+    let sky = uneven_sky();
     let of = |mesh: &tempfile::NamedTempFile| mesh.path().display().to_string();
     let meshes = |light: &str, glass: &str| {
         format!(
@@ -69,6 +71,7 @@ pub fn small_scenes(settings: &Settings) -> Vec<(&'static str, Prepared)> {
         ("flush", FLUSH.to_owned()),
         ("many", MANY.to_owned()),
         ("flush meshes", flush_meshes(square.path(), cube.path())),
+        ("surroundings", surroundings(sky.path())),
         ("flat mesh", meshes(&of(&cube), &of(&cube))),
         ("smooth mesh", meshes(&of(&cube), &of(&pyramid))),
     ];

@@ -2,7 +2,7 @@
 
 use vkpt::reference::math::elementary::{
     erfc, erfc_gauss, erfc_inverse, erfc_inverse_far, erfc_inverse_near, exp, exp_minus_square,
-    exp_reduce, expm1, log1p, pow2, quadrant, rotate_by_quadrant, scale_by_pow2, sincos_2pi,
+    exp_reduce, expm1, log1p, pow2, quadrant, rotate_by_quadrant, scale_by_pow2, sincos_2pi, turns,
 };
 use vkpt::reference::math::vec3;
 
@@ -27,22 +27,38 @@ fn eighths() -> impl Iterator<Item = Row> {
 
 fn angles() -> Vec<Twin> {
     let file = "math/elementary/sincos";
-    let turns = |t: Twin| {
+    let fractions = |t: Twin| {
         t.edges(eighths())
             .seeded(20_000, |r| Row::new().f(r.unit()))
     };
     vec![
-        turns(
+        fractions(
             Twin::new("sincos_2pi", file)
                 .glsl("out_vec2(sincos_2pi(in_f()));")
                 .rust(|i, o| o.vec2(sincos_2pi(i.f()).into())),
         )
         .seeded(2000, |r| Row::new().f(r.log_range(1e-38, 1.0))),
-        turns(
+        fractions(
             Twin::new("quadrant", file)
                 .glsl("out_vec2(quadrant(in_f()));")
                 .rust(|i, o| o.vec2(quadrant(i.f()).into())),
         ),
+        Twin::new("turns", "math/elementary/turns")
+            .also(&["fraction"])
+            .glsl("float y = in_f(); out_f(turns(y, in_f()));")
+            .rust(|i, o| {
+                let y = i.f();
+                o.f(turns(y, i.f()));
+            })
+            .edges(signs())
+            .seeded(20_000, |r| {
+                Row::new().f(r.range(-1.0, 1.0)).f(r.range(-1.0, 1.0))
+            })
+            .seeded(2000, |r| {
+                Row::new()
+                    .f(r.log_range(1e-38, 1e37))
+                    .f(r.log_range(1e-38, 1e37))
+            }),
         Twin::new("rotate_by_quadrant", file)
             .glsl("float k = in_f(); float s = in_f(); out_vec2(rotate_by_quadrant(k, s, in_f()));")
             .rust(|i, o| o.vec2(rotate_by_quadrant(i.f(), i.f(), i.f()).into()))
@@ -54,6 +70,13 @@ fn angles() -> Vec<Twin> {
                     .f(r.unit())
             }),
     ]
+}
+
+/// On the axes and between them, with zeros of both signs.
+fn signs() -> impl Iterator<Item = Row> {
+    const ENDS: [f32; 7] = [-1.0, -1e-30, -0.0, 0.0, 1e-30, 0.5, 1.0];
+    ENDS.into_iter()
+        .flat_map(|y| ENDS.map(|x| Row::from([y, x])))
 }
 
 /// Ends of the ranges of exp, expm1 and log1p, and their neighbours.

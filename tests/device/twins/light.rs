@@ -10,9 +10,9 @@ use vkpt::reference::light::sample::{
 };
 use vkpt::reference::light::sphere::{cone_height, cone_pdf, cone_sample, sphere_density};
 use vkpt::reference::light::{
-    background_light_pdf, background_light_sample, box_light_pdf, box_light_sample, cdf_choice,
-    cdf_probability, cylinder_light_pdf, cylinder_light_sample, mesh_light_pdf, mesh_light_sample,
-    sphere_light_pdf, sphere_light_sample,
+    background_light_pdf, background_light_sample, background_outside, box_light_pdf,
+    box_light_sample, cdf_choice, cdf_probability, cylinder_light_pdf, cylinder_light_sample,
+    mesh_light_pdf, mesh_light_sample, sphere_light_pdf, sphere_light_sample,
 };
 use vkpt::reference::math::{Vec3, vec3};
 use vkpt::reference::shape::Triangle;
@@ -36,12 +36,12 @@ pub fn twins() -> Vec<Twin> {
     .collect()
 }
 
-const OUT_SAMPLE: &str =
+pub const OUT_SAMPLE: &str =
     "out_vec3(s.wi); out_f(s.distance); out_f(s.pdf); out_f(s.cosine); out_u(s.prim);";
 /// 1 − 2⁻²⁴, the largest that the sampler draws.
 const LAST: f32 = 0.999_999_94;
 
-fn out_sample(s: LightSample<f32>, o: &mut Out) {
+pub fn out_sample(s: LightSample<f32>, o: &mut Out) {
     o.vec3(s.wi);
     o.f(s.distance);
     o.f(s.pdf);
@@ -115,6 +115,14 @@ fn uniform() -> Vec<Twin> {
             .rust(|i, o| o.vec3(unit_sphere(i.vec2())))
             .edges(ends.clone())
             .seeded(1000, |r| Row::new().vec2(uniforms(r))),
+        light("background_outside", "light/background")
+            .glsl("Outside s = background_outside(in_vec3()); out_vec3(s.radiance); out_f(s.pdf);")
+            .rust(|i, o| {
+                let seen = background_outside(i.vec3());
+                o.vec3(seen.radiance);
+                o.f(seen.pdf);
+            })
+            .seeded(20, |r| Row::new().vec3(r.vec3(0.0, 10.0))),
         light("background_light_sample", "light/background")
             .also(&["background_light_pdf"])
             .glsl(&format!(

@@ -15,6 +15,7 @@ mod path;
 mod platform;
 mod sampler;
 mod shape;
+mod surroundings;
 
 use std::collections::BTreeSet;
 
@@ -56,6 +57,11 @@ fn light_functions() {
 #[test]
 fn math_functions() {
     check(&math::twins());
+}
+
+#[test]
+fn surroundings_functions() {
+    check(&surroundings::twins());
 }
 
 #[test]
@@ -170,13 +176,14 @@ fn all() -> Vec<Twin> {
         path::twins(),
         sampler::twins(),
         shape::twins(),
+        surroundings::twins(),
     ];
     twins.into_iter().flatten().collect()
 }
 
 /// Dispatch that is generated for a scene. Each branch calls a function that has a row; that it is the right one show
 /// whole paths in `tests/device/same_bits.rs`.
-const GENERATED: [&str; 18] = [
+const GENERATED: [&str; 20] = [
     "box_covered",
     "bsdf_eval",
     "bsdf_sample",
@@ -188,9 +195,11 @@ const GENERATED: [&str; 18] = [
     "fresnel",
     "hit_surface",
     "light_pdf",
+    "light_radiance",
     "light_sample",
     "mesh_covered",
     "nearest",
+    "outside_seen",
     "read_primitives",
     "sphere_covered",
     "visible_pdf",

@@ -6,6 +6,7 @@ mod closed_forms;
 mod density;
 mod emitter;
 mod extremes;
+mod surroundings;
 mod window;
 
 /// Level of a family of tests.

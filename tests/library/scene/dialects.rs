@@ -168,10 +168,6 @@ fn without_transmission_the_ior_is_not_read() {
 fn commands_of_other_programs_say_what_the_picture_lacks() {
     let rows = [
         (
-            "ibl sky.hdr",
-            "the picture lacks these surroundings and their light",
-        ),
-        (
             "skydome sky.hdr 2",
             "the picture lacks these surroundings and their light",
         ),

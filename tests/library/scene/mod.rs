@@ -23,6 +23,7 @@ mod ply;
 mod ply_writer;
 mod polygons;
 mod rendering;
+mod surroundings;
 mod trimesh;
 
 use std::path::Path;

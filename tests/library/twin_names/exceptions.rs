@@ -59,6 +59,8 @@ pub const KERNEL_ONLY: &[(&str, &str)] = &[
         "a mesh's part of one long table; cdf_choice and cdf_probability, given a slice",
     ),
     ("leads_through", "wi.z < 0"),
+    ("surroundings_end", "reads a buffer, or several"),
+    ("surroundings_value", "reads a buffer, or several"),
     ("no_candidate", "None"),
     ("crossing_scale", "an `if` in extend"),
     ("medium_after", "an `if` in spawn_ray"),
@@ -101,6 +103,8 @@ pub const KERNEL_ONLY: &[(&str, &str)] = &[
 
 const CALLS_IS_COVERED: &str = "is_covered, where faces of the kind coincide with others";
 
+const PICTURE: &str = "the kernel has the picture and its tables in buffers";
+
 const SAMPLE: &str = "the kernel has the sample's index in no SampleId";
 
 /// Functions whose arguments differ.
@@ -114,6 +118,15 @@ pub const ARGUMENTS: &[(&str, &str)] = &[
         "the kernel keeps the path apart from its state: naga takes no `inout` of a member",
     ),
     ("begin_light_path", SAMPLE),
+    ("surroundings_texel", PICTURE),
+    ("surroundings_radiance", PICTURE),
+    ("surroundings_texel_pdf", PICTURE),
+    ("surroundings_row", PICTURE),
+    ("surroundings_column", PICTURE),
+    ("surroundings_direction", PICTURE),
+    ("surroundings_light_sample", PICTURE),
+    ("surroundings_outside", PICTURE),
+    ("outside_seen", "the kernel knows the background's index"),
     ("extend", SAMPLE),
     ("join_light", SAMPLE),
     ("light_start", SAMPLE),

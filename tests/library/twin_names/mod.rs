@@ -44,10 +44,12 @@ fn kernel_functions() -> Vec<Function> {
 /// The kernels of a scene that needs everything, of paths from the eye and from both ends.
 fn generated() -> String {
     let cube = common::meshes::cube();
+    let sky = common::surroundings::uneven_sky();
     let text = format!(
-        "{}light 1 1 1\nbox 2 2 2 1 1 1\nmesh {} 3 3 3 .1\nbackground 1 1 1\n",
+        "{}light 1 1 1\nbox 2 2 2 1 1 1\nmesh {} 3 3 3 .1\n{}",
         common::scenes::WIDE,
-        cube.path().display()
+        cube.path().display(),
+        common::surroundings::background(&sky, "")
     );
     let kernels = |integrator| {
         let mut settings = Settings::default();

@@ -30,7 +30,7 @@ Candidate candidate(Subpath path, Vertex v, uint light, float expected, uint u24
     if (sampled && same_sides(v.facing, l.wi, wi)) {
         BsdfValue f = bsdf_eval(v.interaction, wi);
         float weight = weigh(path, v, light, l, p, f.pdf);
-        c.contribution = path.throughput * f.value * lights[light].radiance * (weight / p);
+        c.contribution = path.throughput * f.value * light_radiance(light, l.prim) * (weight / p);
     }
     return c;
 }

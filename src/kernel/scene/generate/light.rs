@@ -21,15 +21,21 @@ fn function<'a>(
     }
 }
 
-/// What is called for each kind of light: what its shape says, or `background`.
+/// What is called for each kind of light: what its shape says, or one of `outside`, of the constant background and of
+/// surroundings.
 fn calls(
     features: &Features,
     of_shape: impl Fn(&Description) -> &str,
-    background: &str,
+    outside: [&str; 2],
 ) -> Vec<(u32, String)> {
     let call = |kind: LightKind| {
         let Some(shape) = kind.shape() else {
-            return background.to_owned();
+            let [background, surroundings] = outside;
+            let own = match kind == LightKind::Surroundings {
+                true => surroundings,
+                false => background,
+            };
+            return own.to_owned();
         };
         let shape = shape.description();
         let x = filled(shape.element, &[("{i}", &format!("{LIGHT}.first"))]);
@@ -43,7 +49,7 @@ fn calls(
 /// Where light paths begin: `light_emission`.
 pub fn emission(features: &Features) -> String {
     let arguments = [("uint", "light"), ("uint", "u24"), ("vec2", "u")];
-    let members = calls(features, |shape| shape.emission, "no_emission()");
+    let members = calls(features, |shape| shape.emission, ["no_emission()"; 2]);
     let shapes = features.lights.iter().filter_map(|kind| kind.shape());
     let files = shapes.map(|shape| shape.description().emission_file);
     uses("light/emission/point", files)
@@ -58,14 +64,14 @@ pub fn emission_pdf(features: &Features) -> String {
         ("uint", "prim"),
         ("vec3", "wi"),
     ];
-    let members = calls(features, |shape| shape.emission_pdf, "0.0");
+    let members = calls(features, |shape| shape.emission_pdf, ["0.0"; 2]);
     let shapes = features.lights.iter().filter_map(|kind| kind.shape());
     let files = shapes.map(|shape| shape.description().emission_file);
     uses("light/emission/point", files)
         + &function("float", "emission_pdf", &arguments).text(&members, "0.0")
 }
 
-/// Explicit sampling: `light_sample`, and `light_pdf` for what a path hits.
+/// Explicit sampling: `light_sample`, `light_radiance` of what it drew, and `light_pdf` for what a path hits.
 pub fn light(features: &Features) -> String {
     let sample = [
         ("uint", "light"),
@@ -80,14 +86,63 @@ pub fn light(features: &Features) -> String {
         ("float", "cosine"),
         ("float", "distance"),
     ];
-    let samples = calls(features, |s| s.light_sample, "background_light_sample(u)");
-    let pdfs = calls(features, |s| s.light_pdf, "background_light_pdf()");
+    let samples = calls(features, |s| s.light_sample, OUTSIDE_SAMPLES);
+    let pdfs = calls(features, |s| s.light_pdf, ["0.0"; 2]);
     let none = "LightSample(vec3(0.0), -1.0, 0.0, 1.0, NONE)";
-    let file = |kind: &LightKind| match kind.shape() {
-        Some(shape) => shape.description().light_file,
-        None => "light/background",
-    };
     uses("light/sample", features.lights.iter().map(file))
         + &function("LightSample", "light_sample", &sample).text(&samples, none)
         + &function("float", "light_pdf", &pdf).text(&pdfs, "0.0")
+        + &radiance(features)
+}
+
+const OUTSIDE_SAMPLES: [&str; 2] = ["background_light_sample(u)", "surroundings_light_sample(u)"];
+
+/// The file that has the sampling of a kind.
+fn file(kind: &LightKind) -> &'static str {
+    match (kind.shape(), kind) {
+        (Some(shape), _) => shape.description().light_file,
+        (None, LightKind::Surroundings) => "light/surroundings",
+        (None, _) => "light/background",
+    }
+}
+
+/// Radiance of a light at a point of primitive `prim`, or of the texel `prim` of surroundings: `light_radiance`.
+fn radiance(features: &Features) -> String {
+    let own = format!("{LIGHT}.radiance");
+    let of_texel = format!("{own} * surroundings_radiance(prim)");
+    let has = |kind| features.lights.contains(&kind);
+    let mut members = Vec::new();
+    if has(LightKind::Surroundings) {
+        members.push((LightKind::Surroundings as u32, of_texel));
+    }
+    if members.is_empty() || features.lights.len() > 1 {
+        members.push((u32::MAX, own));
+    }
+    function(
+        "vec3",
+        "light_radiance",
+        &[("uint", "light"), ("uint", "prim")],
+    )
+    .text(&members, "")
+}
+
+/// What a path sees that leaves the scene: `outside_seen`.
+pub fn outside(features: &Features) -> String {
+    let kinds = || features.lights.iter().filter(|kind| kind.is_outside());
+    let call = |&kind: &LightKind| {
+        let radiance = "lights[BACKGROUND_LIGHT].radiance";
+        let call = match kind == LightKind::Surroundings {
+            true => format!("surroundings_outside({radiance}, wi)"),
+            false => format!("background_outside({radiance})"),
+        };
+        (kind as u32, call)
+    };
+    let dispatch = Dispatch {
+        result: "Outside",
+        name: "outside_seen",
+        arguments: &[("vec3", "wi")],
+        selector: "lights[BACKGROUND_LIGHT].kind",
+    };
+    let members: Vec<_> = kinds().map(call).collect();
+    uses("light/outside", kinds().map(file)) + &dispatch.text(&members, "Outside(vec3(0.0), 0.0)")
 }

@@ -3,6 +3,7 @@
 mod geometry;
 mod light;
 mod scattering;
+mod surroundings;
 mod written_out;
 
 use super::Parameters;
@@ -18,6 +19,8 @@ pub fn texts(features: &Features, parameters: &Parameters) -> Vec<(&'static str,
         ("visible", scattering::visible(features)),
         ("fresnel", scattering::fresnel(features)),
         ("light", light::light(features)),
+        ("outside", light::outside(features)),
+        ("surroundings_words", surroundings::words(parameters)),
         ("light_emission", light::emission(features)),
         ("emission_pdf", light::emission_pdf(features)),
         ("triangles", geometry::triangles(features)),

@@ -14,7 +14,6 @@ use crate::reference::camera::eye_sample;
 use crate::reference::integrator::light::LightCounts;
 use crate::reference::integrator::path::pick::{pick_normal, pick_probability};
 use crate::reference::integrator::path::{PathState, begin_path};
-use crate::reference::light::background_light_pdf;
 use crate::reference::math::finite::is_black;
 use crate::reference::math::{Real, Vec3, dot3};
 use crate::reference::path::blocks::Origin;
@@ -157,9 +156,10 @@ fn background_seen<F: Real>(
     let Some(light) = t.world.background_light else {
         return Vec3::zero();
     };
+    let outside = t.world.outside_seen(light, path.ray.d);
     let weight = partial.map_or(F::one(), |partial| {
         let expected = pick_probability(t.world, t.settings, light, origin, n);
-        hit_weight(partial, expected * background_light_pdf(), F::zero())
+        hit_weight(partial, expected * outside.pdf, F::zero())
     });
-    t.world.lights[light].radiance * t.ways.weight(0, path.bounce + 2, weight)
+    outside.radiance * t.ways.weight(0, path.bounce + 2, weight)
 }

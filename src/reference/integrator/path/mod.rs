@@ -12,7 +12,6 @@ pub mod signature;
 use crate::prepared::MaterialKind;
 use crate::reference::bsdf::LOBE_NONE;
 use crate::reference::camera::camera_direction;
-use crate::reference::light::background_light_pdf;
 use crate::reference::math::finite::is_black;
 use crate::reference::math::{Real, Vec3, dot3};
 use crate::reference::path::blocks::Origin;
@@ -192,9 +191,10 @@ fn background_seen<F: Real>(
         None => Vec3::zero(),
         Some(light) => {
             let expected = pick_probability(world, settings, light, origin, n);
-            let q = expected * background_light_pdf();
+            let outside = world.outside_seen(light, path.ray.d);
+            let q = expected * outside.pdf;
             let connect = settings.estimator.connect;
-            world.lights[light].radiance * hit_weight(connect, path.delta, path.pdf, q)
+            outside.radiance * hit_weight(connect, path.delta, path.pdf, q)
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Sweeps over the bits of `f32` against the same functions in f64 (the C library's, below 1 ulp of f64; those that it
 //! lacks against tables).
 
-use super::{erfc, erfc_inverse, exp, exp_minus_square, expm1, log1p, sincos_2pi};
+use super::{erfc, erfc_inverse, exp, exp_minus_square, expm1, log1p, sincos_2pi, turns};
 use crate::reference::math::{Real, ulps};
 
 /// Sum of the rounding errors: sine ½ (last sum) + 0.36 (r (π/2 − 1)) + 0.36 (second sum) + 0.07 (polynomial),
@@ -13,6 +13,10 @@ const BOUND: f64 = 1.0;
 const ERFC_BOUND: f64 = 6.0;
 /// ½ for the product, 1 for ln and what the polynomial makes of it and of its own rounding: 1½.
 const ERFC_INVERSE_BOUND: f64 = 4.0;
+
+/// Of t one for the quotient and ½ each for its parts, one for 1/2π t, ½ for the smaller sum and ½ for the larger; what is
+/// taken from ¼ and ½ makes that no larger.
+const TURNS_BOUND: f64 = 4.0;
 
 /// The argument with the largest error over every `stride`-th pattern of bits in `bits`.
 fn worst(
@@ -47,6 +51,21 @@ fn sincos_error(u: f32) -> f64 {
     ulps(s, s64).max(ulps(c, c64))
 }
 
+/// Of the point (s, s t), its coordinates exchanged for an even k; 0 where a coordinate is beyond the domain.
+fn turns_error(t: f32, s: f32, k: u32) -> f64 {
+    let st = s * t;
+    if st.is_nan() || st.abs() >= 8e37 {
+        return 0.0;
+    }
+    let (y, x) = if k % 2 == 1 { (st, s) } else { (s, st) };
+    let truth = f64::from(y).atan2(f64::from(x)) / std::f64::consts::TAU;
+    // Below the least normal number no quotient has its digits.
+    match truth.abs() < f64::from(f32::MIN_POSITIVE) {
+        true => 0.0,
+        false => ulps(turns(y, x), truth),
+    }
+}
+
 fn sweep(stride: usize) {
     let (u, e) = worst(0..=1f32.to_bits(), stride, sincos_error);
     assert!(e <= SIN_COS_BOUND, "sincos_2pi({u:e}) is {e} ulp off");
@@ -66,6 +85,13 @@ fn sweep(stride: usize) {
     for (name, f, truth, bound) in all {
         let (x, e) = worst(0..=u32::MAX, stride, |x| ulps(f(x), truth(f64::from(x))));
         assert!(e <= bound, "{name}({x:e}) is {e} ulp off");
+    }
+    for (k, scale) in [(1, 1.0), (2, -1.0), (3, 1e-30), (4, 1e30)] {
+        let (t, e) = worst(0..=u32::MAX, stride, |t| turns_error(t, scale, k));
+        assert!(
+            e <= TURNS_BOUND,
+            "turns of {t:e} times {scale:e}, {k} is {e} ulp off"
+        );
     }
     let square = |x: f32| ulps(exp_minus_square(x), (-(f64::from(x) * f64::from(x))).exp());
     let (x, e) = worst(0..=11f32.to_bits(), stride, square);
@@ -145,6 +171,34 @@ fn quarter_turns_are_exact() {
             (f64::from(s), f64::from(c))
         );
     }
+}
+
+#[test]
+fn eighths_of_a_turn_are_exact() {
+    let at = [
+        (0.0, 1.0, 0.0),
+        (1.0, 1.0, 0.125),
+        (1.0, 0.0, 0.25),
+        (1.0, -1.0, 0.375),
+        (0.0, -1.0, 0.5),
+        (-1.0, -1.0, -0.375),
+        (-1.0, 0.0, -0.25),
+        (-3.0, 3.0, -0.125),
+        (0.0, 0.0, 0.0),
+    ];
+    for (y, x, turn) in at {
+        assert_eq!(turns(y, x), turn);
+        assert_eq!(
+            <f64 as Real>::turns(f64::from(y), f64::from(x)),
+            f64::from(turn)
+        );
+    }
+    assert!(
+        ulps(
+            turns(0.3, -0.7),
+            0.3f64.atan2(-0.7001) / std::f64::consts::TAU
+        ) > TURNS_BOUND
+    );
 }
 
 #[test]

@@ -58,7 +58,8 @@ pub fn candidate<F: Real>(
     if sampled && same_sides(v.facing, l.wi, wi) {
         let f = bsdf_eval(settings, &v.interaction, wi);
         let weight = weigh.weight(light, &l, p, f.pdf);
-        c.contribution = path.throughput * f.value * world.lights[light].radiance * (weight / p);
+        let radiance = world.light_radiance(light, l.prim);
+        c.contribution = path.throughput * f.value * radiance * (weight / p);
     }
     c
 }

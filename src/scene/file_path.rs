@@ -1,4 +1,4 @@
-//! Which file a `mesh` line means: as it is written, or as a machine with other rules for names would have it.
+//! Which file a line means: as it is written, or as a machine with other rules for names would have it.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -7,31 +7,31 @@ use super::arguments::Arguments;
 use super::commands::closest;
 use super::diagnostic::Place;
 use super::log::Log;
-use super::mesh::is_mesh_name;
 use super::text::{Token, shorten};
 
-/// The file of a `mesh` line.
-pub(super) struct MeshPath {
+/// The file that a line names.
+pub(super) struct FilePath {
     pub(super) path: PathBuf,
     pub(super) place: Place,
 }
 
 /// Takes FILE off the line. A file that is there under another spelling is read with a warning: with back slashes, in
-/// another case, in quotes, with blanks. `folder` is that of the scene file.
-pub(super) fn mesh_path(
+/// another case, in quotes, with blanks. `folder` is that of the scene file; `is_name` knows the endings of such files.
+pub(super) fn file_path(
     folder: &Path,
     arguments: &mut Arguments,
     log: &mut Log,
-) -> Option<MeshPath> {
+    is_name: fn(&Path) -> bool,
+) -> Option<FilePath> {
     let first = arguments.word(log, "FILE")?;
-    let whole = |place, name: &str| MeshPath {
+    let whole = |place, name: &str| FilePath {
         path: resolve(folder, name),
         place,
     };
     if resolve(folder, first.text).exists() {
         return Some(whole(first.place, first.text));
     }
-    let words = words(first, arguments.rest());
+    let words = words(first, arguments.rest(), is_name);
     let name = words
         .iter()
         .map(|word| word.text)
@@ -48,7 +48,7 @@ pub(super) fn mesh_path(
             };
             log.warning(place, message, label);
             words[1..].iter().for_each(|_| arguments.skip_one());
-            Some(MeshPath { path, place })
+            Some(FilePath { path, place })
         }
         None if bare != name => {
             words[1..].iter().for_each(|_| arguments.skip_one());
@@ -58,13 +58,13 @@ pub(super) fn mesh_path(
     }
 }
 
-/// The words of a name that begins with `first`: up to the closing quote, or to the first one that ends as a mesh's name
+/// The words of a name that begins with `first`: up to the closing quote, or to the first one that ends as such a name
 /// does; `first` alone where there is none such.
-fn words<'t>(first: Token<'t>, rest: &[Token<'t>]) -> Vec<Token<'t>> {
+fn words<'t>(first: Token<'t>, rest: &[Token<'t>], is_name: fn(&Path) -> bool) -> Vec<Token<'t>> {
     let all = || std::iter::once(first).chain(rest.iter().copied());
     let is_last = |token: &Token| match first.text.chars().next() {
         Some(quote @ ('"' | '\'')) => token.text.ends_with(quote) && token.text.len() > 1,
-        _ => is_mesh_name(Path::new(token.text)),
+        _ => is_name(Path::new(token.text)),
     };
     let length = all()
         .position(|token| is_last(&token))
@@ -119,18 +119,18 @@ fn in_any_case(folder: &Path, path: &Path) -> Option<PathBuf> {
     found.is_file().then_some(found)
 }
 
-/// A mesh in the folder of a file that is missing, or beside the scene file, whose name looks like it.
-pub(super) fn similar(folder: &Path, missing: &Path) -> Option<String> {
+/// A file in the folder of one that is missing, or beside the scene file, whose name looks like it.
+pub(super) fn similar(folder: &Path, missing: &Path, is_name: fn(&Path) -> bool) -> Option<String> {
     let name = missing.file_name()?.to_string_lossy().replace('\\', "/");
     let name = name.rsplit('/').next()?;
     [missing.parent()?, folder].into_iter().find_map(|folder| {
         let names = entries(folder);
-        let meshes: Vec<&str> = names
+        let named: Vec<&str> = names
             .iter()
             .map(|name| &**name)
-            .filter(|name| is_mesh_name(Path::new(name)))
+            .filter(|name| is_name(Path::new(name)))
             .collect();
-        closest(name, &meshes).map(str::to_owned)
+        closest(name, &named).map(str::to_owned)
     })
 }
 

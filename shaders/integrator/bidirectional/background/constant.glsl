@@ -1,8 +1,0 @@
-// Constant radiance of everything outside, which sends out no light paths.
-// Twin of the function of its name in src/reference/integrator/bidirectional/eye_path.rs.
-// uses: light/background, integrator/bidirectional/partial, <pick>
-
-vec3 background_seen(Subpath path, Partial partial, vec3 n, vec3 origin) {
-    float p_n = pick_probability(BACKGROUND_LIGHT, origin, n) * background_light_pdf();
-    return lights[BACKGROUND_LIGHT].radiance * (path.bounce == 0u ? 1.0 : hit_weight(partial, p_n, 0.0));
-}

@@ -1,0 +1,16 @@
+//! A picture of all directions.
+
+crate::layout::record! {
+    /// Its axes in the world: z points up to its first row, x to the middle of the picture; and its size.
+    pub struct Surroundings<F> {
+        /// Of unit length, as y and z.
+        x: vec3,
+        /// Texels.
+        width: uint,
+        y: vec3,
+        /// Texels.
+        height: uint,
+        z: vec3,
+        (pad0: uint),
+    }
+}
