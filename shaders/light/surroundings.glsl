@@ -64,18 +64,25 @@ float fraction_of(uint u24, uint begin, uint end) {
     return (float(u24 - begin) + 0.5) / float(end - begin);
 }
 
+// cos theta and sin theta of the place x between the edges of a row, by which it was drawn: cos theta itself, or
+// sin^2(theta/2) = h from the nearer pole. d omega = dphi dcos theta = 2 dphi dh.
+vec2 height_and_radius(uint row, uint height, float x) {
+    bool middle = 4u * row >= height && 4u * (row + 1u) <= 3u * height;
+    bool south = 2u * row + 1u > height;
+    float from_pole = 1.0 - (x + x);
+    float z = south ? -from_pole : from_pole;
+    float squared = middle ? 1.0 - x * x : 4.0 * (x * (1.0 - x));
+    return vec2(middle ? x : z, sqrt(squared));
+}
+
 // A direction within a texel, `a` of its width from the left and `b` of its solid angle from the top.
 vec3 surroundings_direction(uint row, uint column, float a, float b) {
     Surroundings s = surroundings[0];
     SurroundingsRow edges = surroundings_rows[row];
-    // h = sin^2(theta/2), theta from the nearer pole: d omega = 2 dh dphi
-    float h = edges.top + b * (edges.bottom - edges.top);
-    bool south = 2u * row + 1u > s.height;
-    float z = 1.0 - (h + h);
-    float r = 2.0 * sqrt(h * (1.0 - h));
+    vec2 zr = height_and_radius(row, s.height, edges.top + b * (edges.bottom - edges.top));
     // phi = 2pi (1/2 - u)
     vec2 sincos = sincos_2pi((float(column) + a) / float(s.width));
-    vec3 local = vec3(-(r * sincos.y), r * sincos.x, south ? -z : z);
+    vec3 local = vec3(-(zr.y * sincos.y), zr.y * sincos.x, zr.x);
     return to_world(Frame(s.x, s.y, s.z), local);
 }
 

@@ -1,9 +1,13 @@
 //! One case: a scene, how it is rendered, what is stiff about it, and what it is held against.
 
 use std::path::Path;
+use std::sync::Arc;
+
+use glam::DQuat;
 
 use super::bound;
-use crate::scene::{self, Errors, Geometry, Mesh, Scene};
+use crate::film::Film;
+use crate::scene::{self, Errors, Geometry, Mesh, Scene, Surroundings};
 use crate::settings::Settings;
 
 /// A small picture at an edge.
@@ -15,6 +19,8 @@ pub struct Case {
     /// The scene file; [`Case::mesh`] comes after it, in its last material.
     pub text: String,
     pub mesh: Option<Mesh>,
+    /// What stands all around in place of the file's background.
+    pub surroundings: Option<Film>,
     pub settings: Settings,
     /// Left, top, right, bottom, as of a rendering.
     pub crop: Option<[u32; 4]>,
@@ -66,6 +72,7 @@ impl Case {
             about: about.into(),
             text: text.into(),
             mesh: None,
+            surroundings: None,
             settings: Settings::default(),
             crop: None,
             spp: 16,
@@ -78,6 +85,11 @@ impl Case {
 
     pub fn mesh(mut self, mesh: Mesh) -> Self {
         self.mesh = Some(mesh);
+        self
+    }
+
+    pub fn surroundings(mut self, picture: Film) -> Self {
+        self.surroundings = Some(picture);
         self
     }
 
@@ -150,6 +162,12 @@ impl Case {
         if let (Some(mesh), Some(shape)) = (&self.mesh, scene.shapes.last_mut()) {
             shape.geometry = Geometry::Mesh(mesh.clone());
         }
+        scene.surroundings = self.surroundings.as_ref().map(|picture| Surroundings {
+            path: self.name.clone().into(),
+            picture: Arc::new(picture.clone()),
+            scale: 1.0,
+            rotate: DQuat::IDENTITY,
+        });
         Ok((scene, warnings))
     }
 }

@@ -123,8 +123,17 @@ fn ends(picture: &Film) -> Result<Vec<u32>, CdfError> {
     Ok(ends)
 }
 
-/// sin²(θ/2) of a row's upper and lower edge, θ from the nearer pole.
+/// Whether a row lies between 45° and 135° from the upper pole.
+fn is_middle(row: u32, height: u32) -> bool {
+    4 * u64::from(row) >= u64::from(height) && 4 * (u64::from(row) + 1) <= 3 * u64::from(height)
+}
+
+/// Of a row's upper and lower edge cos θ where it is in the middle, else sin²(θ/2), θ from the nearer pole.
 fn edges(row: u32, height: u32) -> [f64; 2] {
+    if is_middle(row, height) {
+        let below = |edge: u32| PI * (f64::from(edge) / f64::from(height) - 0.5);
+        return [row, row + 1].map(|edge| -below(edge).sin());
+    }
     let from_top = |edge: u32| {
         (PI / 2.0 * f64::from(edge) / f64::from(height))
             .sin()
@@ -136,8 +145,10 @@ fn edges(row: u32, height: u32) -> [f64; 2] {
     }
 }
 
-/// Of a texel: ∫∫ sin θ dθ dφ = 2 Δφ Δ sin²(θ/2).
+/// Of a texel: ∫∫ sin θ dθ dφ = Δφ Δ cos θ = 2 Δφ Δ sin²(θ/2).
 fn solid_angle(row: u32, width: u32, height: u32) -> f64 {
     let [top, bottom] = edges(row, height);
-    4.0 * PI / f64::from(width) * (top - bottom).abs()
+    let turn = 2.0 * PI / f64::from(width);
+    let steps = if is_middle(row, height) { 1.0 } else { 2.0 };
+    turn * steps * (top - bottom).abs()
 }

@@ -75,7 +75,7 @@ const FLOOR: &str = "brdf .6 .5 .4 0 0 0 1\nbox -50 -50 -1 100 100 1\n";
 /// largest cosine, and L Kd w with w ≤ (p_b Ω)² where p_b ≤ 1/π.
 #[test]
 fn one_bright_texel_is_a_distant_lamp() {
-    let mut cases = Vec::new();
+    let (mut cases, mut pictures) = (Vec::new(), Vec::new());
     for (width, height, x, y) in [
         (64, 32, 5, 6),
         (512, 256, 300, 40),
@@ -106,6 +106,7 @@ fn one_bright_texel_is_a_distant_lamp() {
                 seeds: 1,
             });
         }
+        pictures.push(picture);
     }
     check(&cases);
 }

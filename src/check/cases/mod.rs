@@ -13,6 +13,7 @@ mod interface;
 mod light;
 mod medium;
 mod mesh;
+mod surroundings;
 mod yardstick;
 
 use super::case::Case;
@@ -28,6 +29,7 @@ pub fn battery() -> Vec<Case> {
         far::cases(),
         medium::cases(),
         light::cases(),
+        surroundings::cases(),
         camera::cases(),
         bounces::cases(),
         contact::cases(),

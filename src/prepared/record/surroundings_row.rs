@@ -3,7 +3,8 @@
 crate::layout::record! {
     /// A row of texels, which have the same solid angle.
     pub struct SurroundingsRow<F> {
-        /// sin²(θ/2) of its upper edge, θ from the nearer pole, which for the middle row is the upper one.
+        /// Its upper edge. Between 45° and 135° from the upper pole cos θ, elsewhere sin²(θ/2), θ from the nearer pole:
+        /// neither loses digits there.
         top: float,
         /// The same of its lower edge.
         bottom: float,

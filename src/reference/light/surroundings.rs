@@ -90,6 +90,21 @@ pub fn fraction_of<F: Real>(u24: u32, begin: u32, end: u32) -> F {
     (F::from_u32(u24 - begin) + F::new(0.5)) / F::from_u32(end - begin)
 }
 
+/// cos θ and sin θ of the place `x` between the edges of a row, by which it was drawn: cos θ itself, or sin²(θ/2) = h from the
+/// nearer pole. dω = dφ d cos θ = 2 dφ dh.
+pub fn height_and_radius<F: Real>(row: u32, height: u32, x: F) -> [F; 2] {
+    let middle = 4 * row >= height && 4 * (row + 1) <= 3 * height;
+    let south = 2 * row + 1 > height;
+    let from_pole = F::one() - (x + x);
+    let z = if south { -from_pole } else { from_pole };
+    let squared = if middle {
+        F::one() - x * x
+    } else {
+        F::new(4.0) * (x * (F::one() - x))
+    };
+    [if middle { x } else { z }, squared.sqrt()]
+}
+
 /// A direction within a texel, `a` of its width from the left and `b` of its solid angle from the top.
 pub fn surroundings_direction<F: Real>(
     s: &Surroundings<F>,
@@ -99,14 +114,10 @@ pub fn surroundings_direction<F: Real>(
     b: F,
 ) -> Vec3<F> {
     let Row { top, bottom, .. } = s.rows[row as usize];
-    // h = sin²(θ/2), θ from the nearer pole: dω = 2 dh dφ
-    let h = top + b * (bottom - top);
-    let south = 2 * row + 1 > s.map.height;
-    let z = F::one() - (h + h);
-    let r = F::new(2.0) * (h * (F::one() - h)).sqrt();
+    let [z, r] = height_and_radius(row, s.map.height, top + b * (bottom - top));
     // φ = 2π(1/2 − u)
     let (sin, cos) = F::sincos_2pi((F::from_u32(column) + a) / F::from_u32(s.map.width));
-    let local = vec3(-(r * cos), r * sin, if south { -z } else { z });
+    let local = vec3(-(r * cos), r * sin, z);
     to_world(s.frame(), local)
 }
 

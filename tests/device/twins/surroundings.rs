@@ -8,9 +8,9 @@ use vkpt::layout::GpuStruct;
 use vkpt::prepared::device;
 use vkpt::reference::light::Surroundings;
 use vkpt::reference::light::surroundings::{
-    Map, Row as TexelRow, fraction_of, surroundings_column, surroundings_direction,
-    surroundings_light_sample, surroundings_outside, surroundings_radiance, surroundings_row,
-    surroundings_texel, surroundings_texel_pdf,
+    Map, Row as TexelRow, fraction_of, height_and_radius, surroundings_column,
+    surroundings_direction, surroundings_light_sample, surroundings_outside, surroundings_radiance,
+    surroundings_row, surroundings_texel, surroundings_texel_pdf,
 };
 use vkpt::reference::math::frame::{Frame, frame_about};
 
@@ -87,14 +87,12 @@ fn ends<const N: usize>(r: &mut Rng) -> [u32; N] {
 fn picture(r: &mut Rng) -> Row {
     let Frame { t, b, n } = frame_about(r.direction());
     let mut row = Row::new().vec3(t).vec3(b).vec3(n);
-    let sin2 = |k: usize| (k as f32 * std::f32::consts::FRAC_PI_8).sin().powi(2);
-    let edges = [(0, 1), (1, 2), (2, 1), (1, 0)];
+    // Rows 1 and 2 of 4 are in the middle.
+    let cap = std::f32::consts::FRAC_PI_8.sin().powi(2);
+    let cosine = std::f32::consts::FRAC_1_SQRT_2;
+    let edges = [(0.0, cap), (cosine, 0.0), (0.0, -cosine), (cap, 0.0)];
     for (end, (top, bottom)) in ends::<4>(r).into_iter().zip(edges) {
-        row = row
-            .f(sin2(top))
-            .f(sin2(bottom))
-            .f(r.log_range(1e-9, 1e-6))
-            .u(end);
+        row = row.f(top).f(bottom).f(r.log_range(1e-9, 1e-6)).u(end);
     }
     for _ in 0..HEIGHT {
         row = ends::<5>(r).into_iter().fold(row, Row::u);
@@ -184,8 +182,20 @@ fn drawn() -> Vec<Twin> {
             picture(r).u(all[1]).u(all[0]).u(all[2] + 1)
         }),
         twin(
+            "height_and_radius",
+            "uint y = in_u(); uint height = in_u(); out_vec2(height_and_radius(y, height, in_f()));",
+        )
+        .rust(|i, o| {
+            let (_, row, height) = (read(i), i.u(), i.u());
+            o.vec2(height_and_radius(row, height, i.f()));
+        })
+        .seeded(1000, |r| {
+            let height = 1 + r.below(9);
+            picture(r).u(r.below(height)).u(height).f(r.unit())
+        }),
+        twin(
             "surroundings_direction",
-            "uint row = in_u(); uint column = in_u(); float a = in_f(); out_vec3(surroundings_direction(row, column, a, in_f()));",
+            "uint y = in_u(); uint x = in_u(); float a = in_f(); out_vec3(surroundings_direction(y, x, a, in_f()));",
         )
         .rust(|i, o| {
             let (s, row, column, a) = (read(i), i.u(), i.u(), i.f());
