@@ -28,6 +28,13 @@ fn is_finite(prepared: &Prepared) {
     let finite = |v: DVec3| v.as_vec3().is_finite();
     let camera = prepared.camera;
     assert!([camera.eye, camera.right, camera.up, camera.forward].map(finite) == [true; 4]);
+    if let Some(lens) = &prepared.lens {
+        assert!(finite(lens.right) && finite(lens.up), "{lens:?}");
+        assert!(
+            (lens.blur as f32).is_finite() && lens.blur > 0.0,
+            "{lens:?}"
+        );
+    }
     for s in &prepared.primitives.spheres {
         assert!(finite(s.centre) && s.radius as f32 > 0.0, "{s:?}");
     }

@@ -77,6 +77,10 @@ pub fn promises_kept(scene: &Scene) {
         assert!((1..=LARGEST_SIDE).contains(&side));
     }
     assert!(camera.ry as f32 > 0.0 && finite(camera.eye) && camera.orientation.is_normalized());
+    if let Some(lens) = scene.lens {
+        assert!(lens.radius >= 0.0 && lens.focus as f32 > 0.0);
+        assert!([lens.radius, lens.focus].map(|x| (x as f32).is_finite()) == [true; 2]);
+    }
     assert!(is_radiance(scene.background));
     scene.materials.iter().for_each(is_legal);
     for shape in &scene.shapes {

@@ -2,21 +2,22 @@
 // Twin of src/reference/sampler/dimensions.rs.
 //
 //   block           x                     y                        z                w
-//   camera_block    pixel column          pixel row                -                -
+//   camera_block    pixel column          pixel row                lens u1          lens u2
 //   light_block     choice of the light   choice of the primitive  u                v
 //   bsdf_block      choice of the lobe    reflect or refract       micro-normal u1  micro-normal u2
 //   roulette_block  roulette              diffuse u1               diffuse u2       -
 //
 // Bounce 0 is at the first surface that the camera sees. A number that a path has no use for is skipped,
 // never given to something else.
-
 //
 // A light path has blocks of its own, LIGHT_PATH + the same numbers: camera_block chooses its light (x), the primitive (y) and
-// the point (z, w), light_block(0) its direction (x, y).
+// the point (z, w), light_block(0) its direction (x, y). The point of the lens (z, w) that a vertex is joined to is that of
+// light_block(bounce + 1), of the light's own point that of light_block(0); a bidirectional light path, whose own point is not
+// joined, has that of light_block(0) for what it is aimed at (z).
 
 // uses:
 
-// Where in its pixel the camera ray goes through.
+// Where in its pixel the camera ray goes through, and where in the lens.
 uint camera_block() {
     return 0u;
 }

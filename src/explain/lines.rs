@@ -18,6 +18,7 @@ pub fn lines(prepared: &Prepared, member: Member) -> Vec<usize> {
             lights(prepared, |_| true)
         }
         Member::LightPick(_) => Vec::new(),
+        Member::Lens => prepared.lens.iter().map(|l| l.line).collect(),
         Member::ShadingNormals => shapes(&|s| has_normals(prepared, s)),
         Member::Covered(kind) => covered(prepared, kind),
         _ => materials(prepared, member).map(|m| m.line).collect(),

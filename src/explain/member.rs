@@ -55,6 +55,7 @@ fn name(member: Member) -> (&'static str, String) {
         Member::Absorption(rule) => ("absorption", rule.name().to_owned()),
         Member::ShadingNormals => ("normals", "of meshes".to_owned()),
         Member::Aims => ("light paths", "aimed".to_owned()),
+        Member::Lens => ("camera", "lens".to_owned()),
         Member::Covered(kind) => ("covered", kind.description().name.to_owned()),
     }
 }

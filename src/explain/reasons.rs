@@ -29,6 +29,7 @@ pub fn reason(subject: &Subject, member: Member) -> String {
             false => "there is no mesh",
         },
         Member::Aims => "nothing mirrors or refracts: no light gathers",
+        Member::Lens => "the camera is a pinhole",
         Member::Covered(kind) => {
             return format!(
                 "no face of a {} is where another comes first",

@@ -19,7 +19,12 @@ pub fn node(subject: &Subject) -> Node {
     let camera = &scene.camera;
     // No material where the eye is in air.
     let (unit, medium) = (prepared.space.unit, prepared.eye_medium);
-    let sensor = Node::plugin("sensor", "perspective")
+    let lens = scene.lens.filter(|lens| lens.radius > 0.0);
+    let kind = match lens {
+        Some(_) => "thinlens",
+        None => "perspective",
+    };
+    let sensor = Node::plugin("sensor", kind)
         .string("fov_axis", "y")
         .float("fov", 2.0 * camera.ry.atan().to_degrees())
         .float("near_clip", NEAR * unit)
@@ -31,6 +36,13 @@ pub fn node(subject: &Subject) -> Node {
         )
         .with(film(subject))
         .with(Node::plugin("sampler", "independent").integer("sample_count", SAMPLES));
+    let sensor = match lens {
+        // Both planes are normal to the direction of view.
+        Some(lens) => {
+            (sensor.float("aperture_radius", lens.radius)).float("focus_distance", lens.focus)
+        }
+        None => sensor,
+    };
     match prepared.materials.get(medium as usize) {
         Some(glass) if absorbs(glass) => sensor.named_reference("medium", &medium_id(glass)),
         _ => sensor,

@@ -21,6 +21,7 @@ pub enum Member {
     Absorption(Absorption),
     ShadingNormals,
     Aims,
+    Lens,
     /// Faces of this kind of shape may be covered by others.
     Covered(ShapeKind),
 }
@@ -32,6 +33,7 @@ impl Member {
             Self::DiffuseBeside,
             Self::Absorption(settings.model.absorption),
             Self::ShadingNormals,
+            Self::Lens,
         ]);
         all.extend(Features::aims(settings).then_some(Self::Aims));
         all.extend(ShapeKind::EVERY.map(Self::Shape));
@@ -58,6 +60,7 @@ impl Features {
             (self.diffuse_beside, Member::DiffuseBeside),
             (self.shading_normals, Member::ShadingNormals),
             (self.aims, Member::Aims),
+            (self.lens, Member::Lens),
         ];
         let mut all: BTreeSet<Member> = flags.iter().filter(|f| f.0).map(|f| f.1).collect();
         all.extend(self.shapes.iter().copied().map(Member::Shape));
@@ -109,6 +112,7 @@ impl Features {
             Member::Absorption(rule) => self.absorption = there.then_some(rule),
             Member::ShadingNormals => self.shading_normals = there,
             Member::Aims => self.aims = there,
+            Member::Lens => self.lens = there,
             Member::Covered(kind) => put(&mut self.covered, kind, there),
         }
     }

@@ -106,6 +106,8 @@ pub struct Features {
     pub shading_normals: bool,
     /// Light paths are aimed at what gathers light.
     pub aims: bool,
+    /// The eye has a lens.
+    pub lens: bool,
     /// Kinds with a face that another shape's may come before, in the same place.
     pub covered: BTreeSet<ShapeKind>,
     /// What is made beside the picture.
@@ -147,6 +149,7 @@ impl Features {
                 .then_some(settings.model.absorption),
             shading_normals: !prepared.primitives.normals.is_empty(),
             aims: Self::aims(settings) && !prepared.aims.is_empty(),
+            lens: prepared.lens.is_some(),
             covered: covered(prepared),
             ..Self::bare(settings, aovs)
         }
@@ -189,6 +192,7 @@ impl Features {
             max_depth: model.max_depth.is_some(),
             shading_normals: false,
             aims: false,
+            lens: false,
             covered: BTreeSet::new(),
             aovs: aovs.iter().copied().collect(),
         }

@@ -32,6 +32,7 @@ impl Features {
             (self.diffuse_beside, "diffuse beside specular"),
             (self.shading_normals, "shading normals"),
             (self.aims, "aimed light paths"),
+            (self.lens, "lens"),
             (self.radiance_scaling, "radiance scaling"),
             (self.max_depth, "longest path"),
         ];

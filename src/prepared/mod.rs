@@ -9,6 +9,7 @@ pub mod cdf;
 mod coincide;
 mod dark;
 mod eye;
+mod lens;
 mod light_tree;
 mod lights;
 pub mod material;
@@ -35,6 +36,7 @@ pub use memory::Footprint;
 pub use prepare::{PrepareError, prepare};
 pub use record::aim::Aim;
 pub use record::camera::Camera;
+pub use record::lens::Lens;
 pub use record::light::Light;
 pub use record::light_node::LightNode;
 pub use record::material::{Material, MaterialKind, OPAQUE_SIGMA};
@@ -46,6 +48,7 @@ pub use surroundings::Surroundings;
 pub mod device {
     pub use super::record::aim::device::Aim;
     pub use super::record::camera::device::Camera;
+    pub use super::record::lens::device::Lens;
     pub use super::record::light::device::Light;
     pub use super::record::light_node::device::LightNode;
     pub use super::record::material::device::Material;
@@ -60,6 +63,8 @@ pub mod device {
 pub struct Prepared {
     pub space: Space,
     pub camera: Camera,
+    /// None of a pinhole.
+    pub lens: Option<Lens>,
     /// Opaque shapes first, then file order: at equal distance the lower index is hit.
     pub shapes: Vec<Shape>,
     pub primitives: Primitives,

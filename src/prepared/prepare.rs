@@ -10,7 +10,7 @@ use super::medium::Media;
 use super::placed::Placed;
 use super::{
     Camera, Light, LightKind, Material, MaterialKind, NONE, Prepared, Space, Surroundings,
-    coincide, eye, material, medium, range,
+    coincide, eye, lens, material, medium, range,
 };
 use crate::scene::{self, MaterialKind as SceneMaterial, Scene};
 use crate::settings::Settings;
@@ -26,6 +26,10 @@ pub enum PrepareError {
     Ior { line: usize, ior: f64 },
     #[error("line {line}: the camera is beyond single precision: its picture is too wide")]
     Camera { line: usize },
+    #[error(
+        "line {line}: the lens is beyond single precision: it is too wide, or so for the distance that is sharp"
+    )]
+    Lens { line: usize },
 }
 
 /// All that both renderers share, for a picture of `size` (by default the scene's own).
@@ -52,7 +56,10 @@ pub fn prepare(
         .collect();
     let mut warnings = Vec::new();
     let mut placed = Placed::new(scene, &materials, &mut warnings);
-    let space = Space::of(placed.all_bounds(scene.camera.eye), scene.camera.eye);
+    let space = Space::of(
+        placed.all_bounds(scene.camera.eye),
+        lens::bounds(scene.camera.eye, scene.lens),
+    );
     placed.move_to(&space);
     materials
         .iter_mut()
@@ -65,6 +72,7 @@ pub fn prepare(
     let lights = Lights::new(&placed, &materials, outside)?;
     let camera = camera(&scene.camera, &space, width, height);
     range::check_camera(&camera, scene.camera_line)?;
+    let lens = lens::lens(scene.lens, &camera, &space)?;
     range::check_materials(&materials)?;
     range::warn_of_narrow(&camera, scene.camera_line, &mut warnings);
     range::warn_of_small(&placed, &space, &mut warnings);
@@ -74,6 +82,10 @@ pub fn prepare(
     medium::warn_of_overlaps(&placed, &materials, &mut warnings);
     placed.primitives.coincident = coincide::coincidences(&placed, &materials);
     eye::warn_of_surface(camera.eye, &placed, &materials, &mut warnings);
+    if let Some(lens) = &lens {
+        lens::warn_of_wide(&camera, lens, &mut warnings);
+        lens::warn_of_crossing(camera.eye, lens, &placed, &mut warnings);
+    }
     dark::warn_of_no_light(&lights.lights, &mut warnings);
     dark::warn_of_shut_in(
         camera.eye,
@@ -95,6 +107,7 @@ pub fn prepare(
     Ok(Prepared {
         space,
         camera,
+        lens,
         shapes,
         primitives: placed.primitives,
         materials,

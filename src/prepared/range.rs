@@ -5,7 +5,7 @@ use super::{Camera, Material, PrepareError};
 use crate::shape::{Body, Space};
 
 /// An ulp of 1 in f32, 2⁻²³.
-const ULP: f64 = 1.0 / 8_388_608.0;
+pub const ULP: f64 = 1.0 / 8_388_608.0;
 
 /// A shape is resolved where rounding moves its parts by less than this share of its size.
 const RESOLVED: f64 = 1.0 / 128.0;

@@ -2,7 +2,7 @@
 
 use super::accel::Accel;
 use super::bsdf::Material;
-use super::camera::Camera;
+use super::camera::{Camera, Lens};
 use super::light::emission::Emission;
 use super::light::surroundings::surroundings_radiance;
 use super::light::tree::LightNode;
@@ -22,6 +22,8 @@ use crate::prepared::{LightKind, MaterialKind, NONE, Prepared, Shape};
 pub struct World<F> {
     pub width: u32,
     pub camera: Camera<F>,
+    /// None of a pinhole.
+    pub lens: Option<Lens<F>>,
     pub eye_medium: u32,
     pub shapes: Vec<Shape>,
     pub primitives: Primitives<F>,
@@ -59,6 +61,7 @@ impl<F: Real> World<F> {
         Self {
             width: prepared.camera.width,
             camera: Camera::rounded(&prepared.camera, F::new),
+            lens: (prepared.lens.as_ref()).map(|lens| Lens::rounded(lens, F::new)),
             eye_medium: prepared.eye_medium,
             shapes: prepared.shapes.clone(),
             materials: materials.map(|m| Material::rounded(m, F::new)).collect(),

@@ -8,7 +8,8 @@ use super::log::Log;
 use super::surroundings::Outside;
 use super::text::Token;
 use super::{
-    Brdf, Camera, Errors, Geometry, Material, MaterialKind, Read, Scene, Screen, Shape, WordLines,
+    Brdf, Camera, Errors, Geometry, Lens, Material, MaterialKind, Read, Scene, Screen, Shape,
+    WordLines,
 };
 use crate::settings::{Distribution, Fresnel};
 
@@ -42,6 +43,7 @@ pub(super) struct Builder {
     pub screen: Once<Screen>,
     /// With its line.
     pub camera: Once<(Camera, usize)>,
+    pub lens: Once<Lens>,
     /// With its line.
     pub background: Once<(Outside, usize)>,
     /// For the materials that follow.
@@ -70,6 +72,7 @@ impl Builder {
             path: path.to_owned(),
             screen: Once::Unseen,
             camera: Once::Unseen,
+            lens: Once::Unseen,
             background: Once::Unseen,
             distribution: None,
             fresnel: None,
@@ -132,12 +135,17 @@ impl Builder {
             Once::Set((Outside::Picture(picture), line)) => (DVec3::ZERO, Some(picture), line),
             Once::Unseen | Once::Wrong => (DVec3::ZERO, None, 0),
         };
+        let lens = match self.lens {
+            Once::Set(lens) => Some(lens),
+            Once::Unseen | Once::Wrong => None,
+        };
         let scene = match (self.screen, self.camera) {
             (Once::Set(screen), Once::Set((camera, camera_line))) => Some(Scene {
                 path: self.path,
                 screen,
                 camera,
                 camera_line,
+                lens,
                 background,
                 surroundings,
                 background_line,

@@ -3,7 +3,7 @@
 use super::arguments::Arguments;
 use super::builder::Builder;
 use super::text::{Line, Token, shorten};
-use super::{camera, foreign, material, shape, surroundings, view};
+use super::{camera, foreign, lens, material, shape, surroundings, view};
 
 struct Command {
     word: &'static str,
@@ -11,7 +11,7 @@ struct Command {
     read: fn(&mut Builder, &mut Arguments),
 }
 
-const COMMANDS: [Command; 13] = [
+const COMMANDS: [Command; 14] = [
     Command {
         word: "screen",
         usage: "screen W H",
@@ -21,6 +21,11 @@ const COMMANDS: [Command; 13] = [
         word: "camera",
         usage: "camera ex ey ez  ry  ORIENTATION",
         read: camera::camera,
+    },
+    Command {
+        word: "lens",
+        usage: "lens RADIUS FOCUS",
+        read: lens::lens,
     },
     Command {
         word: "ambient",

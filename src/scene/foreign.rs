@@ -93,7 +93,6 @@ const ROWS: [Row; 8] = [
     ),
     (
         &[
-            "lens",
             "aperture",
             "focus",
             "focal",
@@ -101,8 +100,8 @@ const ROWS: [Row; 8] = [
             "focaldistance",
             "fstop",
         ],
-        "the camera is a pinhole, and all of the picture is sharp",
-        "",
+        "without a `lens` all of the picture is sharp",
+        "`lens RADIUS FOCUS` blurs what is nearer or farther than FOCUS",
     ),
     (
         &["fog", "medium", "media", "volume", "smoke", "participating"],

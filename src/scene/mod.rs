@@ -12,6 +12,7 @@ mod diagnostic;
 mod field;
 mod file_path;
 mod foreign;
+mod lens;
 mod log;
 mod material;
 mod mesh;

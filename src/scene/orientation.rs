@@ -99,7 +99,7 @@ fn strays(arguments: &mut Arguments, log: &mut Log) {
     let is_number = |token: &Token| prefix_length(token.text) > 0;
     warning.help(match arguments.command().text {
         "camera" if strays.iter().all(is_number) => {
-            "other programs have the aperture and focus of a lens there; the camera here is a pinhole"
+            "other programs have the aperture and focus of a lens there; here they are a line of their own: lens RADIUS FOCUS"
         }
         _ => USAGE,
     });

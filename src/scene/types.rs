@@ -16,6 +16,8 @@ pub struct Scene {
     pub camera: Camera,
     /// The line that says so.
     pub camera_line: usize,
+    /// `None`: the camera is a pinhole.
+    pub lens: Option<Lens>,
     /// Radiance of everything outside; black beside surroundings.
     pub background: DVec3,
     /// A picture of it.
@@ -47,13 +49,24 @@ pub struct Screen {
     pub height: u32,
 }
 
-/// A pinhole: looks down −Z of its rotated frame, X right, Y up.
+/// Looks down −Z of its rotated frame, X right, Y up; a pinhole, if there is no [`Lens`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     pub eye: DVec3,
     /// tan of half the vertical field of view.
     pub ry: f64,
     pub orientation: DQuat,
+}
+
+/// A thin lens about the eye: a disc in the plane through it that is normal to the direction of view.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lens {
+    /// The line that says so.
+    pub line: usize,
+    /// Of its aperture; 0 is a pinhole.
+    pub radius: f64,
+    /// Of the plane that is sharp, along the direction of view.
+    pub focus: f64,
 }
 
 /// A material and the line that brought it in (from 1; 0: the default material).

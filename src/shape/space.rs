@@ -15,10 +15,10 @@ pub struct Space {
 }
 
 impl Space {
-    /// About the middle of `shapes`, with `eye` in it.
-    pub fn of(shapes: Bounds, eye: DVec3) -> Self {
+    /// About the middle of `shapes`, with `eye`, where rays begin, in it.
+    pub fn of(shapes: Bounds, eye: Bounds) -> Self {
         let origin = shapes.centre();
-        let all = shapes.union(Bounds::point(eye));
+        let all = shapes.union(eye);
         let extent = (all.lo - origin)
             .abs()
             .max((all.hi - origin).abs())
@@ -65,13 +65,13 @@ mod tests {
                 lo: DVec3::splat(-0.25 * extent),
                 hi: DVec3::splat(0.25 * extent),
             };
-            let space = Space::of(shapes, eye);
+            let space = Space::of(shapes, Bounds::point(eye));
             let y = space.point(eye).y;
             assert!((1.0..2.0).contains(&y), "{extent:e}: {y}");
             assert_eq!(space.scene_point(space.point(eye)), eye);
             assert_eq!(space.unit.to_bits() << 12, 0, "a power of two");
         }
         let nothing = Bounds::point(DVec3::ONE);
-        assert_eq!(Space::of(nothing, DVec3::ONE).unit, 1.0);
+        assert_eq!(Space::of(nothing, Bounds::point(DVec3::ONE)).unit, 1.0);
     }
 }

@@ -7,6 +7,7 @@
 
 pub mod checks;
 pub mod data;
+pub mod defocus;
 pub mod facets;
 pub mod icosphere;
 pub mod meshes;

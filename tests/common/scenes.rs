@@ -174,6 +174,25 @@ brdf 0 0 0 .04 .04 .04 .6 .9 .95 .9 1.5
 box -2.5 -2.5 -2 5 5 4.5
 ";
 
+/// A wide lens: what `TABLE` has, a null interface and a lamp, all before or behind the plane that is sharp.
+pub const LENS: &str = "screen 32 24
+camera 0 -6 3 .35 x 65
+lens .5 4.8
+light 6 5 4
+sphere 0 0 4 1
+light 3 2 1
+sphere 1.6 2 1.4 .3
+brdf .6 .5 .4 0 0 0 1
+box -5 -5 -.1 10 10 .1
+distribution ggx
+brdf 0 0 0 .04 .04 .04 .3 .9 .5 .3 1.5
+sphere -1 0 .8 .8
+brdf .3 .3 .4 .3 .3 .2 .4
+box .4 -.5 .002 1.1 1.1 1.1
+brdf 0 0 0 0 0 0 1 .5 .7 .9 1
+box -.6 -3.6 .8 1 .5 1
+";
+
 /// Diffuse, glossy and clear, under a picture that is turned, beside a light.
 pub fn surroundings(picture: &Path) -> String {
     format!(

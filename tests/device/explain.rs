@@ -9,7 +9,7 @@ use vkpt::settings::{Connect, Distribution, DistributionRule, Sampler, Settings}
 
 use crate::common;
 use crate::common::render::{job, on_device, prepared_file};
-use crate::common::scenes::{SMOOTH, TABLE, WIDE, scene_files};
+use crate::common::scenes::{LENS, SMOOTH, TABLE, WIDE, scene_files};
 use crate::common::settings::{estimators, independent, models};
 
 fn plan(job: &Job) -> Plan {
@@ -91,6 +91,31 @@ fn every_member_has_the_lines_that_brought_it_in() {
         ("absorption", "segment", &[9]),
     ];
     check(SMOOTH, &smooth);
+}
+
+#[test]
+fn a_lens_has_its_line() {
+    let lens = |text: &str| {
+        let parts = of_text(text, Settings::default());
+        let part = find(&parts, "camera", "lens");
+        (
+            part.present,
+            part.lines.clone(),
+            part.quote.clone(),
+            part.why.clone(),
+        )
+    };
+    assert_eq!(
+        lens(LENS),
+        (true, vec![3], "lens .5 4.8".into(), String::new())
+    );
+    let pinhole = (
+        false,
+        vec![],
+        String::new(),
+        "the camera is a pinhole".into(),
+    );
+    assert_eq!(lens(TABLE), pinhole);
 }
 
 #[test]

@@ -11,7 +11,7 @@ use vkpt::settings::{Integrator, Sampler, Settings};
 
 use crate::common;
 use crate::common::render::{job, on_device, outcome, pixel_means, prepared};
-use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE};
+use crate::common::scenes::{FLUSH, LENS, MANY, SMOOTH, TABLE, WIDE};
 use crate::common::settings::by;
 use crate::common::stats::p_of_difference;
 use crate::same_bits::{crops_are_pieces, limits_leave_no_trace, same};
@@ -94,6 +94,7 @@ fn same_as_the_reference(settings: Settings) {
         ("many", MANY),
         ("meshes", &meshes),
         ("hazy", HAZY),
+        ("lens", LENS),
         ("dark", DARK),
         ("sky", &format!("{DARK}background .4 .5 .6\n")),
     ] {

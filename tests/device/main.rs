@@ -17,6 +17,7 @@ mod hand_over;
 mod honest_error;
 mod honest_stderr;
 mod largest;
+mod lens;
 mod light_tracing;
 mod oracle;
 mod paired;

@@ -12,7 +12,7 @@ use crate::common::render::{
     difference, job, on_device, on_device_within, outcome, prepared, prepared_file,
 };
 use crate::common::scenes::{
-    FLUSH, MANY, SMOOTH, TABLE, WIDE, flush_meshes, scene_files, surroundings,
+    FLUSH, LENS, MANY, SMOOTH, TABLE, WIDE, flush_meshes, scene_files, surroundings,
 };
 use crate::common::settings::{estimators, models};
 use crate::common::surroundings::uneven_sky;
@@ -193,7 +193,7 @@ fn the_device_equals_the_reference_with_each_setting() {
     }
     let (square, cube) = (common::meshes::square(), common::meshes::cube());
     let meshes = flush_meshes(square.path(), cube.path());
-    for text in [TABLE, SMOOTH, FLUSH, &meshes] {
+    for text in [TABLE, SMOOTH, FLUSH, LENS, &meshes] {
         let scene = prepared(text, &Settings::default());
         device_equals_reference(&job(&scene, Settings::default(), 8, 1), text);
     }

@@ -5,7 +5,7 @@ use vkpt::settings::{Integrator, Settings};
 
 use crate::common;
 use crate::common::render::{job, prepared};
-use crate::common::scenes::{SMOOTH, TABLE, WIDE};
+use crate::common::scenes::{LENS, SMOOTH, TABLE, WIDE};
 use crate::common::settings::by;
 
 #[test]
@@ -15,7 +15,7 @@ fn the_device_tells_the_same_story_as_the_reference() {
     }
     let target = Target::Vulkan(common::selector());
     let mut told = String::new();
-    for text in [TABLE, SMOOTH, WIDE] {
+    for text in [TABLE, SMOOTH, WIDE, LENS] {
         let scene = prepared(text, &Settings::default());
         let job = job(&scene, Settings::default(), 8, 1);
         for (pixel, index) in [

@@ -141,7 +141,7 @@ fn eta_squared_on_the_wrong_side_is_noticed() {
 }
 
 /// A floor of Kd below a ball of light, which the camera above does not see: a pixel's row and column are y and x.
-const FLOOR: &str = "screen 16 16
+pub const FLOOR: &str = "screen 16 16
 camera 0 0 4 .5
 light 3 2 1
 sphere 3.5 .5 1.5 .5
@@ -151,7 +151,7 @@ box -9 -9 -1 18 18 1
 
 /// Radiance of the floor at (x, y, 0): Kd/π E with E = π L (r/d)² h/d, the irradiance from a ball that stands wholly above
 /// the plane (Lambert; Modest, Radiative Heat Transfer, view factor of a sphere).
-fn floor_radiance(x: f64, y: f64) -> f64 {
+pub fn floor_radiance(x: f64, y: f64) -> f64 {
     let to = glam::DVec3::new(3.5 - x, 0.5 - y, 1.5);
     let (r, d) = (0.5, to.length());
     0.6 * 3.0 * (r / d).powi(2) * to.z / d

@@ -61,7 +61,7 @@ void shade(inout EyeState s, inout Subpath path, inout ShadowRay to_light, inout
         float cosine = abs(dot3(x.wo, x.v.ng));
         x.partial = arrive(along, traced.distance, cosine);
         if (path.bounce == 0u) {
-            x.partial = from_eye(eye_sample(camera, x.v.p).importance, cosine);
+            x.partial = from_eye(eye_importance(camera, x.v.p - traced.origin), cosine);
         }
         // A path sets out with some light: what has none has lost it to absorption.
         bool absorbed = is_black(path.throughput);

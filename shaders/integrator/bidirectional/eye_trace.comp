@@ -5,7 +5,7 @@
 // of the same samples before, and has left their vertices in `light_vertices`.
 //
 // Twin: src/reference/integrator/bidirectional/eye_path.rs.
-// uses: constants/workgroup, math/steps, integrator/path/begin, integrator/bidirectional/eye_rays, integrator/bidirectional/eye_path, <record>
+// uses: constants/workgroup, math/steps, <begin>, integrator/bidirectional/eye_rays, integrator/bidirectional/eye_path, <record>
 layout(local_size_x = WORKGROUP) in;
 
 bool unfinished(EyeState s, Subpath path) {

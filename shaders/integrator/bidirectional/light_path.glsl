@@ -1,5 +1,5 @@
 // A light path whose vertices are joined to the eye, and kept for eye paths. Fills the slot <light_shade>.
-// uses: constants/bidirectional, constants/lobe, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, camera/eye, sampler/dimensions, sampler/unit_float, integrator/light/begin, integrator/light/splat, integrator/bidirectional/bend, integrator/bidirectional/joint, integrator/bidirectional/partial, integrator/bidirectional/reservoir, <sampler>, <blocks>, <aim>, <first_partial>, <depth>, <record>
+// uses: constants/bidirectional, constants/lobe, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, camera/eye, sampler/dimensions, sampler/unit_float, integrator/light/begin, integrator/light/splat, integrator/bidirectional/bend, integrator/bidirectional/joint, integrator/bidirectional/partial, integrator/bidirectional/reservoir, <sampler>, <blocks>, <aim>, <first_partial>, <depth>, <lens>, <record>
 
 // What the eye sees of a light it finds itself: no splat is pending.
 void begin(inout LightState s, inout Subpath path, inout ShadowRay shadow, uint thread, uint pixel_index) {
@@ -37,8 +37,8 @@ void offer(Joint y, uint bounce, uint sample_index, uint thread, uint pixel_inde
 }
 
 // A vertex joined to the eye.
-SplatRay weighed_splat(Joint y) {
-    EyeSample eye = eye_sample(camera, y.v.p);
+SplatRay weighed_splat(Joint y, uint pixel_index, uint sample_index) {
+    EyeSample eye = eye_drawn(pixel_index, sample_index, light_block(y.count - 1u), y.v.p);
     Bend at = bend(y.v, y.wo, eye.wi);
     float w = splat_weight(y.partial, at.junction, eye.importance);
     vec3 contribution = y.carried * at.f * eye.importance * vec3(w);
@@ -71,7 +71,7 @@ void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Trace
             record_lobe(sample_index, thread, path.throughput, LOBE_NONE);
         } else {
             offer(y, path.bounce, sample_index, thread, pixel_index);
-            leave_pending(s, shadow, weighed_splat(y));
+            leave_pending(s, shadow, weighed_splat(y, pixel_index, sample_index));
             Extension e = extend(path, y.v, pixel_index, sample_index);
             count_extension(path, e, lane);
             record_lobe(sample_index, thread, path.throughput, e.lobe);

@@ -7,7 +7,7 @@ void begin(inout LightState s, inout Subpath path, inout ShadowRay shadow, uint 
     path = begin_light_path(start, pixel_index, s.index);
     s.power = start.radiance * 3.141592653589793;
     s.index += 1u;
-    leave_pending(s, shadow, splat_light(start));
+    leave_pending(s, shadow, splat_light(start, pixel_index, s.index - 1u));
 }
 
 void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Traced traced, inout LightLane lane, uint thread,
@@ -19,7 +19,7 @@ void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Trace
         bool absorbed = is_black(path.throughput);
         lane.underflows += absorbed ? 1u : 0u;
         if (!(materials[v.material].kind == KIND_BLACK || depth_reached(path.bounce) || absorbed)) {
-            leave_pending(s, shadow, splat_vertex(s.power, path, v));
+            leave_pending(s, shadow, splat_vertex(s.power, path, v, pixel_index, s.index - 1u));
             Extension e = extend(path, v, pixel_index, s.index - 1u);
             count_extension(path, e, lane);
             alive = e.alive;

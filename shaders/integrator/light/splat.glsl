@@ -1,6 +1,6 @@
 // A vertex of a light path joined to the eye: what arrives there is a splat on the pixel that sees the vertex.
 // Twin of src/reference/integrator/light/splat.rs.
-// uses: constants/none, constants/path, math/finite, camera/eye, integrator/light/begin, path/extend, path/spawn, path/vertex, <bsdf>, <correction>, <crossing>
+// uses: constants/none, constants/path, math/finite, camera/eye, sampler/dimensions, integrator/light/begin, path/extend, path/spawn, path/vertex, <bsdf>, <correction>, <crossing>, <lens>
 
 // Light on its way to a pixel.
 struct SplatRay {
@@ -31,8 +31,8 @@ SplatRay splat_ray(EyeSample eye, Ray ray, vec3 contribution) {
 }
 
 // The light itself, as the eye sees it: L cos W/(P p_A).
-SplatRay splat_light(LightStart start) {
-    EyeSample eye = eye_sample(camera, start.point.p);
+SplatRay splat_light(LightStart start, uint pixel_index, uint sample_index) {
+    EyeSample eye = eye_drawn(pixel_index, sample_index, light_block(0u), start.point.p);
     float cosine = dot3(start.point.n, eye.wi);
     vec3 contribution = start.radiance * (cosine * eye.importance);
     bool seen = start.emits && cosine > 0.0;
@@ -40,8 +40,8 @@ SplatRay splat_light(LightStart start) {
 }
 
 // A vertex that scatters: power throughput f W, f = value |N.wi| of the adjoint.
-SplatRay splat_vertex(vec3 power, Subpath path, Vertex v) {
-    EyeSample eye = eye_sample(camera, v.p);
+SplatRay splat_vertex(vec3 power, Subpath path, Vertex v, uint pixel_index, uint sample_index) {
+    EyeSample eye = eye_drawn(pixel_index, sample_index, light_block(path.bounce + 1u), v.p);
     vec3 wi = to_local(v.frame, eye.wi);
     bool valid = eye.seen && same_sides(v.facing, eye.wi, wi);
     vec3 f = corrected(v, eye.wi, wi, bsdf_eval(v.interaction, wi).value);

@@ -9,7 +9,7 @@
 // watchdog and no limit on loops (Mesa 22: 65,535 iterations a subgroup and dispatch) can touch the picture.
 //
 // Twin: src/reference/integrator/path/, which takes the same decisions in the same order, one sample at a time.
-// uses: constants/workgroup, math/steps, film/film_pixel, <moments>, integrator/path/begin, path/trace, integrator/path/shade, <record>
+// uses: constants/workgroup, math/steps, film/film_pixel, <moments>, <begin>, path/trace, integrator/path/shade, <record>
 layout(local_size_x = WORKGROUP) in;
 
 // Of a pixel that has `samples` complete ones.

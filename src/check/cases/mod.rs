@@ -10,6 +10,7 @@ mod contact;
 mod far;
 mod furnace;
 mod interface;
+mod lens;
 mod light;
 mod medium;
 mod mesh;
@@ -31,6 +32,7 @@ pub fn battery() -> Vec<Case> {
         light::cases(),
         surroundings::cases(),
         camera::cases(),
+        lens::cases(),
         bounces::cases(),
         contact::cases(),
         coincident::cases(),

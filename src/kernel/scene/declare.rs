@@ -156,6 +156,9 @@ fn structs(features: &Features) -> String {
     if features.aims {
         text += &device::Aim::glsl();
     }
+    if features.lens {
+        text += &device::Lens::glsl();
+    }
     if features.picks.contains(&LightPick::Tree) {
         text += &device::LightNode::glsl();
     }

@@ -122,6 +122,20 @@ fn files(
             },
         ),
         (
+            "begin",
+            match features.lens {
+                true => "integrator/path/begin/lens",
+                false => "integrator/path/begin/pinhole",
+            },
+        ),
+        (
+            "lens",
+            match features.lens {
+                true => "camera/lens/thin",
+                false => "camera/lens/none",
+            },
+        ),
+        (
             "correction",
             match (features.shading_normals, side) {
                 (true, Side::Light) => "path/correction/shading_normal",

@@ -2,6 +2,7 @@
 
 pub mod aim;
 pub mod camera;
+pub mod lens;
 pub mod light;
 pub mod light_node;
 pub mod material;

@@ -2,7 +2,7 @@
 //!
 //! | block | x | y | z | w |
 //! |---|---|---|---|---|
-//! | [`camera_block`] | pixel column | pixel row | – | – |
+//! | [`camera_block`] | pixel column | pixel row | lens u₁ | lens u₂ |
 //! | [`light_block`] | choice of the light | choice of the primitive | u | v |
 //! | [`bsdf_block`] | choice of the lobe | reflect or refract | micro-normal u₁ | micro-normal u₂ |
 //! | [`roulette_block`] | roulette | diffuse u₁ | diffuse u₂ | – |
@@ -11,11 +11,13 @@
 //! never given to something else.
 //!
 //! A light path has blocks of its own, [`LIGHT_PATH`] + the same numbers: `camera_block` chooses its light (x), the
-//! primitive (y) and the point (z, w), `light_block(0)` its direction (x, y).
+//! primitive (y) and the point (z, w), `light_block(0)` its direction (x, y). The point of the lens (z, w) that a vertex is
+//! joined to is that of `light_block(bounce + 1)`, of the light's own point that of `light_block(0)`; a bidirectional light
+//! path, whose own point is not joined, has that of `light_block(0)` for what it is aimed at (z).
 
 pub use crate::layout::constants::path::LIGHT_PATH;
 
-/// Where in its pixel the camera ray goes through.
+/// Where in its pixel the camera ray goes through, and where in the lens.
 pub fn camera_block() -> u32 {
     0
 }

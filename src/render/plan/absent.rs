@@ -5,6 +5,7 @@ use bytemuck::Zeroable;
 
 use crate::features::Features;
 use crate::flat;
+use crate::layout::OnDevice;
 use crate::prepared::{Coincidences, Light, LightKind, NONE, Prepared, Shape, device};
 
 /// The scene's lights, and behind them the one that is not there, if the kernel looks for it.
@@ -77,6 +78,14 @@ pub const BLACK_ROW: device::SurroundingsRow = device::SurroundingsRow {
     pdf: 0.0,
     end: 0,
 };
+
+/// The lens: one of radius 0 where the camera is a pinhole, which adds 0 to the eye and to the points of pixels.
+pub fn lens(prepared: &Prepared) -> device::Lens {
+    prepared
+        .lens
+        .as_ref()
+        .map_or(Zeroable::zeroed(), OnDevice::record)
+}
 
 /// The corners' shading normals: zeros, as for a mesh that gives none, where no mesh gives any.
 pub fn normals(prepared: &Prepared) -> Vec<[[f32; 3]; 3]> {

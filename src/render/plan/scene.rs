@@ -87,6 +87,9 @@ impl<'a> ScenePlan<'a> {
             limits,
         };
         all.scene(job.prepared, job.seed);
+        if features.lens {
+            all.records("lens", vec![absent::lens(job.prepared)]);
+        }
         all.primitives(job.prepared, features);
         all.lights(job.prepared, features);
         if !features.covered.is_empty() {

@@ -36,7 +36,7 @@ impl<'a, F: Real> Events<'a, F> {
             names,
             told: Vec::new(),
             vertex: 0,
-            paths: Paths::new(),
+            paths: Paths::new(world.camera.eye),
         }
     }
 
@@ -83,8 +83,8 @@ impl<'a, F: Real> Events<'a, F> {
     }
 
     /// Density and weight of each way to find the path.
-    fn rows(&self, [light, eye]: [u32; 2], (bounces, end): Whole<F>) -> Vec<String> {
-        let Some(chain) = Chain::new(self.world, self.settings, &bounces, end) else {
+    fn rows(&self, [light, eye]: [u32; 2], (point, bounces, end): Whole<F>) -> Vec<String> {
+        let Some(chain) = Chain::new(self.world, self.settings, point, &bounces, end) else {
             return Vec::new();
         };
         let here = (light as usize, eye as usize);
@@ -100,8 +100,8 @@ impl<'a, F: Real> Events<'a, F> {
     }
 }
 
-/// Every vertex of a path that scatters, and where it ends.
-type Whole<F> = (Vec<Bounce<F>>, End<F>);
+/// Where a path leaves the eye, every vertex that scatters, and where it ends.
+type Whole<F> = (Vec3<F>, Vec<Bounce<F>>, End<F>);
 
 impl<F: Real> Recorder<F> for Events<'_, F> {
     fn start(&mut self, start: &LightStart<F>, path: &Subpath<F>, power: Vec3<F>) {
@@ -113,6 +113,17 @@ impl<F: Real> Recorder<F> for Events<'_, F> {
             ("power", xyz(power)),
         ];
         self.push(format!("the light path leaves {on}"), numbers);
+    }
+
+    fn looks(&mut self, path: &Subpath<F>) {
+        self.paths.eye_point = path.ray.o;
+        if self.world.lens.is_some() {
+            let numbers = vec![
+                ("point", self.names.place(path.ray.o.f64())),
+                ("direction", xyz(path.ray.d)),
+            ];
+            self.push("the eye path leaves the lens".to_owned(), numbers);
+        }
     }
 
     fn hit(&mut self, from: Origin, x: &Joint<F>) {
@@ -158,12 +169,13 @@ impl<F: Real> Recorder<F> for Events<'_, F> {
         let bounces = self.paths.eye_bounces(count, path.ray.d);
         let shape = on.map_or(NONE, |x| x.v.shape);
         let to = format!("the eye path comes to {}", self.names.of(shape));
-        self.found([0, path.bounce + 2], &to, Some(seen), (bounces, end));
+        let whole = (self.paths.eye_point, bounces, end);
+        self.found([0, path.bounce + 2], &to, Some(seen), whole);
     }
 
     fn connection(&mut self, far: Far<F>, arrived: Option<Vec3<F>>) {
         match far {
-            Far::Eye(pixel) => self.splat(pixel, arrived),
+            Far::Eye { pixel, point } => self.splat(pixel, point, arrived),
             Far::Light(candidate) => {
                 let Some(x) = self.paths.eye.last().map(|s| s.joint) else {
                     return;
@@ -180,7 +192,8 @@ impl<F: Real> Recorder<F> for Events<'_, F> {
                 };
                 let to = format!("to {}", self.names.of(self.world.lights[light].shape));
                 let bounces = self.paths.eye_bounces(self.paths.eye.len(), l.wi);
-                self.found([1, x.count], &to, arrived, (bounces, end));
+                let whole = (self.paths.eye_point, bounces, end);
+                self.found([1, x.count], &to, arrived, whole);
             }
             Far::Vertex(y) => self.joined(y, arrived),
         }
@@ -211,18 +224,18 @@ impl<F: Real> Recorder<F> for Events<'_, F> {
 }
 
 impl<F: Real> Events<'_, F> {
-    fn splat(&mut self, pixel: u32, arrived: Option<Vec3<F>>) {
+    fn splat(&mut self, pixel: u32, point: Vec3<F>, arrived: Option<Vec3<F>>) {
         let (Some(end), Some(y)) = (self.paths.begun(), self.paths.light.last()) else {
             return;
         };
         let count = y.joint.count;
-        let to = self.world.camera.eye - y.joint.v.p;
+        let to = point - y.joint.v.p;
         let bounces = self
             .paths
             .light_bounces(self.paths.light.len() - 1, to / length3(to));
         let (column, row) = (pixel % self.world.width, pixel / self.world.width);
         let to = format!("a splat on pixel {column},{row}");
-        self.found([count, 1], &to, arrived, (bounces, end));
+        self.found([count, 1], &to, arrived, (point, bounces, end));
     }
 
     fn joined(&mut self, y: &Joint<F>, arrived: Option<Vec3<F>>) {
@@ -235,6 +248,7 @@ impl<F: Real> Events<'_, F> {
         let mut bounces = self.paths.eye_bounces(self.paths.eye.len(), wi);
         bounces.extend(self.paths.light_bounces(y.count as usize - 2, -wi));
         let to = format!("eye vertex {} to light vertex {}", x.count, y.count);
-        self.found([y.count, x.count], &to, arrived, (bounces, end));
+        let whole = (self.paths.eye_point, bounces, end);
+        self.found([y.count, x.count], &to, arrived, whole);
     }
 }

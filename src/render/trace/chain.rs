@@ -1,6 +1,6 @@
 //! A whole path from the eye to a light, with all that any way to find it asks of its vertices.
 
-use crate::reference::camera::eye_sample;
+use crate::reference::camera::eye_importance;
 use crate::reference::integrator::bidirectional::aim::aimed_density;
 use crate::reference::integrator::bidirectional::bend::reverse_pdf;
 use crate::reference::integrator::path::pick::{pick_normal, pick_probability};
@@ -74,15 +74,16 @@ pub struct Chain {
 }
 
 impl Chain {
-    /// The path that leaves the eye and scatters at `bounces`, one at least.
+    /// The path that leaves the `eye`, or that point of its lens, and scatters at `bounces`, one at least.
     pub fn new<F: Real>(
         world: &World<F>,
         settings: &Settings,
+        eye: Vec3<F>,
         bounces: &[Bounce<F>],
         end: End<F>,
     ) -> Option<Self> {
         let (first, last) = (bounces.first()?, bounces.last()?);
-        let mut before = world.camera.eye;
+        let mut before = eye;
         let nodes = bounces.iter().map(|b| {
             let distance = length3(b.v.p - before).f64();
             before = b.v.p;
@@ -91,7 +92,7 @@ impl Chain {
         let nodes = nodes.collect();
         Some(Self {
             nodes,
-            importance: eye_sample(&world.camera, first.v.p).importance.f64(),
+            importance: eye_importance(&world.camera, first.v.p - eye).f64(),
             light_paths: f64::from(world.width * world.camera.height),
             source: source(world, settings, last, end),
         })

@@ -16,6 +16,8 @@ pub struct Step<F> {
 
 /// Both paths so far.
 pub struct Paths<F> {
+    /// Where the eye path began.
+    pub eye_point: Vec3<F>,
     pub start: Option<LightStart<F>>,
     pub light: Vec<Step<F>>,
     pub eye: Vec<Step<F>>,
@@ -23,8 +25,9 @@ pub struct Paths<F> {
 
 impl<F: Real> Paths<F> {
     /// No vertex yet.
-    pub fn new() -> Self {
+    pub fn new(eye: Vec3<F>) -> Self {
         Self {
+            eye_point: eye,
             start: None,
             light: Vec::new(),
             eye: Vec::new(),

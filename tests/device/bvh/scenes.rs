@@ -39,6 +39,7 @@ impl Builder {
             background: DVec3::ZERO,
             surroundings: None,
             background_line: 0,
+            lens: None,
             eye_medium: NONE,
             warnings: Vec::new(),
         })

@@ -5,7 +5,7 @@ use vkpt::settings::Settings;
 
 use crate::common::meshes::{cube, ply, square};
 use crate::common::render::prepared;
-use crate::common::scenes::{FLUSH, MANY, SMOOTH, TABLE, WIDE, flush_meshes, surroundings};
+use crate::common::scenes::{FLUSH, LENS, MANY, SMOOTH, TABLE, WIDE, flush_meshes, surroundings};
 use crate::common::surroundings::uneven_sky;
 
 /// Clear glass, smooth and rough, under a background that is the only light.
@@ -70,6 +70,7 @@ pub fn small_scenes(settings: &Settings) -> Vec<(&'static str, Prepared)> {
         ("wide", WIDE.to_owned()),
         ("flush", FLUSH.to_owned()),
         ("many", MANY.to_owned()),
+        ("lens", LENS.to_owned()),
         ("flush meshes", flush_meshes(square.path(), cube.path())),
         ("surroundings", surroundings(sky.path())),
         ("flat mesh", meshes(&of(&cube), &of(&cube))),

@@ -82,12 +82,18 @@ pub struct Eye {
     pub at: [f64; 3],
     pub ry: f64,
     pub turn: String,
+    /// Radius of a lens, and what is sharp.
+    pub lens: Option<[f64; 2]>,
 }
 
 impl Eye {
     pub fn line(&self, scale: f64, offset: f64) -> String {
         let at = self.at.map(|x| scale * x + offset);
-        format!("camera {}  {}  {}", row(&at), row(&[self.ry]), self.turn)
+        let camera = format!("camera {}  {}  {}", row(&at), row(&[self.ry]), self.turn);
+        match self.lens {
+            Some(lens) => format!("{camera}\nlens {}", row(&lens.map(|x| scale * x))),
+            None => camera,
+        }
     }
 }
 
@@ -103,6 +109,7 @@ pub fn looking_in(distance: impl Strategy<Value = f64>) -> impl Strategy<Value =
             at: [sin_x * sin_z, -sin_x * cos_z, cos_x].map(|v| distance * v),
             ry,
             turn: format!("z {z} x {x}"),
+            lens: None,
         }
     })
 }
@@ -119,8 +126,16 @@ fn eye() -> impl Strategy<Value = Eye> {
             at,
             ry,
             turn: turn.to_owned(),
+            lens: None,
         });
-    prop_oneof![2 => looking_in(0.1..8.0f64), 1 => among]
+    let pinhole = prop_oneof![2 => looking_in(0.1..8.0f64), 1 => among];
+    (pinhole, lens()).prop_map(|(eye, lens)| Eye { lens, ..eye })
+}
+
+/// Now and then; narrow, as wide as the scene, wider; focused anywhere.
+fn lens() -> impl Strategy<Value = Option<[f64; 2]>> {
+    let some = [decades(-6.0, 2.0), decades(-3.0, 6.0)].prop_map(Some);
+    prop_oneof![3 => Just(None), 1 => some]
 }
 
 /// Any scene, with any settings.

@@ -15,6 +15,7 @@ use vkpt::settings::Settings;
 /// The path of a sample, if it scatters at least once and then finds a light.
 pub fn chain(world: &World<f64>, settings: &Settings, id: SampleId) -> Option<Chain> {
     let mut path = begin_path(world, settings, id).path;
+    let eye = path.ray.o;
     let mut bounces: Vec<Bounce<f64>> = Vec::new();
     let mut drawn = Vec::new();
     let mut rays = 0;
@@ -29,7 +30,7 @@ pub fn chain(world: &World<f64>, settings: &Settings, id: SampleId) -> Option<Ch
                 p: v.p,
                 cosine: dot3(wo, v.ng).abs(),
             };
-            let chain = Chain::new(world, settings, &bounces, end)?;
+            let chain = Chain::new(world, settings, eye, &bounces, end)?;
             for (node, pdf) in chain.nodes.iter().zip(&drawn) {
                 // Directions are drawn with the densities that the weights see, but for the half vector's rounding error.
                 assert!(

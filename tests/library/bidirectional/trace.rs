@@ -13,7 +13,7 @@ use vkpt::settings::{Integrator, Lights};
 
 use super::{samples, whole};
 use crate::common::render::{job, prepared};
-use crate::common::scenes::{INSIDE, SMOOTH, TABLE, WIDE};
+use crate::common::scenes::{INSIDE, LENS, SMOOTH, TABLE, WIDE};
 use crate::common::settings::by;
 
 /// What arrived over each connection, by the numbers of vertices from the light and from the eye.
@@ -34,7 +34,7 @@ impl Recorder<f64> for Arrived {
 
     fn connection(&mut self, far: Far<f64>, arrived: Option<Vec3<f64>>) {
         let way = match far {
-            Far::Eye(_) => (self.light, 1),
+            Far::Eye { .. } => (self.light, 1),
             Far::Light(_) => (1, self.eye),
             Far::Vertex(y) => (y.count, self.eye),
         };
@@ -76,7 +76,7 @@ fn compared(factor: f64) -> (f64, usize) {
     settings.estimator.lights = Lights::Power;
     let adjoint = settings.adjoint();
     let (mut off, mut count) = (0.0, 0);
-    for text in [TABLE, SMOOTH, WIDE, INSIDE] {
+    for text in [TABLE, SMOOTH, WIDE, INSIDE, LENS] {
         let scene = prepared(text, &settings);
         let world = World::<f64>::new(&scene);
         for id in samples(&scene, 1, 1).step_by(3) {

@@ -14,7 +14,7 @@ use super::chain::chain;
 use super::samples;
 use crate::common::meshes::cube;
 use crate::common::render::prepared;
-use crate::common::scenes::{INSIDE, MANY, SMOOTH, TABLE, WIDE};
+use crate::common::scenes::{INSIDE, LENS, MANY, SMOOTH, TABLE, WIDE};
 use crate::light_tracing::lamps;
 
 /// Mistakes that must be noticed.
@@ -158,13 +158,14 @@ fn paths(text: &str, mut f: impl FnMut(&Chain)) -> usize {
     count
 }
 
-fn scenes(cube: &Path) -> [(&'static str, String); 6] {
+fn scenes(cube: &Path) -> [(&'static str, String); 7] {
     [
         ("table", TABLE.to_owned()),
         ("smooth", SMOOTH.to_owned()),
         ("wide", WIDE.to_owned()),
         ("many", MANY.to_owned()),
         ("inside", INSIDE.to_owned()),
+        ("lens", LENS.to_owned()),
         ("lamps", lamps(cube)),
     ]
 }

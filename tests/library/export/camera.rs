@@ -33,6 +33,20 @@ fn the_camera_is_turned_and_looks_along_z() {
 }
 
 #[test]
+fn a_lens_is_as_wide_and_as_far_from_what_is_sharp() {
+    for (line, expected) in [("lens .25 7", "thinlens"), ("lens 0 7", "perspective")] {
+        let exported = export(&format!("{AIR}{line}\n"));
+        let document = document(&exported);
+        let sensor = plugins(&document, "sensor")[0];
+        assert_eq!(kind(&sensor), expected);
+        if expected == "thinlens" {
+            check(&sensor, "aperture_radius", &[0.25]);
+            check(&sensor, "focus_distance", &[7.0]);
+        }
+    }
+}
+
+#[test]
 fn the_background_is_an_emitter_where_there_is_one() {
     let exported = export(AIR);
     let emitter = plugins(&document(&exported), "emitter")

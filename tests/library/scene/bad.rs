@@ -81,6 +81,16 @@ const ONE: &[(&str, &str, usize, &str)] = &[
     ("brdf 0 0 0 0 2 0 1", "W", 14, "Ks is above 1"),
     ("brdf 0 0 0 0 0 0 1 1 1 3 1", "W", 24, "Kt is above 1"),
     ("brdf 0 .1 0 0 0 0 1 .1 0 0 1", "W", 1, "Kd and Kt are both above 0"),
+    ("lens -1 4", "E", 6, "the radius of the lens must not be negative"),
+    ("lens 1 0", "E", 8, "the distance of what is sharp must be above 0"),
+    ("lens 1 -4", "E", 8, "the distance of what is sharp must be above 0"),
+    ("lens 1 1e-60", "E", 8, "the distance of what is sharp is zero in single precision"),
+    ("lens 1e39 4", "E", 6, "`1e39` is beyond the range of single precision"),
+    ("lens 1 inf", "E", 8, "`inf` is not a finite number"),
+    ("lens wide 4", "E", 6, "`wide` is not a number"),
+    ("lens .1", "E", 8, "`lens` has too few arguments"),
+    ("lens", "E", 5, "`lens` has too few arguments"),
+    ("lens .1 4 5", "W", 11, "`lens` has more arguments than it takes"),
     // Unknown commands and words.
     ("sphre 0 0 0 1", "W", 1, "unknown command `sphre`"),
     ("frobnicate 1 2", "W", 1, "unknown command `frobnicate`"),
@@ -161,6 +171,10 @@ fn views_are_checked_too() {
         (
             "screen 4 3\ncamera 0 0 0 -1",
             &[("E", 2, 14, "ry must be above 0")],
+        ),
+        (
+            "lens 1 2\nscreen 4 3\ncamera 0 0 0 1\nlens 3 4",
+            &[("W", 4, 1, "`lens` stands here once more")],
         ),
         (
             "screen 4 3\ncamera 0 0 0 1 x",

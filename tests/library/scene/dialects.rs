@@ -180,7 +180,7 @@ fn commands_of_other_programs_say_what_the_picture_lacks() {
         ("SDF 1", "the picture lacks this shape"),
         (
             "aperture .1",
-            "the camera is a pinhole, and all of the picture is sharp",
+            "without a `lens` all of the picture is sharp",
         ),
         ("fog .1", "the picture lacks this medium"),
         ("pointlight 0 0 9 1 1 1", "the picture lacks this light"),

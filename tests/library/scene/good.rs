@@ -71,6 +71,31 @@ fn screen_camera_and_background() {
 }
 
 #[test]
+fn a_lens_stands_anywhere_and_the_last_counts() {
+    let lens = |text: &str| {
+        let read = parse(text, Path::new("a.scn"), false).expect("a legal scene");
+        (
+            read.scene.lens.map(|l| (l.line, l.radius, l.focus)),
+            read.warnings.len(),
+        )
+    };
+    let view = "screen 4 3\ncamera 0 0 0 1";
+    assert_eq!(lens(view), (None, 0));
+    assert_eq!(
+        lens(&format!("lens .25 8\n{view}")),
+        (Some((1, 0.25, 8.0)), 0)
+    );
+    assert_eq!(
+        lens(&format!("{view}\nsphere 0 0 0 1\nlens 0 1e9")),
+        (Some((4, 0.0, 1e9)), 0)
+    );
+    assert_eq!(
+        lens(&format!("lens 1 2\n{view}\nlens 3 4")),
+        (Some((4, 3.0, 4.0)), 1)
+    );
+}
+
+#[test]
 fn shapes() {
     let lines = "sphere 1 2 3 4\nbox 1 2 3 -4 5 -6\ncylinder 1 2 3 0 0 -2 .5";
     let shapes = read_lines(lines).expect("a legal scene").scene.shapes;

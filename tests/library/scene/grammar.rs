@@ -98,6 +98,7 @@ fn statement() -> impl Strategy<Value = String> {
         select(words.map(str::to_owned).to_vec()),
         row(positive, 3).prop_map(|v| format!("light {v}")),
         row(positive, 3).prop_map(|v| format!("background {v}")),
+        row(positive, 2).prop_map(|v| format!("lens {v}")),
         (row(number, 3), row(positive, 1)).prop_map(|(c, r)| format!("sphere {c} {r}")),
         (row(number, 3), row(positive, 3)).prop_map(|(c, d)| format!("box {c} {d}")),
         (row(number, 3), row(positive, 4)).prop_map(|(b, ar)| format!("cylinder {b} {ar}")),

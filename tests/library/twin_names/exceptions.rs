@@ -127,9 +127,13 @@ pub const ARGUMENTS: &[(&str, &str)] = &[
     ("surroundings_light_sample", PICTURE),
     ("surroundings_outside", PICTURE),
     ("outside_seen", "the kernel knows the background's index"),
+    ("eye_drawn", SAMPLE),
     ("extend", SAMPLE),
     ("join_light", SAMPLE),
     ("light_start", SAMPLE),
+    ("splat_light", SAMPLE),
+    ("splat_vertex", SAMPLE),
+    ("weighed_splat", SAMPLE),
     (
         "mesh_emission",
         "the place of the mesh's part of the table instead of a slice",
@@ -187,6 +191,7 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
     ("begin_aimed_path", "a part of begin"),
     ("light_path", "the loop of light_trace.comp"),
     ("eye_path", "the loop of eye_trace.comp"),
+    ("camera_ray", "the ray of the files of the slot <begin>"),
     ("arrives", "a part of trace_eye_rays"),
     (
         "connections",

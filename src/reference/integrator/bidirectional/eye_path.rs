@@ -10,7 +10,7 @@ use super::reservoir::Reservoir;
 use super::to_light::{emission_density, join_light};
 use crate::prepared::MaterialKind;
 use crate::reference::bsdf::LOBE_NONE;
-use crate::reference::camera::eye_sample;
+use crate::reference::camera::eye_importance;
 use crate::reference::integrator::light::LightCounts;
 use crate::reference::integrator::path::pick::{pick_normal, pick_probability};
 use crate::reference::integrator::path::{PathState, begin_path};
@@ -32,6 +32,7 @@ pub fn eye_path<F: Real>(
     recorder: &mut impl Recorder<F>,
 ) -> Vec3<F> {
     let mut s = begin_path(t.world, t.settings, id);
+    recorder.looks(&s.path);
     let mut partial = None;
     let mut alive = true;
     while alive {
@@ -49,7 +50,7 @@ pub fn eye_path<F: Real>(
         let wo = -s.path.ray.d;
         let cosine = dot3(wo, v.ng).abs();
         let here = match partial {
-            None => from_eye(eye_sample(&t.world.camera, v.p).importance, cosine),
+            None => from_eye(eye_importance(&t.world.camera, v.p - origin), cosine),
             Some(partial) => arrive(partial, distance, cosine),
         };
         let x = Joint {

@@ -9,7 +9,7 @@ use super::record::{Far, Recorder};
 use super::reservoir::{Reservoir, has_density};
 use crate::prepared::MaterialKind;
 use crate::reference::bsdf::LOBE_NONE;
-use crate::reference::camera::eye_sample;
+use crate::reference::camera::eye_drawn;
 use crate::reference::integrator::light::begin::{LightStart, leaving_path, light_start};
 use crate::reference::integrator::light::splat::{SplatRay, Window, in_film, splat_ray};
 use crate::reference::integrator::light::{LightCounts, Splat, count_extension};
@@ -84,7 +84,7 @@ pub fn light_path<F: Real>(
             );
             reservoir.offer(y, unit_float(u));
         }
-        let splat = weighed_splat(t, window, &y);
+        let splat = weighed_splat(t, window, &y, id);
         let e = extend(t.adjoint, Origin::Light, &mut path, &v, id);
         count_extension(&path, e, counts);
         if e.alive {
@@ -92,8 +92,9 @@ pub fn light_path<F: Real>(
         }
         alive = e.alive;
         if let Some(SplatRay { shadow, pixel, .. }) = splat {
+            let point = shadow.ray.o + shadow.ray.d * shadow.ray.t_max;
             let arrived = shadow_ray(t.world, t.adjoint, shadow, &mut counts.rays);
-            recorder.connection(Far::Eye(pixel), arrived);
+            recorder.connection(Far::Eye { pixel, point }, arrived);
             arrived
                 .into_iter()
                 .for_each(|value| take(Splat { value, pixel }));
@@ -136,8 +137,13 @@ fn first_partial<F: Real>(
 }
 
 /// A vertex joined to the eye.
-fn weighed_splat<F: Real>(t: Transport<F>, window: Window, y: &Joint<F>) -> Option<SplatRay<F>> {
-    let eye = eye_sample(&t.world.camera, y.v.p);
+fn weighed_splat<F: Real>(
+    t: Transport<F>,
+    window: Window,
+    y: &Joint<F>,
+    id: SampleId,
+) -> Option<SplatRay<F>> {
+    let eye = eye_drawn(t.world, t.adjoint, id, light_block(y.count - 1), y.v.p);
     if !in_film(window, &eye) {
         return None;
     }

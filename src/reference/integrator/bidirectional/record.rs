@@ -11,8 +11,8 @@ use crate::reference::path::blocks::Origin;
 /// What a path's last vertex is connected to.
 #[derive(Clone, Copy, Debug)]
 pub enum Far<'a, F> {
-    /// A light path's vertex to the eye, which sees it through this pixel.
-    Eye(u32),
+    /// A light path's vertex to the eye at this point, which sees it through this pixel.
+    Eye { pixel: u32, point: Vec3<F> },
     /// An eye path's vertex to a point of a light.
     Light(&'a Candidate<F>),
     /// An eye path's vertex to one of the light path.
@@ -23,6 +23,8 @@ pub enum Far<'a, F> {
 pub trait Recorder<F: Real> {
     /// The light path leaves its light along `path`'s ray with the power `power`, W.
     fn start(&mut self, _start: &LightStart<F>, _path: &Subpath<F>, _power: Vec3<F>) {}
+    /// The eye path leaves the eye, or a point of its lens, along `path`'s ray.
+    fn looks(&mut self, _path: &Subpath<F>) {}
     /// A path has come to a vertex, which is not shaded yet.
     fn hit(&mut self, _from: Origin, _x: &Joint<F>) {}
     /// The last vertex of the eye path shines, or the background where `on` is `None`: `seen` is its weighted radiance times

@@ -72,7 +72,7 @@ impl<F: Real> Recorder<F> for Signature {
     }
 
     fn connection(&mut self, far: Far<F>, arrived: Option<Vec3<F>>) {
-        if !matches!(far, Far::Eye(_)) {
+        if !matches!(far, Far::Eye { .. }) {
             let arrived = arrived.is_some_and(is_light);
             self.connections = decide(self.connections, arrived, DECISION_ARRIVAL, 0);
         }

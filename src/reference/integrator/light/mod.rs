@@ -74,7 +74,8 @@ pub fn trace_light<F: Real>(
             take(Splat { value, pixel });
         }
     };
-    arrive(splat_light(world, window, &start), &mut counts);
+    let splat = splat_light(world, settings, window, &start, id);
+    arrive(splat, &mut counts);
     let mut alive = true;
     while alive {
         let (hit, distance) = extend_ray(world, settings, &mut path, &mut counts.rays);
@@ -87,7 +88,7 @@ pub fn trace_light<F: Real>(
         if black || depth_reached(settings, path.bounce) || absorbed {
             break;
         }
-        let splat = splat_vertex(world, settings, window, power, &path, &v);
+        let splat = splat_vertex(world, settings, window, power, &path, &v, id);
         let e = extend(settings, Origin::Light, &mut path, &v, id);
         arrive(splat, &mut counts);
         count_extension(&path, e, &mut counts);

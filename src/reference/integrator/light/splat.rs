@@ -3,16 +3,17 @@
 
 use super::begin::{LightStart, emitted_ray};
 use crate::reference::bsdf::bsdf_eval;
-use crate::reference::camera::{EyeSample, eye_sample};
+use crate::reference::camera::{EyeSample, eye_drawn};
 use crate::reference::math::finite::is_black;
 use crate::reference::math::frame::to_local;
 use crate::reference::math::{Real, Vec3, dot3};
-use crate::reference::path::Subpath;
 use crate::reference::path::blocks::Origin;
 use crate::reference::path::correction::corrected;
 use crate::reference::path::spawn::spawn_ray;
 use crate::reference::path::trace::ShadowRay;
 use crate::reference::path::vertex::{Vertex, same_sides};
+use crate::reference::path::{SampleId, Subpath};
+use crate::reference::sampler::light_block;
 use crate::reference::shape::{Ray, Target};
 use crate::reference::world::World;
 use crate::settings::Settings;
@@ -66,10 +67,12 @@ pub fn splat_ray<F: Real>(
 /// The light itself, as the eye sees it: L cos θ W/(P p_A).
 pub fn splat_light<F: Real>(
     world: &World<F>,
+    settings: &Settings,
     window: Window,
     start: &LightStart<F>,
+    id: SampleId,
 ) -> Option<SplatRay<F>> {
-    let eye = eye_sample(&world.camera, start.point.p);
+    let eye = eye_drawn(world, settings, id, light_block(0), start.point.p);
     let cosine = dot3(start.point.n, eye.wi);
     let contribution = start.radiance * (cosine * eye.importance);
     let ray = emitted_ray(world, start, eye.wi);
@@ -85,8 +88,9 @@ pub fn splat_vertex<F: Real>(
     power: Vec3<F>,
     path: &Subpath<F>,
     v: &Vertex<F>,
+    id: SampleId,
 ) -> Option<SplatRay<F>> {
-    let eye = eye_sample(&world.camera, v.p);
+    let eye = eye_drawn(world, settings, id, light_block(path.bounce + 1), v.p);
     let wi = to_local(v.frame, eye.wi);
     let value = bsdf_eval(settings, &v.interaction, wi).value;
     let f = corrected(Origin::Light, v, eye.wi, wi, value);

@@ -11,7 +11,7 @@ pub mod signature;
 
 use crate::prepared::MaterialKind;
 use crate::reference::bsdf::LOBE_NONE;
-use crate::reference::camera::camera_direction;
+use crate::reference::camera::camera_ray;
 use crate::reference::math::finite::is_black;
 use crate::reference::math::{Real, Vec3, dot3};
 use crate::reference::path::blocks::Origin;
@@ -20,8 +20,7 @@ use crate::reference::path::roulette::LONG_PATH;
 use crate::reference::path::trace::extend_ray;
 use crate::reference::path::vertex::{Vertex, path_vertex};
 use crate::reference::path::{SampleId, Subpath, depth_reached};
-use crate::reference::sampler::{camera_block, unit_float};
-use crate::reference::shape::Ray;
+use crate::reference::sampler::camera_block;
 use crate::reference::world::World;
 use crate::settings::Settings;
 use connect::hit_weight;
@@ -127,22 +126,12 @@ fn go_on<F: Real>(
     e.alive
 }
 
-/// The camera ray through a point of the pixel.
+/// The camera ray through a point of the pixel, from the eye or a point of its lens.
 pub fn begin_path<F: Real>(world: &World<F>, settings: &Settings, id: SampleId) -> PathState<F> {
     let u = id.words(settings, camera_block());
-    let d = camera_direction(
-        &world.camera,
-        id.column,
-        id.row,
-        unit_float(u[0]),
-        unit_float(u[1]),
-    );
     PathState {
         path: Subpath {
-            ray: Ray {
-                medium: world.eye_medium,
-                ..Ray::new(world.camera.eye, d)
-            },
+            ray: camera_ray(world, id, u),
             throughput: Vec3::one(),
             eta_scale: F::one(),
             pdf: F::zero(),

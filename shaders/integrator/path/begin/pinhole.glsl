@@ -1,4 +1,4 @@
-// The start of a path: a camera ray through a point of the pixel.
+// The start of a path: a camera ray through a point of the pixel. Fills the slot <begin>.
 // uses: constants/none, constants/ray, shape/ray, camera/pinhole, sampler/dimensions, sampler/unit_float, <sampler>
 
 Subpath begin_path(uint column, uint row, uint sample_index) {
