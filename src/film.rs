@@ -21,4 +21,37 @@ impl Film {
 pub enum Aov {
     /// Standard errors of the mean.
     Stderr,
+    /// Of what is seen first: Kd + Ks and what is let through.
+    Albedo,
+    /// Geometric and shading normal.
+    Normal,
+    /// Along the direction of view.
+    Depth,
+    Position,
+    /// The line of the scene that has the shape.
+    Shape,
+    /// The line of the scene that has its material.
+    Material,
+    /// Samples of the picture.
+    Samples,
+    /// Of the first surface that scatters, behind mirrors and smooth glass.
+    AlbedoBehind,
+    /// Shading normal there.
+    NormalBehind,
+}
+
+impl Aov {
+    /// Whether it is a layer of the picture's own file.
+    pub fn is_layer(self) -> bool {
+        self != Self::Stderr
+    }
+}
+
+/// A value for each pixel of a film, by name: R, G and B aside.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Channel {
+    /// As pbrt has it where it has one.
+    pub name: &'static str,
+    /// Row by row.
+    pub values: Vec<f32>,
 }

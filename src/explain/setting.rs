@@ -192,7 +192,7 @@ fn model(subject: &Subject) -> [Setting; 2] {
 }
 
 /// What is kept beside the picture.
-fn beside(subject: &Subject) -> [Setting; 2] {
+fn beside(subject: &Subject) -> [Setting; 3] {
     [
         Setting {
             group: "beside film",
@@ -212,6 +212,16 @@ fn beside(subject: &Subject) -> [Setting; 2] {
             file: "integrator/path/record/on",
             by: "--trace".to_owned(),
             absent: "only --trace writes them down",
+        },
+        Setting {
+            group: "beside film",
+            name: "layers".to_owned(),
+            file: "render/layers",
+            by: String::new(),
+            absent: match subject.job.aovs.iter().any(|aov| aov.is_layer()) {
+                true => "the reference makes them after the picture",
+                false => "no --aov asks for any",
+            },
         },
     ]
 }

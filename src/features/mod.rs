@@ -110,7 +110,7 @@ pub struct Features {
     pub lens: bool,
     /// Kinds with a face that another shape's may come before, in the same place.
     pub covered: BTreeSet<ShapeKind>,
-    /// What is made beside the picture.
+    /// What the kernel makes beside the picture.
     pub aovs: BTreeSet<Aov>,
 }
 
@@ -194,7 +194,8 @@ impl Features {
             aims: false,
             lens: false,
             covered: BTreeSet::new(),
-            aovs: aovs.iter().copied().collect(),
+            // Layers are made apart (render/layers.rs).
+            aovs: aovs.iter().copied().filter(|aov| !aov.is_layer()).collect(),
         }
     }
 

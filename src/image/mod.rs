@@ -12,7 +12,7 @@ pub mod straight;
 mod write;
 
 pub use precision::Precision;
-pub use read::{DecodeError, Picture, ReadError, decode, read};
+pub use read::{DecodeError, Picture, ReadError, decode, read, read_layer};
 pub use write::{EncodeError, Frame, Labels, encode};
 
 use std::path::Path;

@@ -29,6 +29,14 @@ pub fn notes(job: &Job, device: &str) -> Vec<(&'static str, String)> {
     notes
 }
 
+/// The same of a picture with layers, which are known from its first samples, `most` of them at most.
+pub fn layer_notes(most: u32, job: &Job, device: &str) -> Vec<(&'static str, String)> {
+    let samples = u64::from(most).min(job.spp.into());
+    let mut notes = notes(job, device);
+    notes.push(("layers", format!("means over the first {samples} samples")));
+    notes
+}
+
 /// The notes of standard errors, after lines that say what the values are, with how many degrees of freedom, and of which
 /// picture: one has the same name, settings and seed after its scene was changed.
 pub fn stderr_notes(

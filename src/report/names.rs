@@ -76,7 +76,18 @@ impl Named for Sampler {
 }
 
 impl Named for Aov {
-    const ALL: &'static [(Self, &'static str)] = &[(Self::Stderr, "stderr")];
+    const ALL: &'static [(Self, &'static str)] = &[
+        (Self::Stderr, "stderr"),
+        (Self::Albedo, "albedo"),
+        (Self::Normal, "normal"),
+        (Self::Depth, "depth"),
+        (Self::Position, "position"),
+        (Self::Shape, "shape"),
+        (Self::Material, "material"),
+        (Self::Samples, "samples"),
+        (Self::AlbedoBehind, "albedo*"),
+        (Self::NormalBehind, "normal*"),
+    ];
 }
 
 #[cfg(test)]
@@ -106,7 +117,18 @@ mod tests {
         distinct(&[Absorption::Segment, Absorption::Term]);
         distinct(&[LobeChoice::Fresnel, LobeChoice::Norms]);
         distinct(&[Normals::Visible, Normals::Distribution]);
-        distinct(&[Aov::Stderr]);
+        distinct(&[
+            Aov::Stderr,
+            Aov::Albedo,
+            Aov::Normal,
+            Aov::Depth,
+            Aov::Position,
+            Aov::Shape,
+            Aov::Material,
+            Aov::Samples,
+            Aov::AlbedoBehind,
+            Aov::NormalBehind,
+        ]);
         distinct(&[Connect::Mis, Connect::Light, Connect::Bsdf]);
         distinct(&[Lights::Contribution, Lights::Power]);
         distinct(&[Sampler::Random, Sampler::Sobol]);

@@ -19,6 +19,7 @@ pub fn picture(width: u32, height: u32, radiance: impl Fn(u32, u32) -> [f32; 3])
         film: &film,
         origin: [0, 0],
         full: [width, height],
+        channels: &[],
     };
     let labels = Labels {
         exposure: 0.0,

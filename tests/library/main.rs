@@ -23,6 +23,7 @@ mod image;
 mod index_matched;
 mod kernel;
 mod kernel_layout;
+mod layers;
 mod lens;
 mod light;
 mod light_tracing;

@@ -87,6 +87,11 @@ pub struct PictureArguments {
     #[arg(long, value_name = "FILE", help_heading = PICTURES)]
     pub stderr: Vec<PathBuf>,
 
+    /// Compare this layer of EXR files in place of the pictures: Albedo, N, Ns, P, Z, or any other's
+    /// NAME of channels NAME.R, NAME.X or NAME alone
+    #[arg(long, value_name = "NAME", help_heading = PICTURES)]
+    pub layer: Option<String>,
+
     /// Stops by which FLIP brightens the pictures before it looks at them as PNGs
     #[arg(long, value_name = "EV", help_heading = PICTURES, default_value = "0")]
     #[arg(value_parser = numbers::exposure)]

@@ -23,6 +23,8 @@ impl Known {
     pub fn read_all(arguments: &PictureArguments) -> Result<Vec<Self>, Failure> {
         let count = arguments.paths().count();
         let errors = match &arguments.stderr[..] {
+            // They are those of the picture, not of a layer.
+            [] if arguments.layer.is_some() => arguments.paths().map(|_| None).collect(),
             [] => arguments
                 .paths()
                 .map(|path| Some(stderr_path(path)).filter(|path| path.exists()))
@@ -39,7 +41,7 @@ impl Known {
         let errors: Vec<Option<PathBuf>> = errors;
         let (mut known, mut wrong) = (Vec::new(), Vec::new());
         for (path, stderr) in arguments.paths().zip(errors) {
-            match Self::read(path, stderr) {
+            match Self::read(path, stderr, arguments.layer.as_deref()) {
                 Ok(picture) => known.push(picture),
                 Err(messages) => wrong.extend(messages),
             }
@@ -51,8 +53,15 @@ impl Known {
     }
 
     /// Picture and standard errors, which must belong to it; otherwise everything that is wrong.
-    fn read(path: &Path, stderr: Option<PathBuf>) -> Result<Self, Vec<String>> {
-        let picture = image::read(path);
+    fn read(
+        path: &Path,
+        stderr: Option<PathBuf>,
+        layer: Option<&str>,
+    ) -> Result<Self, Vec<String>> {
+        let picture = match layer {
+            Some(layer) => image::read_layer(path, layer),
+            None => image::read(path),
+        };
         let errors = stderr.map(|path| image::read(&path).map(|errors| (path, errors)));
         match (picture, errors.transpose()) {
             (Ok(picture), Ok(stderr)) => {

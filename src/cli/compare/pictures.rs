@@ -93,6 +93,7 @@ fn write_heatmap(film: &Film, to: &Destination) -> Written {
         film,
         origin: [0, 0],
         full: [film.width, film.height],
+        channels: &[],
     };
     let labels = Labels {
         exposure: 0.0,

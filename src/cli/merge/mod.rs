@@ -51,6 +51,12 @@ pub fn merge(arguments: &MergeArguments) -> Result<Ending, Failure> {
 /// Standard errors of independent samples come from moments, which a part has or has not.
 fn check_stderr(arguments: &MergeArguments, parts: &InOrder) -> Result<(), Failure> {
     let asked = arguments.outputs.aov.contains(&Aov::Stderr);
+    if let Some(layer) = arguments.outputs.aov.iter().find(|aov| aov.is_layer()) {
+        return Err(Failure::Usage(format!(
+            "--aov {} is seen in the scene, which parts do not hold: vkpt SCENE writes it",
+            layer.name()
+        )));
+    }
     let SettingsRecord { sampler, .. } = &parts.first().record.job.settings;
     match asked && *sampler == Sampler::Random.name() && !parts.keep_moments {
         true => Err(Failure::Usage(
@@ -85,6 +91,7 @@ fn leave(
         outputs,
         Written {
             film: &film,
+            channels: &[],
             stderr: stderr.as_ref().map(|film| (film, freedom(sampler, spp))),
             part: &joined.part,
             parts: &outputs.parts,

@@ -20,8 +20,10 @@ pub struct OutputArguments {
     #[arg(value_parser = choice::<Format>(), hide_possible_values = true)]
     pub format: Option<Format>,
 
-    /// Write beside each picture what else is known of its pixels. stderr: standard errors of the
-    /// mean, to NAME-stderr.exr
+    /// Write what else is known of the pixels. stderr: standard errors of the mean, to
+    /// NAME-stderr.exr; and as layers of the picture's own EXR, of what is seen first: albedo,
+    /// normal, depth, position, the lines of shape and material, samples; albedo* and normal* of
+    /// what mirrors and smooth glass show
     #[arg(
         long,
         value_name = "WHAT",

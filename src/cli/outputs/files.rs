@@ -8,6 +8,8 @@ use crate::cli::console::Console;
 use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
 use crate::film::Aov;
+use crate::image::Format;
+use crate::report::names::Named;
 use crate::state;
 
 /// Pictures, parts and report.
@@ -34,6 +36,7 @@ impl<'a> Outputs<'a> {
         };
         let (parts, rest): (Vec<_>, Vec<_>) = given.into_iter().partition(is_part);
         let pictures = pictures(&rest, arguments.format)?;
+        check_layers(arguments, &pictures)?;
         let stderr = match arguments.aov.contains(&Aov::Stderr) && !pictures.is_empty() {
             true => beside(&pictures, spp)?,
             false => Vec::new(),
@@ -67,6 +70,19 @@ impl<'a> Outputs<'a> {
         let pictures = self.pictures.iter().chain(&self.stderr);
         let pictures = pictures.map(|picture| &picture.to);
         pictures.chain(&self.parts).chain(&self.arguments.json)
+    }
+}
+
+/// Layers need an EXR to be in.
+fn check_layers(arguments: &OutputArguments, pictures: &[Picture]) -> Result<(), Failure> {
+    let layer = arguments.aov.iter().find(|aov| aov.is_layer());
+    let has_exr = pictures.iter().any(|picture| picture.format == Format::Exr);
+    match layer.filter(|_| !has_exr) {
+        Some(layer) => Err(Failure::Usage(format!(
+            "--aov {} is a layer of an EXR, and none is written: add -o NAME.exr",
+            layer.name()
+        ))),
+        None => Ok(()),
     }
 }
 

@@ -6,16 +6,19 @@ use super::files::Outputs;
 use super::pictures::Picture;
 use crate::cli::destination::{Destination, json, whole};
 use crate::cli::exit::{Ending, Failure, warn};
-use crate::film::Film;
+use crate::film::{Channel, Film};
 use crate::image::file::FileError;
 use crate::image::{Frame, Labels, encode};
 use crate::part::AnyPart;
+use crate::render::LAYER_SAMPLES;
 use crate::report::{self, Record, SOFTWARE};
 use crate::state::{self, Header};
 
 /// What is written.
 pub struct Written<'a> {
     pub film: &'a Film,
+    /// Layers of the EXRs.
+    pub channels: &'a [Channel],
     /// Standard errors, with their degrees of freedom.
     pub stderr: Option<(&'a Film, f64)>,
     pub part: &'a AnyPart,
@@ -57,11 +60,12 @@ pub fn write(outputs: &Outputs, of: Written) -> Result<Ending, Failure> {
 fn pictures(outputs: &Outputs, of: &Written, record: &Record) -> (Vec<String>, Vec<FileError>) {
     let (job, device) = (&record.job, &record.machine.device);
     let [x0, y0, ..] = job.crop.unwrap_or_default();
-    let write = |files: &[Picture], film: &Film, notes: &[_]| {
+    let write = |files: &[Picture], film: &Film, channels: &[Channel], notes: &[_]| {
         let frame = Frame {
             film,
             origin: [x0, y0],
             full: job.size,
+            channels,
         };
         let labels = Labels {
             exposure: outputs.arguments.exposure,
@@ -70,10 +74,14 @@ fn pictures(outputs: &Outputs, of: &Written, record: &Record) -> (Vec<String>, V
         };
         write_frame(files, &frame, &labels)
     };
-    let (mut written, mut errors) = write(&outputs.pictures, of.film, &report::notes(job, device));
+    let notes = match of.channels.is_empty() {
+        true => report::notes(job, device),
+        false => report::layer_notes(LAYER_SAMPLES, job, device),
+    };
+    let (mut written, mut errors) = write(&outputs.pictures, of.film, of.channels, &notes);
     if let Some((stderr, freedom)) = of.stderr {
         let notes = report::stderr_notes(freedom, of.film, job, device);
-        let (more, failed) = write(&outputs.stderr, stderr, &notes);
+        let (more, failed) = write(&outputs.stderr, stderr, &[], &notes);
         written.extend(more);
         errors.extend(failed);
     } else if !outputs.stderr.is_empty() {

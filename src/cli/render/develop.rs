@@ -9,6 +9,7 @@ use crate::cli::interrupt::stop_flag;
 use crate::cli::job::Ready;
 use crate::cli::keep::{Checkpoint, hint, resumed};
 use crate::cli::progress::Display;
+use crate::film::Channel;
 use crate::render::{
     self, Best, Job, NEAREST, Outcome, Progress, RenderError, Start, State, Watch, freedom,
 };
@@ -28,6 +29,8 @@ pub struct Goal<'a> {
 /// What came of it.
 pub struct Made {
     pub outcome: Outcome,
+    /// Layers.
+    pub channels: Vec<Channel>,
     pub header: Header,
     /// Degrees of freedom of its standard errors.
     pub freedom: f64,
@@ -79,6 +82,7 @@ pub fn develop(
     Ok(Some(Made {
         freedom: freedom(job.settings.estimator.sampler, outcome.spp),
         header,
+        channels: render::layers(&job, outcome.spp),
         outcome,
         checkpointed,
     }))

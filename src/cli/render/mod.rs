@@ -105,6 +105,7 @@ fn can_be_kept(path: &Path, picture: Option<&Path>) -> bool {
 fn leave(outputs: &Outputs, made: Made, kept: Option<PathBuf>) -> Result<Ending, Failure> {
     let Made {
         outcome,
+        channels,
         header,
         freedom,
         checkpointed,
@@ -120,6 +121,7 @@ fn leave(outputs: &Outputs, made: Made, kept: Option<PathBuf>) -> Result<Ending,
     }
     let written = Written {
         film: &outcome.film,
+        channels: &channels,
         stderr: outcome.stderr.as_ref().map(|film| (film, freedom)),
         part: &outcome.state.part,
         parts: &parts,

@@ -35,6 +35,13 @@ pub enum DecodeError {
     TooLarge { width: u64, height: u64 },
     #[error("is broken: {bytes} bytes can't hold {width}×{height} pixels")]
     Lying { width: u64, height: u64, bytes: u64 },
+    #[error("is no EXR, and has no layers")]
+    NoLayers,
+    #[error("has no layer {layer}; its channels are {}", channels.join(", "))]
+    NoLayer {
+        layer: String,
+        channels: Vec<String>,
+    },
     #[error("has no channels R, G and B; those that it has are {}", channels.join(", "))]
     Missing { channels: Vec<String> },
     #[error("has R, G and B in several layers, and vkpt can't know which is meant: {}", layers.join(", "))]
@@ -65,7 +72,11 @@ impl DecodeError {
                 std::slice::from_mut(text)
             }
             Self::WholeNumbers { channel } => std::slice::from_mut(channel),
-            Self::Missing { channels: names } | Self::Ambiguous { layers: names } => names,
+            Self::NoLayer {
+                channels: names, ..
+            }
+            | Self::Missing { channels: names }
+            | Self::Ambiguous { layers: names } => names,
             _ => &mut [],
         };
         for text in texts {

@@ -18,7 +18,20 @@ use crate::film::Film;
 use crate::image::{Precision, primaries};
 use channels::Rgb;
 
+/// R, G and B.
 pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
+    chosen(bytes, channels::choose)
+}
+
+/// The channels of a layer.
+pub fn decode_layer(bytes: &[u8], layer: &str) -> Result<Picture, DecodeError> {
+    chosen(bytes, |headers| channels::layer(headers, layer))
+}
+
+fn chosen(
+    bytes: &[u8],
+    choose: impl Fn(&[Header]) -> Result<Rgb, DecodeError>,
+) -> Result<Picture, DecodeError> {
     // Bit 11 of the version field, the file's second word.
     if bytes.get(5).is_some_and(|flags| flags & 0b1000 != 0) {
         let deep = "deep data, which has several values a pixel";
@@ -26,7 +39,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     }
     let reader = Reader::read_from_buffered(Cursor::new(bytes), false)?;
     let meta = reader.meta_data().clone();
-    let rgb = channels::choose(&meta.headers)?;
+    let rgb = choose(&meta.headers)?;
     let header = &meta.headers[rgb.part];
     check_primaries(header.shared_attributes.chromaticities)?;
     let precision = precision(header, &rgb)?;

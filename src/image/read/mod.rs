@@ -51,6 +51,13 @@ impl Picture {
 
 /// Reads an EXR, an HDR or a PNG, told apart by their first bytes: [`decode`] says what of them.
 pub fn read(path: &Path) -> Result<Picture, ReadError> {
+    read_as(path, decode)
+}
+
+fn read_as(
+    path: &Path,
+    decode: impl Fn(&[u8]) -> Result<Picture, DecodeError>,
+) -> Result<Picture, ReadError> {
     let picture = || {
         let metadata = fs::metadata(path)?;
         if metadata.is_dir() {
@@ -65,6 +72,12 @@ pub fn read(path: &Path) -> Result<Picture, ReadError> {
         path: path.to_owned(),
         cause,
     })
+}
+
+/// Reads a layer of an EXR, as [`read`] reads its picture: NAME.R, G and B, NAME.X, Y and Z, or the channel NAME alone, which is
+/// then all three.
+pub fn read_layer(path: &Path, layer: &str) -> Result<Picture, ReadError> {
+    read_as(path, |bytes| decode_layer(bytes, layer))
 }
 
 /// The picture that a file's bytes hold.
@@ -83,8 +96,21 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
         Format::Hdr => hdr::decode,
         Format::Png => png::decode,
     };
+    checked(|| decode(bytes))
+}
+
+/// The layer of an EXR's bytes, as [`read_layer`] says.
+fn decode_layer(bytes: &[u8], layer: &str) -> Result<Picture, DecodeError> {
+    match Format::of_bytes(bytes) {
+        Some(Format::Exr) => checked(|| exr::decode_layer(bytes, layer)),
+        _ => Err(DecodeError::NoLayers),
+    }
+}
+
+/// What a decoder makes of a file.
+fn checked(decode: impl Fn() -> Result<Picture, DecodeError>) -> Result<Picture, DecodeError> {
     // The crates are hardened against broken files, but not proved to be.
-    let picture = catch_unwind(AssertUnwindSafe(|| decode(bytes)))
+    let picture = catch_unwind(AssertUnwindSafe(decode))
         .unwrap_or(Err(DecodeError::Broken("its decoder gave up".to_owned())))
         .map_err(DecodeError::printable)?;
     check_finite(&picture)?;

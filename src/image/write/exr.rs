@@ -23,20 +23,34 @@ pub fn encode(
         layer_position: Vec2(frame.origin[0] as i32, frame.origin[1] as i32),
         ..LayerAttributes::default()
     };
-    let pixels = SpecificChannels::rgb(|Vec2(x, y): Vec2<usize>| {
-        let [r, g, b] = film.rgb[y * width + x];
-        (r, g, b)
-    });
-    let layer = Layer::new(
-        (width, height),
-        attributes,
-        Encoding::SMALL_LOSSLESS,
-        pixels,
-    );
+    let full = IntegerBounds::from_dimensions((frame.full[0] as usize, frame.full[1] as usize));
+    let size = (width, height);
+    if frame.channels.is_empty() {
+        let pixels = SpecificChannels::rgb(|Vec2(x, y): Vec2<usize>| {
+            let [r, g, b] = film.rgb[y * width + x];
+            (r, g, b)
+        });
+        let layer = Layer::new(size, attributes, Encoding::SMALL_LOSSLESS, pixels);
+        let mut image = Image::from_layer(layer);
+        image.attributes.display_window = full;
+        return Ok(image.write().to_buffered(out)?);
+    }
+    let layer = Layer::new(size, attributes, Encoding::SMALL_LOSSLESS, all(frame));
     let mut image = Image::from_layer(layer);
-    image.attributes.display_window =
-        IntegerBounds::from_dimensions((frame.full[0] as usize, frame.full[1] as usize));
+    image.attributes.display_window = full;
     Ok(image.write().to_buffered(out)?)
+}
+
+/// R, G and B and the channels beside them, which the format wants in the order of their names.
+fn all(frame: &Frame) -> AnyChannels<FlatSamples> {
+    let channel = |name: &str, values| AnyChannel::new(name, FlatSamples::F32(values));
+    let of_film = |(i, name)| channel(name, frame.film.rgb.iter().map(|rgb| rgb[i]).collect());
+    let film = ["R", "G", "B"].into_iter().enumerate().map(of_film);
+    let beside = frame
+        .channels
+        .iter()
+        .map(|c| channel(c.name, c.values.clone()));
+    AnyChannels::sort(film.chain(beside).collect())
 }
 
 fn lines(notes: &[(&'static str, String)]) -> String {

@@ -7,7 +7,7 @@ mod png;
 use std::io::{Seek, Write};
 
 use super::Format;
-use crate::film::Film;
+use crate::film::{Channel, Film};
 
 /// A film and its place in the full picture.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +17,8 @@ pub struct Frame<'a> {
     pub origin: [u32; 2],
     /// Width and height of the full picture.
     pub full: [u32; 2],
+    /// EXR only: what stands beside R, G and B, a value for each pixel of the film.
+    pub channels: &'a [Channel],
 }
 
 /// What is told beside the pixels.

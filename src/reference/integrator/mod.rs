@@ -4,5 +4,6 @@
 //! they are connected to, and which pixels they bring light to.
 
 pub mod bidirectional;
+pub mod layers;
 pub mod light;
 pub mod path;

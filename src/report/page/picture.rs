@@ -21,6 +21,7 @@ pub fn data_uri(film: &Film, exposure: f64) -> Result<String, EncodeError> {
         film,
         origin: [0, 0],
         full,
+        channels: &[],
     };
     let labels = Labels {
         exposure,

@@ -21,6 +21,7 @@ fn write(folder: &Path, name: &str, film: &Film) {
         film,
         origin: [0, 0],
         full: [film.width, film.height],
+        channels: &[],
     };
     let labels = Labels {
         exposure: 0.0,

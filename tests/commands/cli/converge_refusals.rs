@@ -42,6 +42,7 @@ fn write_picture(path: &Path, odd: f32) {
         film: &film,
         origin: [0, 0],
         full: [12, 8],
+        channels: &[],
     };
     let labels = Labels {
         exposure: 0.0,

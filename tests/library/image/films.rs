@@ -53,6 +53,7 @@ pub fn encoded(film: &Film, format: Format, exposure: f64) -> Vec<u8> {
         film,
         origin: [3, 2],
         full: [20, 10],
+        channels: &[],
     };
     let mut out = Cursor::new(Vec::new());
     encode(&frame, format, &labels, &mut out).expect("encoded");

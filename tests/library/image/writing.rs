@@ -136,6 +136,7 @@ fn a_film_of_the_wrong_size_is_refused() {
         film: &film,
         origin: [0, 0],
         full: [2, 2],
+        channels: &[],
     };
     let labels = Labels {
         exposure: 0.0,

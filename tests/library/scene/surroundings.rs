@@ -44,6 +44,7 @@ fn folder() -> TempDir {
         film: &film,
         origin: [0, 0],
         full: [2, 1],
+        channels: &[],
     };
     let labels = vkpt::image::Labels {
         exposure: 0.0,

@@ -178,6 +178,10 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
         "film_half_difference",
         "of the sums that the host reads back",
     ),
+    (
+        "integrator/layers",
+        "layers are made by the reference alone, whatever device renders",
+    ),
     ("film_stderr", "of the sums that the host reads back"),
     (
         "light/choice",

@@ -39,6 +39,29 @@ pub fn choose(headers: &[Header]) -> Result<Rgb, DecodeError> {
     }
 }
 
+/// Those of a layer: three that end in R, G and B or X, Y and Z, or one alone.
+pub fn layer(headers: &[Header], layer: &str) -> Result<Rgb, DecodeError> {
+    let of = |part: usize, channels: [String; 3]| {
+        let place = |name: &String| names(&headers[part]).position(|channel| channel == *name);
+        let [r, g, b] = channels.each_ref().map(place);
+        Some(Rgb {
+            part,
+            channels: [r?, g?, b?],
+        })
+    };
+    let spellings = [
+        ["R", "G", "B"].map(|end| format!("{layer}.{end}")),
+        ["X", "Y", "Z"].map(|end| format!("{layer}.{end}")),
+        [(); 3].map(|()| layer.to_owned()),
+    ];
+    let mut all = (0..headers.len()).flat_map(|part| spellings.iter().map(move |s| (part, s)));
+    all.find_map(|(part, spelling)| of(part, spelling.clone()))
+        .ok_or_else(|| DecodeError::NoLayer {
+            layer: layer.to_owned(),
+            channels: headers.iter().flat_map(names).collect(),
+        })
+}
+
 /// The three channels of a part that have this prefix, if all are there.
 fn rgb(headers: &[Header], part: usize, prefix: &str) -> Option<Rgb> {
     let place = |letter| {
