@@ -30,7 +30,7 @@ pub struct ExplainArguments {
     #[command(flatten)]
     pub view: ViewArguments,
 
-    /// What else is to be written beside the picture: stderr
+    /// What else is to be written of the pixels: stderr, or layers of the picture's EXR
     #[arg(long, value_name = "WHAT", value_delimiter = ',')]
     #[arg(value_parser = choice::<Aov>(), hide_possible_values = true)]
     pub aov: Vec<Aov>,

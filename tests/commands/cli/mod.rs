@@ -16,6 +16,7 @@ mod help;
 mod integrator;
 mod interrupt;
 mod lamps;
+mod layers;
 mod memory;
 #[cfg(target_os = "linux")]
 mod outputs;

@@ -56,7 +56,9 @@ fn copy(
 ) -> Result<(), Error> {
     for line in block.lines(&header.channels) {
         let channel = line.location.channel;
-        if let Some(component) = rgb.channels.iter().position(|&c| c == channel) {
+        // A layer of one channel has it in all three places.
+        let places = |&i: &usize| rgb.channels[i] == channel;
+        for component in (0..3).filter(places) {
             let Vec2(x, y) = line.location.position;
             let start = y * film.width as usize + x;
             let row = &mut film.rgb[start..start + line.location.sample_count];
