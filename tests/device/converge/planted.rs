@@ -17,8 +17,8 @@ const CONNECTION: &str = "integrator/path/pick/candidate";
 
 /// The connection with |cos θ| of the light's direction once more, which the BSDF's value has in it already.
 fn one_cosine_too_many() -> String {
-    let honest = "        c.contribution = path.throughput * f.value * lights[light].radiance * (weight / p);";
-    let biased = "        c.contribution = path.throughput * f.value * lights[light].radiance * (weight / p) * abs(wi.z);";
+    let honest = "        c.contribution = path.throughput * f.value * light_radiance(light, l.prim) * (weight / p);";
+    let biased = "        c.contribution = path.throughput * f.value * light_radiance(light, l.prim) * (weight / p) * abs(wi.z);";
     let text = file(CONNECTION).expect("a shader");
     assert_eq!(text.matches(honest).count(), 1, "the line to be planted in");
     text.replace(honest, biased)
