@@ -19,6 +19,7 @@ pub fn typed(words: impl Iterator<Item = OsString>) -> String {
 /// `vkpt SCENE …` with all that a path depends on, to be followed by `--trace X,Y,I`.
 pub fn show(request: &Request, target: &Target) -> String {
     let mut words = vec!["vkpt".to_owned(), quoted(&request.scene.word())];
+    words.extend(request.camera.map(camera));
     words.extend(request.size.map(|[w, h]| format!("--size {w}x{h}")));
     words.extend((request.seed != 0).then(|| format!("--seed {}", request.seed)));
     words.extend(settings(&SettingsRecord::from(&request.settings)));
@@ -39,6 +40,7 @@ pub fn show(request: &Request, target: &Target) -> String {
 pub fn rendering(job: &Job, samples: Range<u32>) -> String {
     let mut words = vec!["vkpt".to_owned(), quoted(&job.scene)];
     words.push(format!("--samples {}..{}", samples.start, samples.end));
+    words.extend(job.camera.as_deref().map(camera));
     words.push(format!("--size {}x{}", job.size[0], job.size[1]));
     words.extend(
         job.crop
@@ -54,6 +56,11 @@ pub fn rendering(job: &Job, samples: Range<u32>) -> String {
 pub fn part(job: &Job, samples: Range<u32>) -> String {
     let file = format!("{}-{}.vkpt", samples.start, samples.end);
     format!("{} -o {file}", rendering(job, samples))
+}
+
+/// The flag that chooses a camera.
+fn camera(name: &str) -> String {
+    format!("--camera={}", quoted(name))
 }
 
 /// The flags of what is not the default.
@@ -97,6 +104,7 @@ mod tests {
             scene: &scene,
             settings,
             auto: false,
+            camera: Some("it's"),
             size: Some([40, 30]),
             crop: Some([1, 2, 3, 4]),
             spp: 9,
@@ -106,7 +114,7 @@ mod tests {
         };
         let device = show(&request, &Target::Vulkan(Selector::Index(1)));
         let references = show(&request, &Target::CpuF64);
-        let common = "vkpt 'it'\\''s a.txt' --size 40x30 --seed 7 --absorption term --radiance-scaling off \
+        let common = "vkpt 'it'\\''s a.txt' --camera='it'\\''s' --size 40x30 --seed 7 --absorption term --radiance-scaling off \
              --max-depth 3 --lobe norms --normals distribution --roulette 0.8 --lights power --sampler random --integrator path";
         assert_eq!(device, format!("{common} --device 1"));
         assert_eq!(references, format!("{common} --device cpu-f64"));
@@ -114,6 +122,7 @@ mod tests {
             scene: &Source::Stdin,
             settings: Settings::default(),
             auto: true,
+            camera: None,
             size: None,
             seed: 0,
             ..request

@@ -20,6 +20,7 @@ mod interrupt;
 mod job;
 mod keep;
 mod limits;
+mod listing;
 mod memory;
 mod merge;
 

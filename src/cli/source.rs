@@ -24,11 +24,12 @@ impl From<OsString> for Source {
 }
 
 impl Source {
-    /// Reads the scene. Meshes are looked for in the folder of the file, those of stdin in the working directory.
-    pub fn read(&self, strict: bool) -> Result<Read, Errors> {
+    /// Reads the scene, seen by the camera of that name. Meshes are looked for in the folder of the file, those of stdin in the
+    /// working directory.
+    pub fn read(&self, strict: bool, camera: Option<&str>) -> Result<Read, Errors> {
         match self {
-            Self::Stdin => scene::read_from(io::stdin(), Path::new(STDIN), strict),
-            Self::File(path) => scene::read(path, strict),
+            Self::Stdin => scene::read_from(io::stdin(), Path::new(STDIN), strict, camera),
+            Self::File(path) => scene::read_seen(path, strict, camera),
         }
     }
 

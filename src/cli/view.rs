@@ -8,6 +8,10 @@ use super::source::Source;
 /// Which pixels there are, and what is taken for wrong.
 #[derive(clap::Args, Debug)]
 pub struct ViewArguments {
+    /// See a glTF file by the camera of this name, that of its node, or this number [default: the first]
+    #[arg(long, value_name = "NAME")]
+    pub camera: Option<String>,
+
     /// Width and height in pixels [default: the scene's]
     #[arg(long, value_name = "WxH", value_parser = numbers::size)]
     pub size: Option<[u32; 2]>,
@@ -24,7 +28,7 @@ pub struct ViewArguments {
 impl ViewArguments {
     /// What is to be rendered of `scene`.
     pub fn request<'a>(
-        &self,
+        &'a self,
         scene: &'a Source,
         settings: &SettingArguments,
         spp: u32,
@@ -34,6 +38,7 @@ impl ViewArguments {
             scene,
             settings: settings.settings(),
             auto: settings.auto(),
+            camera: self.camera.as_deref(),
             size: self.size,
             crop: self.crop,
             spp,

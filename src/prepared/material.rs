@@ -35,7 +35,7 @@ pub fn material(brdf: &Brdf, model: &Model, line: usize) -> Material {
         f0: brdf.ks,
         alpha,
         width: width(distribution, alpha),
-        sigma: extinction(brdf.kt),
+        sigma: extinction(brdf.kt, brdf.kt_length),
         radiance: DVec3::ZERO,
         eta: [1.0 / ior, ior],
         // factored, so that an ior near 1 keeps all its digits
@@ -65,7 +65,7 @@ pub fn light(radiance: DVec3, line: usize) -> Material {
         f0: DVec3::ZERO,
         alpha: 1.0,
         width: 1.0,
-        sigma: extinction(DVec3::ZERO),
+        sigma: extinction(DVec3::ZERO, 1.0),
         radiance,
         eta: [1.0; 2],
         one_minus_eta2: [0.0; 2],
@@ -154,10 +154,11 @@ fn transmissive_kind(smooth: bool, width: f64, ior: f64) -> MaterialKind {
     }
 }
 
-/// σ = −ln Kt per channel and unit length.
-fn extinction(kt: DVec3) -> DVec3 {
+/// σ = −ln Kt / length, per channel.
+fn extinction(kt: DVec3, length: f64) -> DVec3 {
     // 0 − ln 1 is +0, −ln 1 would be −0
-    let channel = |k: f64| if k > 0.0 { 0.0 - k.ln() } else { OPAQUE_SIGMA };
+    let sigma = |k: f64| ((0.0 - k.ln()) / length).min(OPAQUE_SIGMA);
+    let channel = |k: f64| if k > 0.0 { sigma(k) } else { OPAQUE_SIGMA };
     DVec3::new(channel(kt.x), channel(kt.y), channel(kt.z))
 }
 
@@ -220,6 +221,7 @@ mod tests {
             ks: DVec3::splat(0.04),
             alpha: 0.3,
             kt: DVec3::splat(0.9),
+            kt_length: 1.0,
             ior: 1.5,
             distribution: None,
             fresnel: None,

@@ -30,6 +30,9 @@ pub struct Record {
 pub struct Job {
     /// The scene file's path as it was given.
     pub scene: String,
+    /// `--camera`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub camera: Option<String>,
     /// Width and height of the full picture.
     pub size: [u32; 2],
     /// Left, top, right, bottom in pixels of the full picture, right and bottom excluded.

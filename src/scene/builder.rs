@@ -159,6 +159,7 @@ impl Builder {
             scene,
             warnings,
             text,
+            is_listing: false,
         })
     }
 
@@ -191,6 +192,7 @@ fn default_material() -> Material {
         ks: DVec3::ONE,
         alpha: 1.0,
         kt: DVec3::ZERO,
+        kt_length: 1.0,
         ior: 1.0,
         distribution: None,
         fresnel: None,

@@ -28,7 +28,7 @@ impl Place {
     }
 }
 
-/// An error or a warning.
+/// An error, a warning, or what is good to know.
 #[derive(Clone, Debug)]
 pub struct Diagnostic {
     pub severity: Severity,
@@ -96,12 +96,11 @@ pub struct Errors {
 impl fmt::Display for Errors {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let plural = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
-        let errors = self
-            .diagnostics
-            .iter()
-            .filter(|d| d.severity == Severity::Error)
-            .count();
-        let warnings = self.diagnostics.len() - errors;
+        let count = |of: Severity| {
+            let all = self.diagnostics.iter();
+            all.filter(|d| d.severity == of).count()
+        };
+        let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
         write!(f, "{}: {}", self.name, plural(errors, "error"))?;
         if self.promoted > 0 {
             write!(

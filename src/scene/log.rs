@@ -46,6 +46,16 @@ impl Log {
         self.push(Severity::Error, None, message, "")
     }
 
+    /// Notes a warning about the whole file, which `message` names.
+    pub fn file_warning(&mut self, message: String) -> &mut Diagnostic {
+        self.push(Severity::Warning, None, message, "")
+    }
+
+    /// Notes what is good to know of the whole file, which `message` names: no warning, by any setting.
+    pub fn file_note(&mut self, message: String) -> &mut Diagnostic {
+        self.push(Severity::Advice, None, message, "")
+    }
+
     /// An error of the whole file that ends its reading.
     pub fn fail(mut self, message: String) -> Errors {
         self.file_error(message);
@@ -78,7 +88,7 @@ impl Log {
         for warning in self
             .diagnostics
             .iter_mut()
-            .filter(|d| strict && d.severity != Severity::Error)
+            .filter(|d| strict && d.severity == Severity::Warning)
         {
             warning.severity = Severity::Error;
             self.errors += 1;

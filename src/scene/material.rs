@@ -41,6 +41,7 @@ pub(super) fn brdf(builder: &mut Builder, arguments: &mut Arguments) {
         ks,
         alpha: alpha.value,
         kt,
+        kt_length: 1.0,
         ior,
         distribution: builder.distribution,
         fresnel: builder.fresnel,

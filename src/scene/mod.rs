@@ -1,4 +1,5 @@
-//! Text → [`Scene`]: the course's scene format and the words that vkpt adds to it. Knows no buffers and no Vulkan.
+//! Text → [`Scene`]: the course's scene format and the words that vkpt adds to it; and glTF files, by [`model`]. Knows no
+//! buffers and no Vulkan.
 //!
 //! A file is read to its end whatever is wrong with it, so that all its errors are told in one go.
 //! [`text`] cuts it into lines and tokens, [`commands`] has a row for each command, [`arguments`] takes
@@ -17,6 +18,7 @@ mod log;
 mod material;
 mod mesh;
 mod mesh_check;
+mod model;
 mod number;
 mod orientation;
 mod shape;
@@ -41,43 +43,66 @@ use log::Log;
 #[derive(Clone, Debug)]
 pub struct Read {
     pub scene: Scene,
-    /// In file order.
+    /// In file order; notes are among them.
     pub warnings: Vec<Diagnostic>,
     /// What was read, line by line.
     pub text: String,
+    /// The file has other lines than `text`, or none.
+    pub is_listing: bool,
 }
 
 /// A scene file longer than this, in bytes, is taken for something else.
 const LONGEST_FILE: u64 = 256 << 20;
 
-/// Reads a scene file and the meshes that it names.
+/// Reads a scene file and the meshes that it names, or a glTF file.
 ///
 /// # Errors
 /// Everything that is wrong with the file, in file order, its warnings among them; with `strict` a warning is
 /// an error too.
 pub fn read(path: &Path, strict: bool) -> Result<Read, Errors> {
+    read_seen(path, strict, None)
+}
+
+/// The same, seen by the camera of a glTF file that is called `camera`, by default by the first.
+///
+/// # Errors
+/// As [`read`]; there may be no such camera.
+pub fn read_seen(path: &Path, strict: bool, camera: Option<&str>) -> Result<Read, Errors> {
     match File::open(path) {
-        Ok(file) => read_from(file, path, strict),
+        Ok(file) => read_from(file, path, strict, camera),
         Err(reason) => Err(unreadable(path, &reason)),
     }
 }
 
-/// Reads a scene from a stream; `path` is as for [`parse`].
+/// Reads a scene from a stream; `path` is as for [`parse`], `camera` as for [`read_seen`].
 ///
 /// # Errors
-/// As [`read`].
-pub fn read_from(source: impl io::Read, path: &Path, strict: bool) -> Result<Read, Errors> {
+/// As [`read_seen`].
+pub fn read_from(
+    source: impl io::Read,
+    path: &Path,
+    strict: bool,
+    camera: Option<&str>,
+) -> Result<Read, Errors> {
     let mut bytes = Vec::new();
     let name = path.display();
     let refused = |why: String| Log::new(path, String::new()).fail(why);
-    let mut source = source.take(LONGEST_FILE + 1);
+    // A glTF file holds its meshes.
+    let longest = match model::is_name(path) && path.is_file() {
+        true => u64::MAX - 1,
+        false => LONGEST_FILE,
+    };
     source
+        .take(longest + 1)
         .read_to_end(&mut bytes)
         .map_err(|reason| unreadable(path, &reason))?;
-    if bytes.len() as u64 > LONGEST_FILE {
+    if bytes.len() as u64 > longest {
         return Err(refused(format!(
             "{name} is longer than 256 MiB: this is no scene file"
         )));
+    }
+    if model::is_name(path) || model::is_glb(&bytes) {
+        return model::read(&bytes, path, strict, camera);
     }
     if let Some(what) = mesh::foreign(&bytes).filter(|_| !bytes.is_empty()) {
         return Err(refused(format!("{name}: {what}")));
@@ -85,13 +110,33 @@ pub fn read_from(source: impl io::Read, path: &Path, strict: bool) -> Result<Rea
     if bytes.contains(&0) {
         return Err(refused(format!("{name} is not text: it holds a zero byte")));
     }
+    if camera.is_some() {
+        return Err(refused(format!(
+            "{name} is no glTF file: a camera by name is of those only, the command `camera` says how a scene file is seen"
+        )));
+    }
     // Old files have comments in Latin-1: a byte that is not UTF-8 is no reason to refuse them.
     parse(&String::from_utf8_lossy(&bytes), path, strict)
 }
 
+/// Reads the scene of the glTF file that `bytes` hold, as [`read_seen`] does; its buffers are looked for beside `path`.
+///
+/// # Errors
+/// As [`read_seen`].
+pub fn parse_model(
+    bytes: &[u8],
+    path: &Path,
+    strict: bool,
+    camera: Option<&str>,
+) -> Result<Read, Errors> {
+    model::read(bytes, path, strict, camera)
+}
+
 fn unreadable(path: &Path, reason: &io::Error) -> Errors {
     let message = format!("cannot read {}: {reason}", path.display());
-    Log::new(path, String::new()).fail(message)
+    let mut log = Log::new(path, String::new());
+    log.lacks_memory = reason.kind() == io::ErrorKind::OutOfMemory;
+    log.fail(message)
 }
 
 /// Reads a scene from `text`; `path` gives the name in messages and the folder that meshes are looked for in.

@@ -99,6 +99,8 @@ pub struct Brdf {
     /// > 1: a Phong exponent; ≤ 1: a Beckmann or GGX width.
     pub alpha: f64,
     pub kt: DVec3,
+    /// Kt is what this length lets through: 1 in scene files.
+    pub kt_length: f64,
     pub ior: f64,
     /// `None`: `auto`, Phong for an exponent and GGX for a width.
     pub distribution: Option<Distribution>,

@@ -28,6 +28,7 @@ fn record() -> Record {
         version: "0.0.1".into(),
         job: Job {
             scene: "scenes/a.scn".to_owned(),
+            camera: None,
             size: [400, 300],
             range: None,
             crop: None,

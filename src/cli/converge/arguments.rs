@@ -32,7 +32,7 @@ Exit codes:
 #[derive(clap::Args, Debug)]
 #[command(after_help = EXIT_CODES, max_term_width = 100)]
 pub struct ConvergeArguments {
-    /// The scene file, or - for stdin
+    /// The scene file, text or glTF, or - for stdin
     pub scene: Source,
 
     /// The most seconds of sampling, of all replicates and variants together; a step that would not

@@ -24,7 +24,7 @@ Exit codes:
 #[derive(clap::Args, Debug)]
 #[command(after_help = EXIT_CODES, max_term_width = 100)]
 pub struct ExplainArguments {
-    /// The scene file, or - for stdin
+    /// The scene file, text or glTF, or - for stdin
     pub scene: Source,
 
     #[command(flatten)]

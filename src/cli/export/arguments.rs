@@ -19,7 +19,7 @@ Exit codes:
 #[derive(clap::Args, Debug)]
 #[command(after_help = EXIT_CODES, max_term_width = 100)]
 pub struct ExportArguments {
-    /// The scene file, or - for stdin
+    /// The scene file, text or glTF, or - for stdin
     pub scene: Source,
 
     /// The renderer that is to read it: mitsuba, version 3

@@ -37,7 +37,7 @@ pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
     };
     let export = exported.map_err(|refusals| {
         let file = arguments.scene.name();
-        let told = refusals.iter().map(|r| format!("{file}:{}: {r}", r.line));
+        let told = (refusals.iter()).map(|r| format!("{}: {r}", loaded.place(&file, r.line)));
         Failure::Untranslatable(told.collect())
     })?;
     let places = (export.meshes.iter())

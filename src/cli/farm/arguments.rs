@@ -114,7 +114,7 @@ impl SlurmArguments {
     }
 
     /// A scene and what is rendered of it.
-    pub fn request<'a>(&self, scene: &'a Source) -> Request<'a> {
+    pub fn request<'a>(&'a self, scene: &'a Source) -> Request<'a> {
         let PartArguments {
             view,
             seed,

@@ -73,13 +73,13 @@ mod tests {
             Typed::<Group>::from_arg_matches(&matches)
         };
         assert!(typed(&["test"]).expect("read").words.is_empty());
-        let all = "--size 4x3 --crop 0,0,2,2 --strict --model handout --fresnel exact --distribution ggx --absorption segment \
+        let all = "--camera Eye --size 4x3 --crop 0,0,2,2 --strict --model handout --fresnel exact --distribution ggx --absorption segment \
             --radiance-scaling on --max-depth 3 --integrator path --lobe norms --normals visible --roulette 0.8 \
             --connect mis --lights power --sampler random";
         let words: Vec<&str> = all.split_whitespace().collect();
         let read = typed(&[&["test"], &words[..]].concat()).expect("read");
         assert_eq!(read.words, words);
         assert_eq!(read.read.view.size, Some([4, 3]));
-        assert_eq!(command.get_arguments().count(), 16, "a flag is not tested");
+        assert_eq!(command.get_arguments().count(), 17, "a flag is not tested");
     }
 }

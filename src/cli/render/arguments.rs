@@ -23,7 +23,7 @@ const PAUSE: Duration = Duration::from_secs(60);
 /// What one rendering needs to know.
 #[derive(clap::Args, Debug)]
 pub struct RenderArguments {
-    /// The scene file, or - for stdin
+    /// The scene file, text or glTF, or - for stdin
     #[arg(required = true)]
     pub scene: Option<Source>,
 

@@ -58,6 +58,7 @@ fn job(arguments: &RenderArguments, ready: &Ready, outcome: Option<&Outcome>) ->
     let ended = outcome.map_or(End::Interrupted, |o| o.end);
     Job {
         scene: arguments.scene.as_ref().map_or(String::new(), Source::name),
+        camera: arguments.view.camera.clone(),
         size: [ready.prepared.camera.width, ready.prepared.camera.height],
         crop: arguments.view.crop,
         range: range

@@ -5,6 +5,7 @@ use crate::cli::destination::all_written;
 use crate::cli::exit::{Ending, Failure};
 use crate::cli::integrator::needs_eye_paths;
 use crate::cli::job::Ready;
+use crate::cli::listing;
 use crate::cli::numbers::SamplePath;
 use crate::cli::streams::put;
 use crate::render;
@@ -27,6 +28,11 @@ pub fn trace(arguments: &RenderArguments, path: SamplePath) -> Result<Ending, Fa
     }
     let trace = render::trace(&job, &arguments.target(), path.pixel, path.index)
         .map_err(Failure::Render)?;
-    all_written([put(format!("{trace}\n").as_bytes())])?;
+    let mut text = format!("{trace}\n");
+    let listing = ready.listing.as_deref().unwrap_or_default();
+    for line in listing::named(listing, &text) {
+        text += &format!("{line}\n");
+    }
+    all_written([put(text.as_bytes())])?;
     Ok(Ending::Complete)
 }

@@ -1,7 +1,7 @@
 //! Mesh files: which formats are read, and what may be wrong with one.
 
 mod foreign;
-mod gltf;
+pub(super) mod gltf;
 mod left_out;
 mod obj;
 mod ply;

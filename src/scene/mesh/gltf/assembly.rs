@@ -1,5 +1,6 @@
 //! The triangles of all nodes, put together.
 
+use std::ops::Range;
 use std::path::PathBuf;
 
 use glam::{DAffine3, DMat3, DVec3};
@@ -29,6 +30,20 @@ pub(super) struct Assembly {
     left_out: LeftOut,
     /// The nodes whose scale left meshes without an area.
     flat: Vec<String>,
+    parts: Vec<Part>,
+}
+
+/// What a primitive of a node brought in.
+#[derive(Clone, Debug)]
+pub(in crate::scene) struct Part {
+    pub(in crate::scene) node: usize,
+    pub(in crate::scene) mesh: usize,
+    /// Of the mesh.
+    pub(in crate::scene) primitive: usize,
+    /// Its vertices among those of the whole.
+    pub(in crate::scene) vertices: Range<usize>,
+    pub(in crate::scene) triangles: Range<usize>,
+    pub(in crate::scene) has_normals: bool,
 }
 
 impl Assembly {
@@ -70,6 +85,8 @@ impl Assembly {
             let Some(read) = read.map_err(within)? else {
                 continue;
             };
+            let has_normals = read.normals.is_some();
+            let [vertex, triangle] = [self.positions.len(), self.triangles.len()];
             match &skin {
                 None => self.place(read, |_| to_scene),
                 Some(skin) => Binding::read(primitive, read.positions.len(), skin, accessors)
@@ -77,6 +94,14 @@ impl Assembly {
             }
             .map_err(within)?;
             self.morphed |= primitive.targets.is_some();
+            self.parts.push(Part {
+                node: number,
+                mesh: index,
+                primitive: i,
+                vertices: vertex..self.positions.len(),
+                triangles: triangle..self.triangles.len(),
+                has_normals,
+            });
         }
         Ok(())
     }
@@ -109,6 +134,11 @@ impl Assembly {
         let placed = read.triangles.into_iter().map(outward);
         self.triangles.extend(placed.map(|t| t.map(|i| i + first)));
         Ok(())
+    }
+
+    /// What each primitive brought in, in the order of nodes.
+    pub(super) fn take_parts(&mut self) -> Vec<Part> {
+        std::mem::take(&mut self.parts)
     }
 
     /// The mesh, if it is one; what stands in `warnings` is said first.

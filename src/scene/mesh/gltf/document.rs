@@ -134,7 +134,7 @@ pub(super) struct Buffer {
 }
 
 /// A thing of a document as messages call it: `node 3 ("Arm")`.
-pub(super) fn called(what: &str, number: usize, name: Option<&str>) -> String {
+pub(in crate::scene) fn called(what: &str, number: usize, name: Option<&str>) -> String {
     match name.map(quote).filter(|name| !name.is_empty()) {
         Some(name) => format!("{what} {number} (\"{name}\")"),
         None => format!("{what} {number}"),

@@ -24,12 +24,17 @@ mod topology;
 
 use std::path::Path;
 
+use glam::DAffine3;
+
 use super::{MeshError, MeshFile};
 use accessors::Accessors;
 use assembly::Assembly;
+pub(in crate::scene) use assembly::Part;
 use buffers::Buffers;
 use document::Document;
+pub(in crate::scene) use document::called;
 use nodes::Nodes;
+pub(in crate::scene) use requirements::not_understood;
 
 /// More vertices or corners than this, in all instances together, are refused: a file of a few lines can ask for
 /// any number of them.
@@ -40,8 +45,54 @@ pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<MeshFile, MeshError> {
     let container = container::open(bytes).map_err(MeshError::Malformed)?;
     let document = understood(&container.json).map_err(MeshError::Malformed)?;
     let buffers = Buffers::load(&document, container.bin, folder).map_err(MeshError::Malformed)?;
-    let (assembly, warning) = assembled(&document, &buffers).map_err(MeshError::Malformed)?;
-    assembly.finish(buffers.into_files(), warning.into_iter().collect())
+    let together = assembled(&document, &buffers).map_err(MeshError::Malformed)?;
+    let warning = together.warning.into_iter().collect();
+    together.assembly.finish(buffers.into_files(), warning)
+}
+
+/// A file as a scene has it.
+pub(in crate::scene) struct Whole {
+    /// All of it.
+    pub(in crate::scene) json: String,
+    /// Its triangles together, and the share of each primitive that has some.
+    pub(in crate::scene) mesh: MeshFile,
+    pub(in crate::scene) parts: Vec<Part>,
+    /// The nodes that are read, parents before children.
+    pub(in crate::scene) nodes: Vec<Placed>,
+}
+
+/// A node and where it stands.
+pub(in crate::scene) struct Placed {
+    pub(in crate::scene) number: usize,
+    /// As messages call it.
+    pub(in crate::scene) label: String,
+    /// Its transform to the scene's space, or what is wrong with that.
+    pub(in crate::scene) to_scene: Result<DAffine3, String>,
+}
+
+/// As [`read`], with all that tells primitives and nodes apart.
+pub(in crate::scene) fn read_whole(bytes: &[u8], folder: &Path) -> Result<Whole, MeshError> {
+    let container = container::open(bytes).map_err(MeshError::Malformed)?;
+    let document = understood(&container.json).map_err(MeshError::Malformed)?;
+    let buffers = Buffers::load(&document, container.bin, folder).map_err(MeshError::Malformed)?;
+    let mut together = assembled(&document, &buffers).map_err(MeshError::Malformed)?;
+    let mut parts = together.assembly.take_parts();
+    parts.retain(|part| !part.triangles.is_empty());
+    let mut placed = |number| Placed {
+        number,
+        label: together.nodes.label(number),
+        to_scene: together.nodes.placed(number),
+    };
+    let nodes = together.shown.iter().map(|n| placed(*n)).collect();
+    let warning = together.warning.into_iter().collect();
+    let mesh = together.assembly.finish(buffers.into_files(), warning)?;
+    let json = container.json.into_owned();
+    Ok(Whole {
+        json,
+        mesh,
+        parts,
+        nodes,
+    })
 }
 
 /// The document, if all is read that it requires.
@@ -53,8 +104,16 @@ fn understood(json: &str) -> Result<Document, String> {
     Ok(document)
 }
 
-/// The meshes of all nodes that are read, and a warning where those are others than the file asks for.
-fn assembled(document: &Document, buffers: &Buffers) -> Result<(Assembly, Option<String>), String> {
+/// The meshes of all nodes that are read.
+struct Together<'d> {
+    assembly: Assembly,
+    nodes: Nodes<'d>,
+    shown: Vec<usize>,
+    /// Said where those nodes are others than the file asks for.
+    warning: Option<String>,
+}
+
+fn assembled<'d>(document: &'d Document, buffers: &Buffers) -> Result<Together<'d>, String> {
     let accessors = Accessors { document, buffers };
     let mut nodes = Nodes::of(document)?;
     let (shown, warning) = scenes::shown(document, &nodes)?;
@@ -67,8 +126,13 @@ fn assembled(document: &Document, buffers: &Buffers) -> Result<(Assembly, Option
         ));
     }
     let mut assembly = Assembly::default();
-    for node in shown {
-        assembly.add(node, document, &accessors, &mut nodes)?;
+    for node in &shown {
+        assembly.add(*node, document, &accessors, &mut nodes)?;
     }
-    Ok((assembly, warning))
+    Ok(Together {
+        assembly,
+        nodes,
+        shown,
+        warning,
+    })
 }

@@ -70,7 +70,7 @@ pub(super) fn version(json: &str) -> Result<(), String> {
 }
 
 /// What is said of JSON that is something else than glTF's.
-pub(super) fn not_understood(error: &serde_json::Error) -> String {
+pub(in crate::scene) fn not_understood(error: &serde_json::Error) -> String {
     format!("its JSON is not understood: {error}")
 }
 

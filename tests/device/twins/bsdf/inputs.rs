@@ -132,6 +132,7 @@ fn random_material(r: &mut Rng, kd: bool) -> Material<f32> {
         },
         alpha: width,
         kt: if transmits { colour(r) } else { DVec3::ZERO },
+        kt_length: 1.0,
         ior: pick(r, &[1.5, 1.5, 2.5, 10.0, 1.0 / 1.5, near_one]),
         distribution: Some(pick(r, &DISTRIBUTIONS)),
         fresnel: Some(pick(r, &[Fresnel::Schlick, Fresnel::Exact])),

@@ -1,0 +1,98 @@
+//! The lights of KHR_lights_punctual (docs/gltf.md, "Lights"): points are balls.
+
+use std::f64::consts::PI;
+
+use glam::DVec3;
+
+use super::document::{Document, Light};
+use super::left_out::LeftOut;
+use super::legal::not_negative;
+use crate::scene::mesh::gltf::{Placed, called};
+use crate::scene::text::quote;
+
+/// A ball that shines as a light at a node does.
+pub(super) struct Lamp {
+    pub(super) centre: DVec3,
+    pub(super) radius: f64,
+    pub(super) radiance: DVec3,
+    /// The light that it stands for.
+    pub(super) light: usize,
+    pub(super) node: String,
+}
+
+/// Lamps of `radius` for the point lights of the nodes; what is no point goes to `left_out`. An error says what is wrong.
+pub(super) fn lamps(
+    document: &Document,
+    nodes: &[Placed],
+    radius: f64,
+    left_out: &mut LeftOut,
+) -> Result<Vec<Lamp>, String> {
+    let lights = lights(document);
+    let mut lamps = Vec::new();
+    for node in nodes {
+        let own = document.nodes.get(node.number);
+        let Some(asked) = own.and_then(|own| own.extensions.light.as_ref()) else {
+            continue;
+        };
+        let light = lights.get(asked.light);
+        let light =
+            light.ok_or_else(|| format!("{}: there is no light {}", node.label, asked.light))?;
+        let label = label(document, asked.light);
+        if light.kind != "point" {
+            let kind = quote(&light.kind);
+            left_out.note(
+                format!("the picture lacks it, as all {kind} lights: {INSTEAD}"),
+                &label,
+            );
+            continue;
+        }
+        let radiance = radiance(light, radius).map_err(|what| format!("{label}: {what}"))?;
+        let centre = node.to_scene.clone()?.translation;
+        if !centre.as_vec3().is_finite() {
+            return Err(format!(
+                "{label}: its place is not finite in single precision"
+            ));
+        }
+        if radiance != DVec3::ZERO {
+            lamps.push(Lamp {
+                centre,
+                radius,
+                radiance,
+                light: asked.light,
+                node: node.label.clone(),
+            });
+        }
+    }
+    Ok(lamps)
+}
+
+fn lights(document: &Document) -> &[Light] {
+    let lights = document.extensions.lights.as_ref();
+    lights.map_or(&[], |all| &all.lights)
+}
+
+/// A light as messages call it.
+pub(super) fn label(document: &Document, number: usize) -> String {
+    let light = lights(document).get(number);
+    called(
+        "light",
+        number,
+        light.and_then(|light| light.name.as_deref()),
+    )
+}
+
+const INSTEAD: &str = "give the file a mesh that shines, or a point";
+
+/// A ball of radius r and radiance L has the intensity I = L π r² in all directions, by its disc as it is seen: L = I/(π r²).
+fn radiance(light: &Light, radius: f64) -> Result<DVec3, String> {
+    let intensity = not_negative("intensity", light.intensity.unwrap_or(1.0))?;
+    let [r, g, b] = light
+        .color
+        .unwrap_or([1.0; 3])
+        .map(|x| not_negative("color", x));
+    let radiance = intensity * DVec3::new(r?, g?, b?) / (PI * radius * radius);
+    match radiance.as_vec3().is_finite() {
+        true => Ok(radiance),
+        false => Err("its radiance is not finite in single precision".to_owned()),
+    }
+}
