@@ -4,12 +4,14 @@
 //! what they invent themselves.
 
 mod mesh;
+mod model;
 mod part;
 mod picture;
 mod prepared;
 mod scene;
 
 pub use mesh::{gltf, obj, ply};
+pub use model::model;
 pub use part::part;
 pub use picture::picture;
 pub use scene::scene;

@@ -42,7 +42,7 @@ fn are_told(diagnostics: &[Diagnostic]) {
     }
 }
 
-fn is_drawn(diagnostic: &Diagnostic) {
+pub fn is_drawn(diagnostic: &Diagnostic) {
     let handler = GraphicalReportHandler::new_themed(GraphicalTheme::none());
     let mut drawn = String::new();
     let done = handler.render_report(&mut drawn, diagnostic);

@@ -9,11 +9,12 @@ use crate::bodies;
 type Body = fn(&[u8]);
 
 /// Each fuzz target and its body.
-const TARGETS: [(&str, Body); 6] = [
+const TARGETS: [(&str, Body); 7] = [
     ("scene", bodies::scene),
     ("ply", bodies::ply),
     ("obj", bodies::obj),
     ("gltf", bodies::gltf),
+    ("model", bodies::model),
     ("part", bodies::part),
     ("picture", bodies::picture),
 ];

@@ -18,6 +18,7 @@ mod interrupt;
 mod lamps;
 mod layers;
 mod memory;
+mod models;
 #[cfg(target_os = "linux")]
 mod outputs;
 #[cfg(target_os = "linux")]

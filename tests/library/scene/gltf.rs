@@ -6,7 +6,7 @@ use glam::DVec3;
 use serde_json::{Value, json};
 use vkpt::scene::{MeshError, MeshFile, parse_mesh};
 
-use super::gltf_writer::{Buffer, F32, U8, U16, U32, glb};
+use crate::common::gltf_writer::{Buffer, F32, U8, U16, U32, glb};
 
 pub fn read(document: &Value, bin: &[u8]) -> Result<MeshFile, MeshError> {
     parse_mesh(&glb(document, bin), Path::new("mesh.GLB"))

@@ -4,7 +4,7 @@ use glam::DVec3;
 use serde_json::{Value, json};
 
 use super::gltf::{CORNERS, one, read, square, vectors};
-use super::gltf_writer::{Buffer, F32, I8, I16, U8, U16};
+use crate::common::gltf_writer::{Buffer, F32, I8, I16, U8, U16};
 
 /// The positions and normals that are read of a triangle of accessors of a buffer.
 fn triangle(buffer: &Buffer, attributes: Value) -> (Vec<DVec3>, Option<Vec<DVec3>>) {

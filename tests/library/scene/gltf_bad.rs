@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use vkpt::scene::{parse_mesh, read_mesh};
 
 use super::gltf::{CORNERS, one, plain, read, square};
-use super::gltf_writer::{Buffer, F32, U8, glb};
+use crate::common::gltf_writer::{Buffer, F32, U8, glb};
 
 /// A pointer into the document, what is put there, and what is said.
 const FAULTS: [(&str, &str, &str); 37] = [

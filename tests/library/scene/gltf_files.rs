@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use vkpt::scene::{MeshError, MeshFile, parse_mesh, read_mesh};
 
 use super::gltf::{add, plain, read};
-use super::gltf_writer::{chunks, glb};
+use crate::common::gltf_writer::{chunks, glb};
 
 fn parse(bytes: &[u8]) -> Result<MeshFile, MeshError> {
     parse_mesh(bytes, Path::new("mesh.glb"))

@@ -4,7 +4,7 @@ use glam::{DQuat, DVec3};
 use serde_json::{Value, json};
 
 use super::gltf::{CORNERS, SQUARE, add, one, plain, read, vectors};
-use super::gltf_writer::{Buffer, F32};
+use crate::common::gltf_writer::{Buffer, F32};
 
 /// p' = T·R·S·p of each node below the other, against quaternions and vectors by hand.
 #[test]

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::gltf::{CORNERS, one, read, vectors};
 use super::gltf_bad::never_panics;
-use super::gltf_writer::{Buffer, F32, U8, U16};
+use crate::common::gltf_writer::{Buffer, F32, U8, U16};
 
 const ONE: [f64; 16] = [
     1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1.,
