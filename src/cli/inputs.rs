@@ -35,7 +35,13 @@ impl Input {
         });
         let files = meshes.flatten();
         let files = files.map(|path| Self::new("a mesh of the scene", path));
-        [scene_file].into_iter().chain(files).collect()
+        let surroundings = (scene.surroundings.as_ref())
+            .map(|s| Self::new("the picture of the scene's surroundings", &s.path));
+        [scene_file]
+            .into_iter()
+            .chain(files)
+            .chain(surroundings)
+            .collect()
     }
 
     fn identity(&self) -> Option<Handle> {

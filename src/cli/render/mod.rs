@@ -41,8 +41,9 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
         outputs.all().chain(&beside),
     )?;
     let digest = match kept.is_some() || !outputs.parts.is_empty() {
-        true => digest(&loaded.text, &loaded.scene)
-            .map_err(|error| Failure::Usage(format!("a mesh can't be read again: {error}")))?,
+        true => digest(&loaded.text, &loaded.scene).map_err(|error| {
+            Failure::Usage(format!("a file of the scene can't be read again: {error}"))
+        })?,
         false => String::new(),
     };
     let ready = loaded.prepare(&request)?;

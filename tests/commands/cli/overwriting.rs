@@ -34,6 +34,9 @@ fn nothing_that_is_read_is_written_over() {
         let line = format!("{RENDER} --seed {seed} --aov stderr -o {seed}.exr -o {seed}.png");
         assert_eq!(words(folder.path(), &line).code, Some(0));
     }
+    fs::copy(path("1.exr"), path("in/sky.exr")).expect("a picture");
+    let sky = "screen 4 3\ncamera 0 0 5 .5\nbackground in/sky.exr\n";
+    fs::write(path("sky.scn"), sky).expect("a scene");
     let by = "--device cpu-f32 --spp 4294967295";
     let rows = [
         (
@@ -71,6 +74,11 @@ fn nothing_that_is_read_is_written_over() {
             format!("scene.scn {by} --json in/m.ply"),
             "in/m.ply",
             "a mesh of the scene",
+        ),
+        (
+            format!("sky.scn {by} -o in/sky.exr"),
+            "in/sky.exr",
+            "the picture of the scene's surroundings",
         ),
         (
             format!("- {by} --json scene.scn"),
