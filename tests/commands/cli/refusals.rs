@@ -66,7 +66,7 @@ fn a_wrong_command_line_is_2() {
         (&["scene.scn", "--radiance-scaling", "yes"], "on, off"),
         (&["scene.scn", "--lobe", "x"], "fresnel, norms"),
         (&["scene.scn", "--normals", "x"], "visible, distribution"),
-        (&["scene.scn", "--aov", "albedo"], "stderr"),
+        (&["scene.scn", "--aov", "colour"], "stderr"),
         (
             &["scene.scn", "--aov", "stderr", "--spp", "1"],
             "--spp 2 or more",
