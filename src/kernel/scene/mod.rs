@@ -23,6 +23,9 @@ pub struct Parameters<'a> {
     pub bvh: Option<(u32, f32)>,
     /// Index among the lights of everything outside, where it shines.
     pub background_light: Option<u32>,
+    /// What that is. Kernels do not ask at run time: where a branch depends on nothing but a uniform at a fixed place, Mesa 22.3's
+    /// compiler may write beyond its own arrays.
+    pub outside: Option<LightKind>,
     pub recording: Recording,
     /// Read what is tried one by one before any branch, as CPU drivers want it; no bit depends on it.
     pub read_first: bool,

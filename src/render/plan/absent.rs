@@ -61,6 +61,13 @@ pub fn background_light(prepared: &Prepared, features: &Features) -> Option<u32>
     own.or(dark).map(|i| i as u32)
 }
 
+/// What that light is: the scene's, or [`DARK`].
+pub fn outside(prepared: &Prepared, features: &Features) -> Option<LightKind> {
+    let own = background_light(prepared, features)?;
+    let light = prepared.lights.get(own as usize);
+    Some(light.map_or(LightKind::Background, |light| light.kind))
+}
+
 /// Surroundings, where the scene has none: a black picture of one texel.
 pub const BLACK_TEXEL: device::Surroundings = device::Surroundings {
     x: [1.0, 0.0, 0.0],

@@ -65,6 +65,7 @@ pub struct ScenePlan<'a> {
     bindings: Vec<Binding>,
     bvh: Option<&'a Bvh>,
     background_light: Option<u32>,
+    outside: Option<LightKind>,
     read_first: bool,
 }
 
@@ -111,6 +112,7 @@ impl<'a> ScenePlan<'a> {
             arrays,
             bvh,
             background_light: absent::background_light(job.prepared, features),
+            outside: absent::outside(job.prepared, features),
             read_first: limits.read_first,
         }
     }
@@ -134,6 +136,7 @@ impl<'a> ScenePlan<'a> {
             bindings: &self.bindings,
             bvh: self.bvh.map(|bvh| (bvh.stack, bvh.reach)),
             background_light: self.background_light,
+            outside: self.outside,
             recording,
             read_first: self.read_first,
             own_files: self.job.own_files(),

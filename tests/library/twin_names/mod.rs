@@ -16,6 +16,7 @@ use functions::{Function, glsl_functions, rust_functions, sources, undocumented}
 use vkpt::features::Features;
 use vkpt::kernel::scene::{Parameters, Recording, compose};
 use vkpt::kernel::{file, files};
+use vkpt::prepared::LightKind;
 use vkpt::settings::{Integrator, Settings};
 
 use crate::common;
@@ -60,6 +61,7 @@ fn generated() -> String {
             bindings: &[],
             bvh: None,
             background_light: Some(0),
+            outside: Some(LightKind::Surroundings),
             recording: Recording::Nothing,
             read_first: true,
             own_files: &[],

@@ -2,6 +2,7 @@
 
 use super::uses;
 use crate::features::Features;
+use crate::kernel::scene::Parameters;
 use crate::kernel::scene::dispatch::Dispatch;
 use crate::shape::{Description, LightKind, filled};
 
@@ -127,22 +128,24 @@ fn radiance(features: &Features) -> String {
 }
 
 /// What a path sees that leaves the scene: `outside_seen`.
-pub fn outside(features: &Features) -> String {
-    let kinds = || features.lights.iter().filter(|kind| kind.is_outside());
-    let call = |&kind: &LightKind| {
-        let radiance = "lights[BACKGROUND_LIGHT].radiance";
-        let call = match kind == LightKind::Surroundings {
-            true => format!("surroundings_outside({radiance}, wi)"),
-            false => format!("background_outside({radiance})"),
-        };
-        (kind as u32, call)
+pub fn outside(parameters: &Parameters) -> String {
+    let radiance = "lights[BACKGROUND_LIGHT].radiance";
+    let (call, kind) = match parameters.outside {
+        None => ("Outside(vec3(0.0), 0.0)".to_owned(), None),
+        Some(LightKind::Surroundings) => (
+            format!("surroundings_outside({radiance}, wi)"),
+            Some(LightKind::Surroundings),
+        ),
+        Some(_) => (
+            format!("background_outside({radiance})"),
+            Some(LightKind::Background),
+        ),
     };
     let dispatch = Dispatch {
         result: "Outside",
         name: "outside_seen",
         arguments: &[("vec3", "wi")],
-        selector: "lights[BACKGROUND_LIGHT].kind",
+        selector: "",
     };
-    let members: Vec<_> = kinds().map(call).collect();
-    uses("light/outside", kinds().map(file)) + &dispatch.text(&members, "Outside(vec3(0.0), 0.0)")
+    uses("light/outside", kind.iter().map(file)) + &dispatch.text(&[], &call)
 }
