@@ -4,7 +4,7 @@ use super::bidirectional::reservoir::has_density;
 use super::path::begin_path;
 use crate::prepared::MaterialKind;
 use crate::reference::bsdf::Material;
-use crate::reference::math::{Real, Vec3, dot3, min2, vec3};
+use crate::reference::math::{Real, Vec3, dot3, max2, min2, vec3};
 use crate::reference::path::blocks::Origin;
 use crate::reference::path::extend::extend;
 use crate::reference::path::trace::extend_ray;
@@ -133,9 +133,7 @@ fn background_colour<F: Real>(world: &World<F>, d: Vec3<F>) -> Vec3<F> {
 
 /// A radiance over its largest channel.
 fn colour<F: Real>(radiance: Vec3<F>) -> Vec3<F> {
-    let [r, g, b] = [radiance.x, radiance.y, radiance.z];
-    let most = if r > g { r } else { g };
-    let most = if most > b { most } else { b };
+    let most = max2(max2(radiance.x, radiance.y), radiance.z);
     radiance / if most > F::zero() { most } else { F::one() }
 }
 

@@ -130,22 +130,12 @@ fn radiance(features: &Features) -> String {
 /// What a path sees that leaves the scene: `outside_seen`.
 pub fn outside(parameters: &Parameters) -> String {
     let radiance = "lights[BACKGROUND_LIGHT].radiance";
-    let (call, kind) = match parameters.outside {
-        None => ("Outside(vec3(0.0), 0.0)".to_owned(), None),
-        Some(LightKind::Surroundings) => (
-            format!("surroundings_outside({radiance}, wi)"),
-            Some(LightKind::Surroundings),
-        ),
-        Some(_) => (
-            format!("background_outside({radiance})"),
-            Some(LightKind::Background),
-        ),
+    let value = match parameters.outside {
+        None => "Outside(vec3(0.0), 0.0)".to_owned(),
+        Some(LightKind::Surroundings) => format!("surroundings_outside({radiance}, wi)"),
+        Some(_) => format!("background_outside({radiance})"),
     };
-    let dispatch = Dispatch {
-        result: "Outside",
-        name: "outside_seen",
-        arguments: &[("vec3", "wi")],
-        selector: "",
-    };
-    uses("light/outside", kind.iter().map(file)) + &dispatch.text(&[], &call)
+    let files = parameters.outside.iter().map(file);
+    uses("light/outside", files)
+        + &format!("Outside outside_seen(vec3 wi) {{\n    return {value};\n}}\n")
 }
