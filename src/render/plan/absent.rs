@@ -61,11 +61,12 @@ pub fn background_light(prepared: &Prepared, features: &Features) -> Option<u32>
     own.or(dark).map(|i| i as u32)
 }
 
-/// What that light is: the scene's, or [`DARK`].
+/// What that light is: the scene's, or [`DARK`]. `None` where the kernel has no light of that kind.
 pub fn outside(prepared: &Prepared, features: &Features) -> Option<LightKind> {
     let own = background_light(prepared, features)?;
     let light = prepared.lights.get(own as usize);
-    Some(light.map_or(LightKind::Background, |light| light.kind))
+    let kind = light.map_or(LightKind::Background, |light| light.kind);
+    features.lights.contains(&kind).then_some(kind)
 }
 
 /// Surroundings, where the scene has none: a black picture of one texel.
