@@ -16,11 +16,24 @@ impl Film {
     }
 }
 
+/// What is kept of each pixel beside the sum of its samples and the difference of their two groups.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Keeps {
+    #[default]
+    Nothing,
+    /// The spread of its samples.
+    Moments,
+    /// The difference of two of four groups.
+    Quarters,
+}
+
 /// What a rendering makes beside its picture where that is asked for (AOV: arbitrary output variable).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Aov {
     /// Standard errors of the mean.
     Stderr,
+    /// Sums of which a denoised picture is made and judged.
+    Denoised,
     /// Of what is seen first: Kd + Ks and what is let through.
     Albedo,
     /// Geometric and shading normal.
@@ -43,7 +56,7 @@ pub enum Aov {
 impl Aov {
     /// Whether it is a layer of the picture's own file.
     pub fn is_layer(self) -> bool {
-        self != Self::Stderr
+        !matches!(self, Self::Stderr | Self::Denoised)
     }
 }
 

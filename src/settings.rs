@@ -101,6 +101,8 @@ pub enum Sampler {
     Random,
     /// Scrambled Sobol points, which are spread more evenly.
     Sobol,
+    /// The same in four groups that are independent of one another, not in two.
+    SobolQuarters,
 }
 
 /// What the picture converges to.

@@ -1,26 +1,9 @@
-// Owen-scrambled Sobol points, four dimensions at a time: the samples of a pixel are spread evenly.
+// Scrambled Sobol points: the samples of a pixel are spread evenly, in two groups.
 // Twin of src/reference/sampler/sobol.rs.
-// uses: constants/groups, sampler/pcg4d, sampler/owen, sampler/sobol_digits
 
-// Wellons, Prospecting for Hash Functions, 2018: lowbias32.
-uint lowbias32(uint x) {
-    uint a = (x ^ (x >> 16u)) * 0x7feb352du;
-    uint b = (a ^ (a >> 15u)) * 0x846ca68bu;
-    return b ^ (b >> 16u);
-}
+// uses: sampler/sobol_groups
 
 // Four words for one block of a path, pixel = row * width + column of the full picture.
-// Burley, Practical Hash-based Owen Scrambling, JCGT 9(4), 2020: the index is shuffled, the coordinates are scrambled,
-// each block of each group of samples by itself. The words most used as pairs have the dimensions that pair best.
 uvec4 sampler_block(uint pixel, uint sample_index, uint block, uint seed) {
-    // Stays the same for all of a thread's samples: compilers take it out of the loop.
-    uvec4 key = pcg4d(uvec4(pixel, 0u, 0u, seed));
-    uint shuffle = lowbias32(key.x + block * GROUPS + sample_index % GROUPS);
-    uvec4 product = (key ^ shuffle) * 0x9e3779b1u;
-    uvec4 scramble = product ^ (product >> 16u);
-    uint index = bitfieldReverse(owen_scramble(bitfieldReverse(sample_index / GROUPS), shuffle));
-    return uvec4(bitfieldReverse(owen_scramble(sobol_digits_3(index), scramble.x)),
-                 bitfieldReverse(owen_scramble(sobol_digits_1(index), scramble.y)),
-                 bitfieldReverse(owen_scramble(index, scramble.z)),
-                 bitfieldReverse(owen_scramble(sobol_digits_2(index), scramble.w)));
+    return sobol_block(pixel, sample_index, 1u, block, seed);
 }

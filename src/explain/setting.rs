@@ -149,6 +149,7 @@ fn estimator(subject: &Subject) -> [Setting; 9] {
             file: match settings.sampler {
                 Sampler::Random => "sampler/random",
                 Sampler::Sobol => "sampler/sobol",
+                Sampler::SobolQuarters => "sampler/sobol_quarters",
             },
             by: by(subject, "sampler", |s| s.sampler.to_owned()),
             absent: "",
@@ -192,7 +193,7 @@ fn model(subject: &Subject) -> [Setting; 2] {
 }
 
 /// What is kept beside the picture.
-fn beside(subject: &Subject) -> [Setting; 3] {
+fn beside(subject: &Subject) -> [Setting; 4] {
     [
         Setting {
             group: "beside film",
@@ -205,6 +206,13 @@ fn beside(subject: &Subject) -> [Setting; 3] {
                 }
                 false => "no --aov stderr is given: a pixel's sum is enough",
             },
+        },
+        Setting {
+            group: "beside film",
+            name: "quarters of the samples".to_owned(),
+            file: "film/moments/quarters",
+            by: "--denoise".to_owned(),
+            absent: "no --denoise is given",
         },
         Setting {
             group: "beside film",

@@ -13,6 +13,7 @@ use std::collections::BTreeSet;
 use glam::DVec3;
 
 use crate::film::Aov;
+pub use crate::film::Keeps;
 use crate::layout::constants::lights::FEW_LIGHTS;
 use crate::prepared::{LightKind, Material, MaterialKind, Prepared, Shape, ShapeKind};
 use crate::settings::{
@@ -221,10 +222,15 @@ impl Features {
         self.materials.contains(&MaterialKind::NullInterface)
     }
 
-    /// Each pixel's moments are kept, of which standard errors come where samples are independent. Of other samplers they
-    /// come from the two groups of samples, which any film keeps apart.
-    pub fn keeps_moments(&self) -> bool {
-        self.aovs.contains(&Aov::Stderr) && self.sampler == Sampler::Random
+    /// What is kept of each pixel: quarters to judge a denoised picture by; else moments, of which standard errors come where
+    /// samples are independent. Of other samplers they come from the two groups of samples, which any film keeps apart.
+    pub fn keeps(&self) -> Keeps {
+        let independent = self.sampler == Sampler::Random;
+        match self.aovs.contains(&Aov::Denoised) {
+            true => Keeps::Quarters,
+            false if independent && self.aovs.contains(&Aov::Stderr) => Keeps::Moments,
+            false => Keeps::Nothing,
+        }
     }
 }
 

@@ -5,7 +5,6 @@ use std::fmt::Debug;
 use crate::features::words;
 use crate::layout::constants::{self, uint};
 use crate::prepared::{MaterialKind, ShapeKind};
-use crate::sample::GROUPS;
 
 /// The declarations of `constants/NAME`, by NAME: those of [`layout::constants`](crate::layout::constants), and the
 /// numbers of what has a type of its own in Rust.
@@ -22,7 +21,6 @@ pub fn text(name: &str) -> Option<String> {
                 .map(|k| one("SHAPE", &k, k as u32))
                 .concat(),
         ),
-        "groups" => Some(uint("GROUPS", GROUPS)),
         _ => constants::glsl(name),
     }
 }

@@ -100,6 +100,16 @@ crate::gpu_struct! {
         pad1: uint,
     }
 
+    /// Of a pixel's samples.
+    pub struct FilmQuarters {
+        /// Σ ± sample of even index, W·sr⁻¹·m⁻².
+        even: vec3,
+        pad0: uint,
+        /// Of odd index.
+        odd: vec3,
+        pad1: uint,
+    }
+
     /// What a pixel's samples x tell of the error of their mean, each sum in two parts as the film's is.
     pub struct FilmMoments {
         /// W·sr⁻¹·m⁻².

@@ -14,8 +14,8 @@ pub mod types;
 pub use crate::record;
 pub use buffer_use::BufferUse;
 pub use kernel::{
-    EyeState, FilmMoments, FilmPixel, LightLane, LightSlice, LightState, LightVertex, PathOutcome,
-    PathState, Radiance, Ray, Record, Reservoir, ShadowRay, Slice, Splat, Subpath,
+    EyeState, FilmMoments, FilmPixel, FilmQuarters, LightLane, LightSlice, LightState, LightVertex,
+    PathOutcome, PathState, Radiance, Ray, Record, Reservoir, ShadowRay, Slice, Splat, Subpath,
 };
 pub use record::{OnDevice, Records, Vec3};
 

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use super::{Halves, Misfit, Part, Tally};
-use crate::film::Film;
+use super::{Half, Halves, Misfit, Part, Tally};
+use crate::film::{Film, Keeps};
 use crate::reference::math::Real;
 
 /// A part of a device or of `cpu-f32`, or of `cpu-f64`.
@@ -71,9 +71,9 @@ impl AnyPart {
         either!(self, p => p.samples())
     }
 
-    /// See [`Part::keeps_moments`].
-    pub fn keeps_moments(&self) -> bool {
-        either!(self, p => p.keeps_moments())
+    /// See [`Part::keeps`].
+    pub fn keeps(&self) -> Keeps {
+        either!(self, p => p.keeps())
     }
 
     /// What was counted.
@@ -94,6 +94,11 @@ impl AnyPart {
     /// See [`Part::standard_errors`].
     pub fn standard_errors(&self) -> Film {
         either!(self, p => p.standard_errors())
+    }
+
+    /// See [`Part::quartered`].
+    pub fn quartered(&self) -> Option<[Half; 2]> {
+        either!(self, p => p.quartered())
     }
 
     /// See [`Part::append`]; `look` gets the number of samples, and what makes their halves.

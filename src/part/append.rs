@@ -12,8 +12,10 @@ use crate::reference::math::{Real, Vec3};
 pub enum Misfit {
     #[error("it has {} of pixels, not {}", by(.0), by(.1))]
     Size([u32; 2], [u32; 2]),
-    #[error("only one of them has what standard errors are made from (--aov stderr)")]
-    Moments,
+    #[error(
+        "not all of them have what standard errors (--aov stderr) or a denoised picture (--denoise) are made from"
+    )]
+    Keeps,
     #[error("its scalar is another: one is of cpu-f64")]
     Scalar,
     #[error("it begins at sample {}, not {}", .0.start, .1.end)]
@@ -31,8 +33,8 @@ impl<F: Real> Part<F> {
         if self.size != next.size {
             return Err(Misfit::Size(next.size, self.size));
         }
-        if self.moments != next.moments {
-            return Err(Misfit::Moments);
+        if self.keeps != next.keeps {
+            return Err(Misfit::Keeps);
         }
         if self.range.end != next.range.start {
             return Err(Misfit::Range(next.range(), self.range()));
@@ -61,7 +63,7 @@ impl<F: Real> Part<F> {
             self.range.end += 1;
             return;
         }
-        let none = || Arc::new(Sums::zero(values.len(), self.moments));
+        let none = || Arc::new(Sums::zero(values.len(), self.keeps));
         let mut tail = self.tail.take().unwrap_or_else(none);
         Arc::make_mut(&mut tail).add(&values);
         if tail.samples == BLOCK {

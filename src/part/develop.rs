@@ -1,6 +1,6 @@
 //! From sums to pictures.
 
-use super::{Part, Sums};
+use super::{Beside, Part, Sums};
 use crate::film::Film;
 use crate::reference::film::{film_half_difference, film_mean, film_stderr};
 use crate::reference::math::{Real, Vec3};
@@ -13,9 +13,9 @@ pub struct Halves {
 
 impl<F: Real> Part<F> {
     /// The sums of all samples, in the order that nothing changes.
-    fn total(&self) -> Sums<F> {
+    pub(super) fn total(&self) -> Sums<F> {
         let [width, height] = self.size;
-        let mut total = Sums::zero((width * height) as usize, self.moments);
+        let mut total = Sums::zero((width * height) as usize, self.keeps);
         self.head.iter().for_each(|values| total.add(values));
         let later = self.nodes.iter().chain(&self.tail);
         later.for_each(|sums| total.join(sums));
@@ -43,7 +43,7 @@ impl<F: Real> Part<F> {
     pub fn standard_errors(&self) -> Film {
         let total = self.total();
         let n = total.samples;
-        if let Some(moments) = &total.moments {
+        if let Beside::Moments(moments) = &total.beside {
             return self.film(moments.iter().map(|m| film_stderr(m, n)));
         }
         let mut half = self.half_difference(&total);

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use crate::film::Keeps;
+
 /// Samples that are added one after the other. A power of two: short enough for the values of one to be kept, where a part
 /// begins inside it; long enough for a GPU's dispatch not to be cut short.
 pub const BLOCK: u32 = 256;
@@ -43,9 +45,13 @@ impl Layout {
         self.nodes.iter().copied().chain(tail)
     }
 
-    /// Scalars that it takes of each pixel; a value has three, sums have nine, and moments twelve.
-    pub fn scalars(&self, moments: bool) -> u64 {
-        let sums = if moments { 21 } else { 9 };
+    /// Scalars that it takes of each pixel; a value has three, sums have nine, moments twelve and quarters six.
+    pub fn scalars(&self, keeps: Keeps) -> u64 {
+        let sums = match keeps {
+            Keeps::Nothing => 9,
+            Keeps::Moments => 21,
+            Keeps::Quarters => 15,
+        };
         u64::from(self.head) * 3 + self.sums().count() as u64 * sums
     }
 }

@@ -18,8 +18,10 @@
 
 mod any;
 mod append;
+mod beside;
 mod develop;
 mod layout;
+mod quarters;
 mod sums;
 mod tally;
 #[cfg(test)]
@@ -28,11 +30,14 @@ mod tests;
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::film::Keeps;
 use crate::reference::math::{Real, Vec3};
 pub use any::{AnyPart, Scalar};
 pub use append::Misfit;
+pub use beside::{Beside, BesideMut};
 pub use develop::Halves;
 pub use layout::{BLOCK, Layout};
+pub use quarters::Half;
 pub use sums::{PixelSums, Sums};
 pub use tally::{Counts, Dropped, Tally};
 
@@ -41,7 +46,7 @@ pub use tally::{Counts, Dropped, Tally};
 pub struct Part<F> {
     /// Width and height in pixels.
     size: [u32; 2],
-    moments: bool,
+    keeps: Keeps,
     /// Indices of the samples.
     range: Range<u32>,
     /// The samples of each index before the first block that begins here: a value a pixel, row by row.
@@ -54,11 +59,11 @@ pub struct Part<F> {
 }
 
 impl<F: Real> Part<F> {
-    /// No samples yet: the first is to have the index `begin`. `moments`: whether they are kept.
-    pub fn new(size: [u32; 2], moments: bool, begin: u32) -> Self {
+    /// No samples yet: the first is to have the index `begin`.
+    pub fn new(size: [u32; 2], keeps: Keeps, begin: u32) -> Self {
         Self {
             size,
-            moments,
+            keeps,
             range: begin..begin,
             head: Vec::new(),
             nodes: Vec::new(),
@@ -97,9 +102,9 @@ impl<F: Real> Part<F> {
         self.size
     }
 
-    /// Whether moments are kept.
-    pub fn keeps_moments(&self) -> bool {
-        self.moments
+    /// What it keeps of each pixel beside its sums.
+    pub fn keeps(&self) -> Keeps {
+        self.keeps
     }
 
     /// Indices of the samples that it has.

@@ -2,10 +2,9 @@
 
 use rayon::prelude::*;
 
-use crate::reference::film::{
-    FilmMoments, FilmPixel, PixelSum, film_join, film_join_contrast, film_join_moments,
-    film_moments, film_sample,
-};
+use super::Beside;
+use crate::film::Keeps;
+use crate::reference::film::{FilmPixel, PixelSum, film_join, film_join_contrast, film_sample};
 use crate::reference::math::{Real, Vec3};
 
 /// What a pixel's samples add up to.
@@ -22,8 +21,7 @@ pub struct Sums<F> {
     /// Samples of each pixel.
     pub samples: u32,
     pub pixels: Vec<PixelSums<F>>,
-    /// One a pixel where standard errors are to come from them.
-    pub moments: Option<Vec<FilmMoments<F>>>,
+    pub beside: Beside<F>,
 }
 
 impl<F: Real> PixelSums<F> {
@@ -67,11 +65,11 @@ impl<F: Real> From<&PixelSums<F>> for FilmPixel<F> {
 
 impl<F: Real> Sums<F> {
     /// Of no samples of so many pixels.
-    pub fn zero(pixels: usize, moments: bool) -> Self {
+    pub fn zero(pixels: usize, keeps: Keeps) -> Self {
         Self {
             samples: 0,
             pixels: vec![PixelSums::zero(); pixels],
-            moments: moments.then(|| vec![FilmMoments::default(); pixels]),
+            beside: Beside::zero(keeps, pixels),
         }
     }
 
@@ -84,10 +82,7 @@ impl<F: Real> Sums<F> {
             film_sample(&mut pixel, x);
             *sums = PixelSums::from(&pixel);
         });
-        if let Some(moments) = &mut self.moments {
-            let moments = moments.par_iter_mut().zip(values);
-            moments.for_each(|(moments, &x)| film_moments(moments, x, n));
-        }
+        self.beside.add(values, n);
         self.samples = n;
     }
 
@@ -103,10 +98,7 @@ impl<F: Real> Sums<F> {
         }
         let pixels = self.pixels.par_iter_mut().zip(&later.pixels);
         pixels.for_each(|(a, &b)| *a = a.join(b, n));
-        if let (Some(moments), Some(later)) = (&mut self.moments, &later.moments) {
-            let moments = moments.par_iter_mut().zip(later);
-            moments.for_each(|(a, b)| *a = film_join_moments(a, m, b, n));
-        }
+        self.beside.join(m, &later.beside, n);
         self.samples = m + n;
     }
 }

@@ -1,5 +1,6 @@
 use super::*;
-use crate::reference::film::{FilmMoments, FilmPixel, film_moments, film_sample};
+use crate::film::Film;
+use crate::reference::film::{FilmPixel, film_sample};
 use crate::reference::math::vec3;
 use proptest::prelude::*;
 
@@ -26,31 +27,33 @@ fn sample(pixel: usize, index: u32) -> Vec3<f32> {
 }
 
 /// What a renderer does: samples `range` in slices that end at `slices`, among others.
-fn grown(range: Range<u32>, moments: bool, slices: &[u32]) -> Part<f32> {
-    let mut part = Part::new([PIXELS as u32, 1], moments, range.start);
-    let mut film = vec![(FilmPixel::default(), FilmMoments::default()); PIXELS];
-    let sums = |film: &[(FilmPixel<f32>, FilmMoments<f32>)]| Sums {
-        samples: film[0].0.samples,
-        pixels: film.iter().map(|(p, _)| p.into()).collect(),
-        moments: moments.then(|| film.iter().map(|(_, m)| *m).collect()),
+fn grown(range: Range<u32>, keeps: Keeps, slices: &[u32]) -> Part<f32> {
+    let mut part = Part::new([PIXELS as u32, 1], keeps, range.start);
+    let mut film = vec![FilmPixel::default(); PIXELS];
+    let mut beside = Beside::zero(keeps, PIXELS);
+    let sums = |film: &[FilmPixel<f32>], beside: &Beside<f32>| Sums {
+        samples: film[0].samples,
+        pixels: film.iter().map(PixelSums::from).collect(),
+        beside: beside.clone(),
     };
     let mut done = range.start;
     while done < range.end {
         let next = slices.iter().copied().filter(|&s| s > done).min();
         let stop = part.stop(done, next.unwrap_or(range.end).min(range.end));
-        for (i, (pixel, kept)) in film.iter_mut().enumerate() {
+        for (i, pixel) in film.iter_mut().enumerate() {
             for index in done..stop {
                 film_sample(pixel, sample(i, index));
-                film_moments(kept, sample(i, index), pixel.samples);
+                beside.at(i).add(sample(i, index), pixel.samples);
             }
         }
         done = stop;
         if part.ends_at(done) {
-            part.close(sums(&film));
+            part.close(sums(&film, &beside));
             film.fill(Default::default());
+            beside.clear();
         }
     }
-    part.with_tail(sums(&film))
+    part.with_tail(sums(&film, &beside))
 }
 
 proptest! {
@@ -62,14 +65,14 @@ proptest! {
         begin in 0u32..1400,
         lengths in prop::collection::vec(prop_oneof![0u32..20, 0u32..700, Just(256u32), Just(512)], 1..6),
         slices in prop::collection::vec(0u32..4000, 0..8),
-        moments: bool,
+        keeps in prop_oneof![Just(Keeps::Nothing), Just(Keeps::Moments), Just(Keeps::Quarters)],
     ) {
         let end = begin + lengths.iter().sum::<u32>();
-        let one = grown(begin..end, moments, &[]);
-        let mut joined = grown(begin..begin, moments, &[]);
+        let one = grown(begin..end, keeps, &[]);
+        let mut joined = grown(begin..begin, keeps, &[]);
         let mut at = begin;
         for length in lengths {
-            let part = grown(at..at + length, moments, &slices);
+            let part = grown(at..at + length, keeps, &slices);
             let layout = part.layout();
             prop_assert_eq!(part.head.len() as u32, layout.head);
             prop_assert_eq!(part.nodes.iter().map(|n| n.samples).collect::<Vec<_>>(), layout.nodes);
@@ -87,7 +90,7 @@ proptest! {
 #[test]
 fn a_joined_sum_is_exact_to_its_bound() {
     let n = 5000;
-    let part = grown(0..n, false, &[]);
+    let part = grown(0..n, Keeps::Nothing, &[]);
     for pixel in 1..PIXELS {
         let exact: f64 = (0..n).map(|i| f64::from(sample(pixel, i).x)).sum();
         let mean = f64::from(part.picture().rgb[pixel][0]);
@@ -104,8 +107,8 @@ fn a_joined_sum_is_exact_to_its_bound() {
 #[test]
 fn standard_errors_and_halves_are_those_of_the_samples() {
     let n = 1337;
-    for moments in [true, false] {
-        let part = grown(0..n, moments, &[]);
+    for keeps in [Keeps::Moments, Keeps::Nothing] {
+        let part = grown(0..n, keeps, &[]);
         let all: Vec<f64> = (0..n).map(|i| f64::from(sample(1, i).x)).collect();
         let count = f64::from(n);
         let mean = all.iter().sum::<f64>() / count;
@@ -113,9 +116,9 @@ fn standard_errors_and_halves_are_those_of_the_samples() {
         let signed = |(i, x): (usize, &f64)| if i % 2 == 0 { *x } else { -x };
         let contrast: f64 = all.iter().enumerate().map(signed).sum();
         let half = (contrast - mean) / (count * count - 1.0).sqrt();
-        let expected = match moments {
-            true => (spread / (count * (count - 1.0))).sqrt(),
-            false => half.abs(),
+        let expected = match keeps {
+            Keeps::Moments => (spread / (count * (count - 1.0))).sqrt(),
+            _ => half.abs(),
         };
         let found = f64::from(part.standard_errors().rgb[1][0]);
         assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
@@ -124,14 +127,56 @@ fn standard_errors_and_halves_are_those_of_the_samples() {
     }
 }
 
+/// Against means in f64, of numbers of samples with every remainder, one block and many.
+#[test]
+fn quarters_are_the_means_of_their_samples() {
+    for n in [4, 5, 6, 7, 255, 256, 257, 1030, 1337] {
+        let part = grown(0..n, Keeps::Quarters, &[]);
+        let halves = part.quartered().expect("four samples");
+        let mean = |step, first| {
+            let all: Vec<f64> = (0..n)
+                .filter(|i| i % step == first)
+                .map(|i| f64::from(sample(1, i).x))
+                .collect();
+            all.iter().sum::<f64>() / all.len() as f64
+        };
+        // Each step of two differences in f32 rounds what is at most the sum of all: 2 n 2⁻²⁴ of it.
+        let sum = f64::from(n) * mean(1, 0);
+        let near = |film: &Film, expected: f64, samples: u32| {
+            let bound = 2.0 * f64::from(n) * 2f64.powi(-24) * sum / f64::from(samples);
+            (f64::from(film.rgb[1][0]) - expected).abs() <= bound
+        };
+        for (first, half) in (0..).zip(&halves) {
+            let least = n / 4;
+            assert!(near(&half.mean, mean(2, first), 2 * least), "{n}");
+            // Which is which depends on the last sample.
+            let [a, b] = &half.quarters;
+            let [one, two] = [mean(4, first), mean(4, first + 2)];
+            let right = |a, b| near(a, one, least) && near(b, two, least);
+            assert!(right(a, b) || right(b, a), "{n}: not {one} and {two}");
+            // The test can fail.
+            let other = [mean(4, 1 - first), mean(4, 3 - first)];
+            assert!(!other.iter().any(|&x| near(a, x, least)), "{n}");
+        }
+    }
+}
+
+#[test]
+fn quarters_need_sums_and_samples_of_their_own() {
+    assert!(grown(0..3, Keeps::Quarters, &[]).quartered().is_none());
+    assert!(grown(2..40, Keeps::Quarters, &[]).quartered().is_none());
+    assert!(grown(8..40, Keeps::Quarters, &[]).quartered().is_some());
+    assert!(grown(0..40, Keeps::Moments, &[]).quartered().is_none());
+}
+
 #[test]
 fn equal_samples_have_no_spread() {
-    let mut sums = Sums::zero(1, true);
-    let mut part = Part::new([1, 1], true, 0);
+    let mut sums = Sums::zero(1, Keeps::Moments);
+    let mut part = Part::new([1, 1], Keeps::Moments, 0);
     for _ in 0..3 * BLOCK {
         sums.add(&[vec3(0.1f32, 0.7, 3.0)]);
         if sums.samples == BLOCK {
-            part.close(std::mem::replace(&mut sums, Sums::zero(1, true)));
+            part.close(std::mem::replace(&mut sums, Sums::zero(1, Keeps::Moments)));
         }
     }
     assert_eq!(part.standard_errors().rgb, [[0.0; 3]]);
@@ -139,18 +184,17 @@ fn equal_samples_have_no_spread() {
 
 #[test]
 fn what_does_not_follow_is_refused() {
-    let part = |range, moments| grown(range, moments, &[]);
-    let refused = |next| part(0..10, false).append(next, &mut |_| {});
-    assert_eq!(refused(part(10..12, false)), Ok(()));
-    assert_eq!(
-        refused(part(11..12, false)),
-        Err(Misfit::Range(11..12, 0..10))
-    );
-    assert_eq!(refused(part(10..12, true)), Err(Misfit::Moments));
-    let other = Part::new([1, 2], false, 10);
+    let part = |range| grown(range, Keeps::Nothing, &[]);
+    let refused = |next| part(0..10).append(next, &mut |_| {});
+    assert_eq!(refused(part(10..12)), Ok(()));
+    assert_eq!(refused(part(11..12)), Err(Misfit::Range(11..12, 0..10)));
+    for keeps in [Keeps::Moments, Keeps::Quarters] {
+        assert_eq!(refused(grown(10..12, keeps, &[])), Err(Misfit::Keeps));
+    }
+    let other = Part::new([1, 2], Keeps::Nothing, 10);
     assert_eq!(refused(other), Err(Misfit::Size([1, 2], [3, 1])));
-    let mut any = AnyPart::F32(part(0..10, false));
-    let wide = AnyPart::F64(Part::new([3, 1], false, 10));
+    let mut any = AnyPart::F32(part(0..10));
+    let wide = AnyPart::F64(Part::new([3, 1], Keeps::Nothing, 10));
     assert_eq!(any.append(wide, &mut |_, _| {}), Err(Misfit::Scalar));
 }
 
@@ -162,9 +206,9 @@ fn parts_stop_at_powers_of_two() {
         &[0..256, 256..700, 700..1030, 1030..5000],
     ] {
         let mut seen = Vec::new();
-        let mut whole = grown(0..0, false, &[]);
+        let mut whole = grown(0..0, Keeps::Nothing, &[]);
         for range in ranges {
-            let part = grown(range.clone(), false, &[]);
+            let part = grown(range.clone(), Keeps::Nothing, &[]);
             whole
                 .append(part, &mut |p| seen.push(p.samples()))
                 .expect("the next");

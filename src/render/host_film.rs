@@ -16,7 +16,7 @@ pub trait HostFilm {
 
 /// A part of the picture of a job: no samples, the first is to have the index `begin`.
 pub fn empty_part<F: Scalar>(job: &Job, begin: u32) -> Part<F> {
-    Part::new(job.size(), job.features().keeps_moments(), begin)
+    Part::new(job.size(), job.features().keeps(), begin)
 }
 
 /// The standard errors of a picture, where they are asked for; one sample tells none.
@@ -29,6 +29,6 @@ pub fn standard_errors(job: &Job, part: &AnyPart) -> Option<Film> {
 pub fn freedom(sampler: Sampler, spp: u32) -> f64 {
     match sampler {
         Sampler::Random => f64::from(spp) - 1.0,
-        Sampler::Sobol => f64::from(GROUPS) - 1.0,
+        Sampler::Sobol | Sampler::SobolQuarters => f64::from(GROUPS) - 1.0,
     }
 }

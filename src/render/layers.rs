@@ -115,7 +115,7 @@ type Value = fn(&Pixel) -> f64;
 /// The channels of a layer, by pbrt's names where it has them.
 fn named(aov: Aov) -> Vec<(&'static str, Value)> {
     match aov {
-        Aov::Stderr => vec![],
+        Aov::Stderr | Aov::Denoised => vec![],
         Aov::Albedo => vec![
             ("Albedo.R", |p| p.albedo.x),
             ("Albedo.G", |p| p.albedo.y),

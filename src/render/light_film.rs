@@ -2,7 +2,7 @@
 //!
 //! The light paths of one sample index, one a pixel of the picture, make a picture of their own: a pixel's sample is the sum
 //! of its splats, in the order of (light path, vertex). The film adds these samples as it adds a path tracer's, so that
-//! its groups, its moments and its error estimate are the same. No bit depends on tiles, slices or crops.
+//! its groups, what it keeps beside them and its error estimate are the same. No bit depends on tiles, slices or crops.
 
 use super::{HostFilm, Job, Pixels};
 use crate::part::{Counts, Dropped, Part, Scalar, Tally};
@@ -23,7 +23,7 @@ pub struct LightFilm<F> {
 }
 
 impl<F: Scalar> LightFilm<F> {
-    /// What it keeps of each pixel, moments not counted.
+    /// What it keeps of each pixel, what is kept beside its sums not counted.
     pub const PIXEL_BYTES: u64 = (size_of::<FilmPixel<F>>() + size_of::<PixelSum<F>>()) as u64;
 
     /// Goes on from a part of the job's picture.

@@ -1,10 +1,10 @@
 //! What a rendering takes of the host's memory, beside its scene.
 
 use super::{Job, LightFilm, RenderError};
-use crate::film::Aov;
+use crate::film::{Aov, Keeps};
 use crate::memory::free;
 use crate::part::{BLOCK, PixelSums, Scalar};
-use crate::reference::film::{FilmMoments, FilmPixel};
+use crate::reference::film::{FilmMoments, FilmPixel, FilmQuarters};
 use crate::settings::Integrator;
 
 /// An error where the films of a job in the scalar `F`, `times` of each, cannot fit.
@@ -25,17 +25,18 @@ fn bytes<F: Scalar>(job: &Job) -> u64 {
         Integrator::Path => size_of::<FilmPixel<F>>() as u64,
         Integrator::Light | Integrator::Bidirectional => LightFilm::<F>::PIXEL_BYTES,
     };
-    let moments = match job.features().keeps_moments() {
-        true => size_of::<FilmMoments<F>>() as u64,
-        false => 0,
+    let beside = match job.features().keeps() {
+        Keeps::Nothing => 0,
+        Keeps::Moments => size_of::<FilmMoments<F>>() as u64,
+        Keeps::Quarters => size_of::<FilmQuarters<F>>() as u64,
     };
     // A node a level at most, where it is known how many samples there will be.
     let levels = match job.spp {
         u32::MAX => 0,
         spp => (spp / BLOCK).checked_ilog2().map_or(0, |log| log + 1),
     };
-    let sums = size_of::<PixelSums<F>>() as u64 + moments;
+    let sums = size_of::<PixelSums<F>>() as u64 + beside;
     let pictures = 1 + u64::from(job.aovs.contains(&Aov::Stderr));
     let picture = pictures * size_of::<[f32; 3]>() as u64;
-    u64::from(job.area().pixels()) * (film + moments + u64::from(levels) * sums + picture)
+    u64::from(job.area().pixels()) * (film + beside + u64::from(levels) * sums + picture)
 }

@@ -4,8 +4,8 @@ use rayon::prelude::*;
 
 use super::HostFilm;
 use super::tiles::Tile;
-use crate::part::{Counts, Dropped, Part, PixelSums, Scalar, Sums, Tally};
-use crate::reference::film::{FilmMoments, FilmPixel, film_moments, film_sample};
+use crate::part::{Beside, BesideMut, Counts, Dropped, Part, PixelSums, Scalar, Sums, Tally};
+use crate::reference::film::{FilmPixel, film_sample};
 use crate::reference::math::Vec3;
 use crate::sample::{Address, Largest};
 
@@ -16,26 +16,23 @@ pub struct Pixels<F> {
     closed: Part<F>,
     /// Of the block under way.
     film: Vec<FilmPixel<F>>,
-    /// Where standard errors are to come from them.
-    moments: Option<Vec<FilmMoments<F>>>,
+    beside: Beside<F>,
 }
 
 /// From so many pixels on, adding a sample to each is faster on all cores than on one.
 const MANY: usize = 1 << 14;
 
-/// A pixel, and its moments where they are kept.
+/// A pixel, and what is kept beside it.
 pub struct PixelMut<'a, F> {
     pub film: &'a mut FilmPixel<F>,
-    moments: Option<&'a mut FilmMoments<F>>,
+    beside: BesideMut<'a, F>,
 }
 
 impl<F: Scalar> PixelMut<'_, F> {
     /// Adds the next sample.
     pub fn add(&mut self, radiance: Vec3<F>) {
         film_sample(self.film, radiance);
-        if let Some(moments) = &mut self.moments {
-            film_moments(moments, radiance, self.film.samples);
-        }
+        self.beside.add(radiance, self.film.samples);
     }
 }
 
@@ -45,7 +42,7 @@ impl<F: Scalar> Pixels<F> {
         let (closed, tail) = part.without_tail();
         let pixels = area.pixels() as usize;
         let open = tail.map_or_else(
-            || Sums::zero(pixels, closed.keeps_moments()),
+            || Sums::zero(pixels, closed.keeps()),
             |tail| (*tail).clone(),
         );
         let film = |sums: &PixelSums<F>| FilmPixel {
@@ -56,7 +53,7 @@ impl<F: Scalar> Pixels<F> {
             area,
             closed,
             film: open.pixels.iter().map(film).collect(),
-            moments: open.moments,
+            beside: open.beside,
         }
     }
 
@@ -75,24 +72,27 @@ impl<F: Scalar> Pixels<F> {
         if self.film.len() >= MANY {
             return self.each(|i, mut pixel| pixel.add(radiance(i)));
         }
-        let mut moments = self.moments.iter_mut().flatten();
         for (i, film) in self.film.iter_mut().enumerate() {
-            let moments = moments.next();
-            PixelMut { film, moments }.add(radiance(i));
+            let beside = self.beside.at(i);
+            PixelMut { film, beside }.add(radiance(i));
         }
     }
 
     /// Every pixel by its number in the area, on all cores.
     pub fn each(&mut self, visit: impl Fn(usize, PixelMut<F>) + Sync) {
         let film = self.film.par_iter_mut().enumerate();
-        match &mut self.moments {
-            None => film.for_each(|(i, film)| {
-                let moments = None;
-                visit(i, PixelMut { film, moments });
+        match &mut self.beside {
+            Beside::Nothing => film.for_each(|(i, film)| {
+                let beside = BesideMut::Nothing;
+                visit(i, PixelMut { film, beside });
             }),
-            Some(moments) => film.zip(moments).for_each(|((i, film), moments)| {
-                let moments = Some(moments);
-                visit(i, PixelMut { film, moments });
+            Beside::Moments(moments) => film.zip(moments).for_each(|((i, film), moments)| {
+                let beside = BesideMut::Moments(moments);
+                visit(i, PixelMut { film, beside });
+            }),
+            Beside::Quarters(quarters) => film.zip(quarters).for_each(|((i, film), quarters)| {
+                let beside = BesideMut::Quarters(quarters);
+                visit(i, PixelMut { film, beside });
             }),
         }
     }
@@ -105,9 +105,7 @@ impl<F: Scalar> Pixels<F> {
         self.closed.tally = self.closed.tally.plus(self.tally());
         self.closed.close(self.sums());
         self.film.fill(FilmPixel::default());
-        if let Some(moments) = &mut self.moments {
-            moments.fill(FilmMoments::default());
-        }
+        self.beside.clear();
     }
 
     /// Of the block under way.
@@ -115,7 +113,7 @@ impl<F: Scalar> Pixels<F> {
         Sums {
             samples: self.film.first().map_or(0, |pixel| pixel.samples),
             pixels: self.film.par_iter().map(PixelSums::from).collect(),
-            moments: self.moments.clone(),
+            beside: self.beside.clone(),
         }
     }
 

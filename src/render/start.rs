@@ -49,7 +49,7 @@ impl Start {
         };
         let part = F::of(state.part.clone());
         part.filter(|part| part.size() == empty.size())
-            .filter(|part| part.keeps_moments() == empty.keeps_moments())
+            .filter(|part| part.keeps() == empty.keeps())
             .ok_or(RenderError::Start)
     }
 }

@@ -71,13 +71,17 @@ impl Named for Lights {
 }
 
 impl Named for Sampler {
-    const ALL: &'static [(Self, &'static str)] =
-        &[(Self::Random, "random"), (Self::Sobol, "sobol")];
+    const ALL: &'static [(Self, &'static str)] = &[
+        (Self::Random, "random"),
+        (Self::Sobol, "sobol"),
+        (Self::SobolQuarters, "sobol-quarters"),
+    ];
 }
 
 impl Named for Aov {
     const ALL: &'static [(Self, &'static str)] = &[
         (Self::Stderr, "stderr"),
+        (Self::Denoised, "denoised"),
         (Self::Albedo, "albedo"),
         (Self::Normal, "normal"),
         (Self::Depth, "depth"),
@@ -119,6 +123,7 @@ mod tests {
         distinct(&[Normals::Visible, Normals::Distribution]);
         distinct(&[
             Aov::Stderr,
+            Aov::Denoised,
             Aov::Albedo,
             Aov::Normal,
             Aov::Depth,
@@ -131,7 +136,7 @@ mod tests {
         ]);
         distinct(&[Connect::Mis, Connect::Light, Connect::Bsdf]);
         distinct(&[Lights::Contribution, Lights::Power]);
-        distinct(&[Sampler::Random, Sampler::Sobol]);
+        distinct(&[Sampler::Random, Sampler::Sobol, Sampler::SobolQuarters]);
         distinct(&[
             Integrator::Path,
             Integrator::Light,

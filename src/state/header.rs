@@ -5,6 +5,7 @@ use std::ops::Range;
 use serde::{Deserialize, Serialize};
 
 use super::StateError;
+use crate::film::Keeps;
 use crate::part::{Layout, Tally};
 use crate::report::Record;
 
@@ -30,9 +31,16 @@ pub(super) struct Preamble {
     pub scalar: String,
     /// Whether each sum has moments beside it.
     pub moments: bool,
+    /// Whether it has quarters.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub quarters: bool,
     pub tally: Tally,
     #[serde(flatten)]
     pub header: Header,
+}
+
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 impl Preamble {
@@ -44,13 +52,22 @@ impl Preamble {
         Layout::new(self.range())
     }
 
+    /// What each sum has beside it.
+    pub fn keeps(&self) -> Keeps {
+        match (self.moments, self.quarters) {
+            (true, _) => Keeps::Moments,
+            (false, true) => Keeps::Quarters,
+            (false, false) => Keeps::Nothing,
+        }
+    }
+
     pub fn pixels(&self) -> u64 {
         u64::from(self.area[0]) * u64::from(self.area[1])
     }
 
     /// Bytes of the sums, of scalars of so many bytes; `None` beyond 2⁶⁴.
     pub fn bytes(&self, scalar: u64) -> Option<u64> {
-        let a_pixel = self.layout().scalars(self.moments) * scalar;
+        let a_pixel = self.layout().scalars(self.keeps()) * scalar;
         a_pixel.checked_mul(self.pixels())
     }
 
@@ -73,6 +90,7 @@ impl Preamble {
             () if self.pixels() == 0 || self.pixels() > u64::from(u32::MAX) => {
                 wrong("it has no pixels, or too many")
             }
+            () if self.moments && self.quarters => wrong("it has moments and quarters"),
             () if area != Some(self.area) => wrong("its area is not that of its picture"),
             () if job.spp != end - begin => {
                 wrong("its number of samples is not that of its record")

@@ -7,8 +7,9 @@ use std::path::Path;
 use super::header::{Header, Preamble};
 use super::scalars::{Bytes, Packed};
 use super::{CHECKSUM, Kept, LONGEST_HEADER, MAGIC, StateError, VERSION};
-use crate::part::{AnyPart, Part, PixelSums, Sums};
-use crate::reference::film::FilmMoments;
+use crate::film::Keeps;
+use crate::part::{AnyPart, Beside, Part, PixelSums, Sums};
+use crate::reference::film::{FilmMoments, FilmQuarters};
 use crate::reference::math::Vec3;
 
 /// Records that are read at once.
@@ -25,12 +26,13 @@ pub fn read(path: &Path) -> Result<Kept, StateError> {
     whole(file, length)
 }
 
-/// What a file was made from; the first index of its samples and the one after the last; whether it has moments. Whether the
-/// rest is whole is not looked at, but for its length.
-pub fn read_header(path: &Path) -> Result<(Header, [u32; 2], bool), StateError> {
+/// What a file was made from; the first index of its samples and the one after the last; what it keeps beside its sums.
+/// Whether the rest is whole is not looked at, but for its length.
+pub fn read_header(path: &Path) -> Result<(Header, [u32; 2], Keeps), StateError> {
     let (file, length) = open(path)?;
     let preamble = Reader::new(file).preamble(length)?;
-    Ok((preamble.header, preamble.samples, preamble.moments))
+    let keeps = preamble.keeps();
+    Ok((preamble.header, preamble.samples, keeps))
 }
 
 /// As [`read`], of bytes.
@@ -141,14 +143,15 @@ impl<R: Read> Reader<R> {
             sums.push(Sums {
                 samples,
                 pixels: self.array::<F, PixelSums<F>>(pixels)?,
-                moments: match preamble.moments {
-                    true => Some(self.array::<F, FilmMoments<F>>(pixels)?),
-                    false => None,
+                beside: match preamble.keeps() {
+                    Keeps::Nothing => Beside::Nothing,
+                    Keeps::Moments => Beside::Moments(self.array::<F, FilmMoments<F>>(pixels)?),
+                    Keeps::Quarters => Beside::Quarters(self.array::<F, FilmQuarters<F>>(pixels)?),
                 },
             });
         }
         let [begin, end] = preamble.samples;
-        let mut empty = Part::new(preamble.area, preamble.moments, begin);
+        let mut empty = Part::new(preamble.area, preamble.keeps(), begin);
         empty.tally = preamble.tally;
         Ok(Part::assembled(empty, end, head, sums))
     }

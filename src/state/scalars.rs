@@ -1,7 +1,7 @@
 //! Scalars as bytes, the least significant first.
 
-use crate::part::{AnyPart, Part, PixelSums, Scalar, Sums};
-use crate::reference::film::{FilmMoments, PixelSum};
+use crate::part::{AnyPart, Beside, Part, PixelSums, Scalar, Sums};
+use crate::reference::film::{FilmMoments, FilmQuarters, PixelSum};
 use crate::reference::math::{Vec3, vec3};
 
 /// A scalar of files.
@@ -95,6 +95,19 @@ impl<F: Bytes> Packed<F> for FilmMoments<F> {
     }
 }
 
+impl<F: Bytes> Packed<F> for FilmQuarters<F> {
+    const VECTORS: usize = 2;
+    fn pack(&self, out: &mut Vec<u8>) {
+        [self.even, self.odd].iter().for_each(|v| v.pack(out));
+    }
+    fn unpack(bytes: &[u8]) -> Self {
+        Self {
+            even: vector(bytes, 0),
+            odd: vector(bytes, 1),
+        }
+    }
+}
+
 /// What takes the arrays of a part one after the other.
 pub trait Sink {
     type Error;
@@ -113,13 +126,12 @@ fn arrays_of<F: Bytes, S: Sink>(part: &Part<F>, sink: &mut S) -> Result<(), S::E
     for values in part.head() {
         sink.array::<F, _>(values)?;
     }
-    for Sums {
-        pixels, moments, ..
-    } in part.sums()
-    {
+    for Sums { pixels, beside, .. } in part.sums() {
         sink.array::<F, _>(pixels)?;
-        if let Some(moments) = moments {
-            sink.array::<F, _>(moments)?;
+        match beside {
+            Beside::Nothing => {}
+            Beside::Moments(moments) => sink.array::<F, _>(moments)?,
+            Beside::Quarters(quarters) => sink.array::<F, _>(quarters)?,
         }
     }
     Ok(())

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use super::header::{Header, Preamble};
 use super::scalars::{self, Bytes, Packed, Sink};
 use super::{CHECKSUM, LONGEST_HEADER, MAGIC, VERSION};
+use crate::film::Keeps;
 use crate::part::AnyPart;
 
 /// Pixels that are written at once.
@@ -23,7 +24,8 @@ pub fn write(out: &mut dyn Write, header: &Header, part: &AnyPart) -> io::Result
         samples: [part.range().start, part.range().end],
         area: part.size(),
         scalar: scalar.to_owned(),
-        moments: part.keeps_moments(),
+        moments: part.keeps() == Keeps::Moments,
+        quarters: part.keeps() == Keeps::Quarters,
         tally: part.tally(),
         header: header.clone(),
     };

@@ -35,6 +35,10 @@ pub fn estimators() -> Vec<(&'static str, Settings)> {
         ("lights power", with(|e| e.lights = Lights::Power)),
         ("sampler random", with(|e| e.sampler = Sampler::Random)),
         (
+            "sampler sobol-quarters",
+            with(|e| e.sampler = Sampler::SobolQuarters),
+        ),
+        (
             "the hand-out's",
             with(|e| *e = Settings::handout().estimator),
         ),

@@ -100,7 +100,7 @@ fn the_mean_square_is_the_variance_of_the_pixel() {
             // Planted: errors a tenth too large; of Sobol's points those of their spread.
             let planted = match sampler {
                 Sampler::Random => scaled(&squares, 1.1),
-                Sampler::Sobol => {
+                _ => {
                     let seeds: Vec<u32> = (0..SEEDS).collect();
                     spread_of_samples(&with_errors(&scene, settings, 0), &seeds)
                 }

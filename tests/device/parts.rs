@@ -19,18 +19,22 @@ fn sums_of_many_blocks_are_those_of_the_reference() {
     if cpu_driver().is_none() {
         return;
     }
-    for integrator in [
-        Integrator::Path,
-        Integrator::Light,
-        Integrator::Bidirectional,
+    for (integrator, aov) in [
+        (Integrator::Path, Aov::Stderr),
+        (Integrator::Path, Aov::Denoised),
+        (Integrator::Light, Aov::Denoised),
+        (Integrator::Bidirectional, Aov::Stderr),
     ] {
         let mut settings = Settings::default();
         settings.estimator.integrator = integrator;
-        settings.estimator.sampler = Sampler::Random;
+        settings.estimator.sampler = match aov {
+            Aov::Stderr => Sampler::Random,
+            _ => Sampler::SobolQuarters,
+        };
         let text = TABLE.replace("screen 32 24", "screen 7 5");
         let scene = prepared(&text, &settings);
         let job = Job {
-            aovs: &[Aov::Stderr],
+            aovs: &[aov],
             ..job(&scene, settings, SPP, 1)
         };
         let one = outcome(&job, &Target::CpuF32);

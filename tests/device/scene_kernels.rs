@@ -143,23 +143,26 @@ fn the_kernel_of_a_diffuse_scene_holds_nothing_of_microfacets_and_refraction() {
 }
 
 #[test]
-fn a_kernel_keeps_moments_only_where_standard_errors_are_asked_for_of_independent_samples() {
+fn a_kernel_keeps_beside_its_film_only_what_is_asked_for() {
     let Some(device) = common::device() else {
         return;
     };
     let scene = prepared(DIFFUSE, &Settings::default());
-    let keeps_moments = |settings, aovs| {
+    let holds = |function: &str, settings, aovs| {
         let job = Job {
             aovs,
             ..job(&scene, settings, 2, 1)
         };
         let functions = functions_of(&job, device);
-        functions.iter().any(|f| f == "film_moments")
+        functions.iter().any(|f| f == function)
     };
-    let asked = &[Aov::Stderr];
-    assert!(keeps_moments(independent(), asked));
-    assert!(!keeps_moments(independent(), &[]));
-    assert!(!keeps_moments(Settings::default(), asked));
+    let (stderr, denoised) = (&[Aov::Stderr], &[Aov::Denoised]);
+    assert!(holds("film_moments", independent(), stderr));
+    assert!(!holds("film_moments", independent(), &[]));
+    // Samples by Sobol are not independent.
+    assert!(!holds("film_moments", Settings::default(), stderr));
+    assert!(holds("film_quarters", Settings::default(), denoised));
+    assert!(!holds("film_quarters", Settings::default(), stderr));
 }
 
 /// A scene whose numbers are edited is found again in the drivers' caches: of up to 24 primitives the kernel's text knows

@@ -16,17 +16,21 @@ use crate::common::scenes::TABLE;
 const SPP: u32 = 700;
 const TARGETS: [Target; 2] = [Target::CpuF32, Target::CpuF64];
 
-/// Few pixels of a scene with glass, by each integrator; the first with moments of independent samples.
+/// Few pixels of a scene with glass, by each integrator; the first with moments of independent samples, the second with quarters.
 fn cases() -> Vec<(Prepared, Settings, &'static [Aov])> {
     let case = |integrator| {
         let mut settings = Settings::default();
         settings.estimator.integrator = integrator;
-        let moments = integrator == Integrator::Path;
-        if moments {
-            settings.estimator.sampler = Sampler::Random;
-        }
+        settings.estimator.sampler = match integrator {
+            Integrator::Path => Sampler::Random,
+            _ => Sampler::SobolQuarters,
+        };
         let text = TABLE.replace("screen 32 24", "screen 4 3");
-        let aovs: &[Aov] = if moments { &[Aov::Stderr] } else { &[] };
+        let aovs: &[Aov] = match integrator {
+            Integrator::Path => &[Aov::Stderr],
+            Integrator::Light => &[Aov::Denoised],
+            Integrator::Bidirectional => &[],
+        };
         (prepared(&text, &settings), settings, aovs)
     };
     let all = [
@@ -72,7 +76,9 @@ fn parts_join_to_one_rendering() {
                 let joined = joined.expect("parts");
                 assert!(joined == one.state.part, "{target:?} {ranges:?}");
                 assert!(joined.picture() == one.film, "{target:?} {ranges:?}");
-                let stderr = (!aovs.is_empty()).then(|| joined.standard_errors());
+                let stderr = aovs
+                    .contains(&Aov::Stderr)
+                    .then(|| joined.standard_errors());
                 assert!(stderr == one.stderr, "{target:?} {ranges:?}");
             }
         }

@@ -54,9 +54,9 @@ fn kept_files_are_read_and_written_again() {
         assert_eq!(differs(&twice.header, &header), None, "{name}");
         let from_disk = read(&path(name)).expect("a part");
         assert!(from_disk.part == part, "{name}");
-        let (header, samples, moments) = read_header(&path(name)).expect("a header");
+        let (header, samples, keeps) = read_header(&path(name)).expect("a header");
         assert_eq!(samples, [part.range().start, part.range().end], "{name}");
-        assert_eq!(moments, part.keeps_moments(), "{name}");
+        assert_eq!(keeps, part.keeps(), "{name}");
         assert_eq!(header.record.job.spp, part.samples(), "{name}");
         let wide = matches!(part, AnyPart::F64(_));
         assert_eq!(wide, name.starts_with("wide"), "{name}");

@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use crate::cli::exit::{Failure, note};
+use crate::film::Keeps;
 use crate::part::AnyPart;
 use crate::render::Target;
 use crate::state::{self, Header, Kept, differs};
@@ -12,13 +13,13 @@ use crate::state::{self, Header, Kept, differs};
 ///
 /// # Errors
 /// Of a part of something else, or of other samples: `samples` are the first index and the one after the last that are asked
-/// for. `moments`: whether standard errors are to come from them.
+/// for. `keeps`: what it must have beside its sums.
 pub fn resumed(
     path: &Path,
     own: &Header,
     samples: Range<u32>,
     target: &Target,
-    moments: bool,
+    keeps: Keeps,
 ) -> Result<Option<Kept>, Failure> {
     if !path.exists() {
         note(&format!(
@@ -50,18 +51,24 @@ pub fn resumed(
             range.len(),
             samples.len()
         )),
-        (_, part) if part.keeps_moments() && !moments => {
-            Some("it was rendered with --aov stderr: add that".to_owned())
-        }
-        (_, part) if !part.keeps_moments() && moments => {
-            Some("--aov stderr needs what its samples have not left: leave that out".to_owned())
-        }
+        (_, part) if part.keeps() != keeps => Some(lacks(part.keeps(), keeps)),
         _ => None,
     };
     match why {
         Some(why) => Err(wrong(why)),
         None => Ok(Some(kept)),
     }
+}
+
+/// What to do where a part has `has` beside its sums, and `wanted` is asked for.
+fn lacks(has: Keeps, wanted: Keeps) -> String {
+    match (has, wanted) {
+        (Keeps::Quarters, _) => "it was rendered with --denoise: add that",
+        (_, Keeps::Quarters) => "--denoise needs what its samples have not left: leave that out",
+        (Keeps::Moments, _) => "it was rendered with --aov stderr: add that",
+        _ => "--aov stderr needs what its samples have not left: leave that out",
+    }
+    .to_owned()
 }
 
 /// Says that a part of the same rendering is there, which is about to be written over.

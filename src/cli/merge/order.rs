@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::arguments::MergeArguments;
 use crate::cli::command;
 use crate::cli::exit::Failure;
+use crate::film::Keeps;
 use crate::shell::quoted;
 use crate::state::{self, Header, differs};
 
@@ -19,7 +20,7 @@ struct Told {
 /// Parts of one picture, each beginning where the one before ends.
 pub struct InOrder {
     parts: Vec<Told>,
-    /// Whether their sums have moments beside them.
+    /// Whether the sums of all have moments beside them.
     pub keep_moments: bool,
 }
 
@@ -67,8 +68,8 @@ pub fn in_order(arguments: &MergeArguments) -> Result<InOrder, Failure> {
     let (mut parts, mut wrong, mut keep_moments) = (Vec::new(), Vec::new(), true);
     for path in &arguments.parts {
         match state::read_header(path) {
-            Ok((header, [begin, end], moments)) => {
-                keep_moments &= moments;
+            Ok((header, [begin, end], keeps)) => {
+                keep_moments &= keeps == Keeps::Moments;
                 parts.push(Told {
                     path: path.clone(),
                     header,

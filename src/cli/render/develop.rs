@@ -107,9 +107,9 @@ fn begin<'a>(
         }
         return Ok((labels, anew));
     }
-    let moments = job.features().keeps_moments();
+    let keeps = job.features().keeps();
     let target = &labels.best.target;
-    let Some(Kept { header, part }) = resumed(path, &own, samples, target, moments)? else {
+    let Some(Kept { header, part }) = resumed(path, &own, samples, target, keeps)? else {
         return Ok((labels, anew));
     };
     labels.earlier = Some(header.rounding);

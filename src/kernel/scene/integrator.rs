@@ -1,10 +1,10 @@
 //! What is an integrator's own in a kernel: the root file, the arrays that it writes, what a dispatch is told.
 
 use super::{Recording, Side};
-use crate::features::Features;
+use crate::features::{Features, Keeps};
 use crate::layout::{
-    EyeState, FilmMoments, FilmPixel, GpuStruct, LightLane, LightSlice, LightState, LightVertex,
-    PathOutcome, PathState, Radiance, Record, Reservoir, Slice, Splat,
+    EyeState, FilmMoments, FilmPixel, FilmQuarters, GpuStruct, LightLane, LightSlice, LightState,
+    LightVertex, PathOutcome, PathState, Radiance, Record, Reservoir, Slice, Splat,
 };
 use crate::settings::Integrator;
 
@@ -84,8 +84,10 @@ fn eye_state() -> Vec<StateArray> {
 
 fn path_state(features: &Features, recording: Recording) -> Vec<StateArray> {
     let mut state = vec![array::<PathState>("paths"), array::<FilmPixel>("film")];
-    if features.keeps_moments() {
-        state.push(array::<FilmMoments>("moments"));
+    match features.keeps() {
+        Keeps::Nothing => {}
+        Keeps::Moments => state.push(array::<FilmMoments>("moments")),
+        Keeps::Quarters => state.push(array::<FilmQuarters>("quarters")),
     }
     match recording {
         Recording::Nothing => {}

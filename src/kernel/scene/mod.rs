@@ -8,7 +8,7 @@ mod integrator;
 use std::collections::BTreeSet;
 
 use super::{Composed, Composer, KernelError, OwnFile, Slot};
-use crate::features::{Features, LightPick, RouletteKind};
+use crate::features::{Features, Keeps, LightPick, RouletteKind};
 use crate::prepared::{LightKind, ShapeKind};
 use crate::settings::{Absorption, Connect, Integrator, LobeChoice, Normals, Sampler, Settings};
 pub use declare::{Binding, Element, declare_binding};
@@ -151,6 +151,7 @@ fn files(
             match features.sampler {
                 Sampler::Random => "sampler/random",
                 Sampler::Sobol => "sampler/sobol",
+                Sampler::SobolQuarters => "sampler/sobol_quarters",
             },
         ),
         (
@@ -334,9 +335,10 @@ fn files(
         ),
         (
             "moments",
-            match features.keeps_moments() {
-                true => "film/moments/welford",
-                false => "film/moments/none",
+            match features.keeps() {
+                Keeps::Moments => "film/moments/welford",
+                Keeps::Quarters => "film/moments/quarters",
+                Keeps::Nothing => "film/moments/none",
             },
         ),
         (

@@ -2,6 +2,7 @@
 //! blocks of samples, of which a device has one at a time.
 
 use super::film_moments::FilmMoments;
+use super::film_quarters::FilmQuarters;
 use super::pixel_sum::{PixelSum, film_add};
 use crate::reference::math::{Real, Vec3};
 
@@ -24,6 +25,18 @@ pub fn film_join<F: Real>(a: PixelSum<F>, b: PixelSum<F>) -> PixelSum<F> {
 pub fn film_join_contrast<F: Real>(a: Vec3<F>, b: Vec3<F>, n: u32) -> Vec3<F> {
     // The sign of a's samples changes once for each of b's.
     if n & 1 == 0 { b + a } else { b - a }
+}
+
+/// The quarters of both, the samples of `b` being `n` and the first of them of even index.
+pub fn film_join_quarters<F: Real>(
+    a: FilmQuarters<F>,
+    b: FilmQuarters<F>,
+    n: u32,
+) -> FilmQuarters<F> {
+    FilmQuarters {
+        even: film_join_contrast(a.even, b.even, n - n / 2),
+        odd: film_join_contrast(a.odd, b.odd, n / 2),
+    }
 }
 
 /// The moments of `m` ≥ 1 and `n` ≥ 1 samples together. Samples that are all equal leave `m2` exactly 0.

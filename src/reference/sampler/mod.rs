@@ -10,6 +10,8 @@ pub mod pcg4d;
 pub mod random;
 pub mod sobol;
 pub mod sobol_digits;
+pub mod sobol_groups;
+pub mod sobol_quarters;
 #[cfg(test)]
 mod tests;
 mod unit_float;
@@ -30,5 +32,6 @@ pub fn sampler_block(
     match sampler {
         Sampler::Random => random::sampler_block(pixel, sample_index, block, seed),
         Sampler::Sobol => sobol::sampler_block(pixel, sample_index, block, seed),
+        Sampler::SobolQuarters => sobol_quarters::sampler_block(pixel, sample_index, block, seed),
     }
 }

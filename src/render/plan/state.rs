@@ -1,12 +1,12 @@
 //! The arrays that a rendering writes, an element a thread: which they are depends on the integrator.
 
 use super::array::ArrayPlan;
-use crate::features::Features;
+use crate::features::{Features, Keeps};
 use crate::kernel::scene::{Recording, SPLATS};
 use crate::layout::constants::bidirectional::KEPT;
 use crate::layout::{
-    BufferUse, EyeState, FilmMoments, FilmPixel, GpuStruct, LightLane, LightSlice, LightState,
-    LightVertex, PathOutcome, PathState, Radiance, Record, Reservoir, Slice, Splat,
+    BufferUse, EyeState, FilmMoments, FilmPixel, FilmQuarters, GpuStruct, LightLane, LightSlice,
+    LightState, LightVertex, PathOutcome, PathState, Radiance, Record, Reservoir, Slice, Splat,
 };
 use crate::part::PixelSums;
 use crate::render::tiles::{Tile, tiles};
@@ -32,8 +32,8 @@ pub enum StatePlan {
 pub struct PathPlan {
     pub paths: ArrayPlan,
     pub film: ArrayPlan,
-    /// Where standard errors are to come from them.
-    pub moments: Option<ArrayPlan>,
+    /// What is kept of each pixel beside its film.
+    pub beside: Option<ArrayPlan>,
     /// Events of one path, or outcomes of all.
     pub recorded: Option<ArrayPlan>,
 }
@@ -98,11 +98,12 @@ impl StatePlan {
 
     /// Bytes that the host keeps of each pixel of the picture.
     pub fn film_bytes(&self, features: &Features) -> u64 {
-        let moments = match features.keeps_moments() {
-            true => size_of::<FilmMoments>() as u64,
-            false => 0,
+        let beside = match features.keeps() {
+            Keeps::Nothing => 0,
+            Keeps::Moments => size_of::<FilmMoments>() as u64,
+            Keeps::Quarters => size_of::<FilmQuarters>() as u64,
         };
-        moments
+        beside
             + match self {
                 Self::Path(_) => size_of::<PixelSums<f32>>() as u64,
                 Self::Light(_) | Self::Bidirectional(..) => LightFilm::<f32>::PIXEL_BYTES,
@@ -116,9 +117,11 @@ impl PathPlan {
         Self {
             paths: storage::<PathState>("paths", pixels),
             film: storage::<FilmPixel>("film", pixels),
-            moments: features
-                .keeps_moments()
-                .then(|| storage::<FilmMoments>("moments", pixels)),
+            beside: match features.keeps() {
+                Keeps::Nothing => None,
+                Keeps::Moments => Some(storage::<FilmMoments>("moments", pixels)),
+                Keeps::Quarters => Some(storage::<FilmQuarters>("quarters", pixels)),
+            },
             recorded: match recording {
                 Recording::Nothing => None,
                 Recording::Events(n) => Some(storage::<Record>("records", n as usize)),
@@ -132,7 +135,7 @@ impl PathPlan {
     pub fn plans(&self) -> impl Iterator<Item = ArrayPlan> {
         [self.paths, self.film]
             .into_iter()
-            .chain(self.moments)
+            .chain(self.beside)
             .chain(self.recorded)
     }
 }

@@ -1,10 +1,12 @@
 //! The paths and the film of the tile under way, on the device.
 
+use super::beside;
 use super::path_film::TileFilm;
+use crate::film::Keeps;
 use crate::gpu::{Buffer, Device};
 use crate::layout::{self, PathState};
-use crate::part::{Counts, Dropped, PixelSums, Sums, Tally};
-use crate::reference::film::{FilmMoments, PixelSum};
+use crate::part::{Beside, Counts, Dropped, PixelSums, Sums, Tally};
+use crate::reference::film::PixelSum;
 use crate::reference::math::{Vec3, vec3};
 use crate::render::RenderError;
 use crate::render::plan::{ArrayPlan, PathPlan};
@@ -15,7 +17,7 @@ use crate::sample::{Address, Largest};
 pub struct DeviceFilm {
     paths: Buffer,
     film: Buffer,
-    moments: Option<Buffer>,
+    beside: Option<Buffer>,
     /// What was counted of the tile before it was uploaded: the device counts from 0.
     counted: Tally,
     /// As read last.
@@ -28,7 +30,7 @@ impl DeviceFilm {
         Ok(Self {
             paths: buffer(device, &plan.paths)?,
             film: buffer(device, &plan.film)?,
-            moments: plan.moments.map(|m| buffer(device, &m)).transpose()?,
+            beside: plan.beside.map(|b| buffer(device, &b)).transpose()?,
             counted: Tally::default(),
             pixels: Vec::new(),
         })
@@ -36,7 +38,7 @@ impl DeviceFilm {
 
     /// In the order of their bindings.
     pub fn buffers(&self) -> impl Iterator<Item = &Buffer> {
-        [&self.paths, &self.film].into_iter().chain(&self.moments)
+        [&self.paths, &self.film].into_iter().chain(&self.beside)
     }
 
     /// Takes up a tile. No path is under way, of it or of the one before: all its threads need is the film.
@@ -44,7 +46,7 @@ impl DeviceFilm {
         let Sums {
             samples,
             pixels,
-            moments,
+            beside,
         } = &from.sums;
         let pixel = |sums: &PixelSums<f32>| layout::FilmPixel {
             sum: array(sums.sum.sum),
@@ -56,9 +58,8 @@ impl DeviceFilm {
         self.pixels.clear();
         self.pixels.extend(pixels.iter().map(pixel));
         self.film.write(bytemuck::cast_slice(&self.pixels))?;
-        if let (Some(buffer), Some(moments)) = (&self.moments, moments) {
-            let kept: Vec<layout::FilmMoments> = moments.iter().map(packed).collect();
-            buffer.write(bytemuck::cast_slice(&kept))?;
+        if let Some(buffer) = &self.beside {
+            beside::write(beside, buffer)?;
         }
         self.counted = from.tally;
         Ok(())
@@ -77,16 +78,9 @@ impl DeviceFilm {
         Ok(self.pixels.iter().all(|p| p.samples == samples))
     }
 
-    /// The tile as it was read last, with what else goes with its film. `begin`: the index of the block's first sample.
-    pub fn read(&self, tile: Tile, begin: u32) -> Result<TileFilm, RenderError> {
-        let moments = match &self.moments {
-            None => None,
-            Some(buffer) => {
-                let mut kept = vec![layout::FilmMoments::default(); self.pixels.len()];
-                buffer.read_into(bytemuck::cast_slice_mut(&mut kept))?;
-                Some(kept.iter().map(unpacked).collect())
-            }
-        };
+    /// The tile as it was read last, with what else goes with its film: that is `keeps`. `begin`: the index of the block's first
+    /// sample.
+    pub fn read(&self, tile: Tile, begin: u32, keeps: Keeps) -> Result<TileFilm, RenderError> {
         let sums = |p: &layout::FilmPixel| PixelSums {
             sum: parts(p.sum, p.comp),
             contrast: vector(p.contrast),
@@ -96,7 +90,10 @@ impl DeviceFilm {
             sums: Sums {
                 samples: self.pixels.first().map_or(0, |p| p.samples),
                 pixels: self.pixels.iter().map(sums).collect(),
-                moments,
+                beside: match &self.beside {
+                    None => Beside::Nothing,
+                    Some(buffer) => beside::read(keeps, buffer, self.pixels.len())?,
+                },
             },
             tally: self.counted.plus(tally(&self.pixels, tile, begin)),
         })
@@ -142,34 +139,17 @@ fn tally(pixels: &[layout::FilmPixel], tile: Tile, begin: u32) -> Tally {
     }
 }
 
-fn packed(moments: &FilmMoments<f32>) -> layout::FilmMoments {
-    layout::FilmMoments {
-        mean: array(moments.mean.sum),
-        mean_comp: array(moments.mean.comp),
-        m2: array(moments.m2.sum),
-        m2_comp: array(moments.m2.comp),
-        ..layout::FilmMoments::default()
-    }
-}
-
-fn unpacked(kept: &layout::FilmMoments) -> FilmMoments<f32> {
-    FilmMoments {
-        mean: parts(kept.mean, kept.mean_comp),
-        m2: parts(kept.m2, kept.m2_comp),
-    }
-}
-
-fn parts(sum: [f32; 3], comp: [f32; 3]) -> PixelSum<f32> {
+pub fn parts(sum: [f32; 3], comp: [f32; 3]) -> PixelSum<f32> {
     PixelSum {
         sum: vector(sum),
         comp: vector(comp),
     }
 }
 
-fn vector([x, y, z]: [f32; 3]) -> Vec3<f32> {
+pub fn vector([x, y, z]: [f32; 3]) -> Vec3<f32> {
     vec3(x, y, z)
 }
 
-fn array(v: Vec3<f32>) -> [f32; 3] {
+pub fn array(v: Vec3<f32>) -> [f32; 3] {
     [v.x, v.y, v.z]
 }

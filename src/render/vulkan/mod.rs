@@ -1,5 +1,6 @@
 //! Rendering on a Vulkan device: slices of samples, until every pixel has its samples.
 
+mod beside;
 mod device_film;
 mod eye_paths;
 mod kernel;

@@ -181,7 +181,9 @@ impl<'a> PathRun<'a> {
         loop {
             longest = longest.max(self.dispatch(tile, samples)?);
             if self.film.read_pixels(tile, samples)? {
-                let grown = self.film.read(tile, self.host.block_begin())?;
+                let grown = self
+                    .film
+                    .read(tile, self.host.block_begin(), self.host.keeps())?;
                 return Ok((grown, longest));
             }
         }

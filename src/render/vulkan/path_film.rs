@@ -1,7 +1,7 @@
 //! What the host keeps of a path tracer's picture: the samples before the block under way, and the film of that, tile by tile.
 
+use crate::film::Keeps;
 use crate::part::{Part, PixelSums, Sums, Tally};
-use crate::reference::film::FilmMoments;
 use crate::render::HostFilm;
 use crate::render::tiles::Tile;
 
@@ -24,10 +24,10 @@ pub struct PathFilm {
 
 impl TileFilm {
     /// No samples yet.
-    fn new(tile: Tile, moments: bool) -> Self {
+    fn new(tile: Tile, keeps: Keeps) -> Self {
         Self {
             tile,
-            sums: Sums::zero(tile.pixels() as usize, moments),
+            sums: Sums::zero(tile.pixels() as usize, keeps),
             tally: Tally::default(),
         }
     }
@@ -38,7 +38,7 @@ impl PathFilm {
     pub fn new(area: Tile, tiles: Vec<Tile>, part: Part<f32>) -> Self {
         let (closed, tail) = part.without_tail();
         let film = |tile| match &tail {
-            None => TileFilm::new(tile, closed.keeps_moments()),
+            None => TileFilm::new(tile, closed.keeps()),
             Some(sums) => TileFilm {
                 tile,
                 sums: piece(sums, area, tile),
@@ -56,6 +56,11 @@ impl PathFilm {
     pub fn going_on(&self, part: Part<f32>) -> Self {
         let tiles = self.tiles.iter().map(|t| t.tile).collect();
         Self::new(self.area, tiles, part)
+    }
+
+    /// What it has of each pixel beside its sums.
+    pub fn keeps(&self) -> Keeps {
+        self.closed.keeps()
     }
 
     /// The index of the first sample of the block under way.
@@ -80,7 +85,7 @@ impl PathFilm {
             self.closed.tally = self.tally();
             self.closed.close(self.sums());
             for t in &mut self.tiles {
-                *t = TileFilm::new(t.tile, self.closed.keeps_moments());
+                *t = TileFilm::new(t.tile, self.closed.keeps());
             }
         }
         ends
@@ -89,7 +94,7 @@ impl PathFilm {
     /// Begins a tile anew, after all samples of `closed`.
     pub fn restart(&mut self, tile: usize, closed: Part<f32>) {
         let film = &mut self.tiles[tile];
-        *film = TileFilm::new(film.tile, closed.keeps_moments());
+        *film = TileFilm::new(film.tile, closed.keeps());
         self.closed = closed;
     }
 
@@ -102,14 +107,12 @@ impl PathFilm {
     /// Of the block under way: puts each pixel of each tile in its place.
     fn sums(&self) -> Sums<f32> {
         let pixels = self.area.pixels() as usize;
-        let mut all = Sums::zero(pixels, self.closed.keeps_moments());
+        let mut all = Sums::zero(pixels, self.closed.keeps());
         for film in &self.tiles {
             all.samples = film.sums.samples;
             for (from, to) in rows(film.tile, self.area) {
                 all.pixels[to.clone()].copy_from_slice(&film.sums.pixels[from.clone()]);
-                if let (Some(all), Some(moments)) = (&mut all.moments, &film.sums.moments) {
-                    all[to].copy_from_slice(&moments[from]);
-                }
+                all.beside.put(to, &film.sums.beside, from);
             }
         }
         all
@@ -132,15 +135,10 @@ fn rows(tile: Tile, area: Tile) -> impl Iterator<Item = (Places, Places)> {
 fn piece(sums: &Sums<f32>, area: Tile, tile: Tile) -> Sums<f32> {
     let of = |(_, place): (Places, Places)| sums.pixels[place].to_vec();
     let pixels: Vec<Vec<PixelSums<f32>>> = rows(tile, area).map(of).collect();
-    let moments = sums.moments.as_ref().map(|moments| {
-        let of = |(_, place): (Places, Places)| moments[place].to_vec();
-        let rows: Vec<Vec<FilmMoments<f32>>> = rows(tile, area).map(of).collect();
-        rows.concat()
-    });
     Sums {
         samples: sums.samples,
         pixels: pixels.concat(),
-        moments,
+        beside: sums.beside.of(rows(tile, area).map(|(_, place)| place)),
     }
 }
 

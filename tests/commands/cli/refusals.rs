@@ -84,7 +84,10 @@ fn a_wrong_command_line_is_2() {
             "over the picture a-stderr.exr",
         ),
         (&["scene.scn", "--connect", "x"], "mis, light, bsdf"),
-        (&["scene.scn", "--sampler", "x"], "random, sobol"),
+        (
+            &["scene.scn", "--sampler", "x"],
+            "random, sobol, sobol-quarters",
+        ),
         (&["devices", "scene.scn"], "scene.scn"),
     ];
     for (arguments, said) in rows {

@@ -2,7 +2,8 @@
 
 use vkpt::layout::GpuStruct;
 use vkpt::reference::film::{
-    FilmMoments, FilmPixel, PixelSum, film_add, film_mean, film_moments, film_sample,
+    FilmMoments, FilmPixel, FilmQuarters, PixelSum, film_add, film_mean, film_moments,
+    film_quarters, film_sample,
 };
 use vkpt::reference::math::{Vec3, vec3};
 
@@ -67,6 +68,7 @@ pub fn twins() -> Vec<Twin> {
             .seeded(2000, |r| sum(r).u((r.u32() >> r.below(32)).max(1))),
         dropping(),
         moments(),
+        quarters(),
     ]
 }
 
@@ -110,6 +112,36 @@ fn dropping() -> Twin {
 }
 
 /// A mean and a sum of squares, each in two parts, and one more sample.
+fn quarters() -> Twin {
+    Twin::new("film_quarters", "film/film_quarters")
+        .prelude(vkpt::layout::FilmQuarters::glsl())
+        .glsl(
+            "vec3 even = in_vec3(); FilmQuarters quarters = FilmQuarters(even, 0u, in_vec3(), 0u);
+             vec3 radiance = in_vec3();
+             film_quarters(quarters, radiance, in_u());
+             out_vec3(quarters.even); out_vec3(quarters.odd);",
+        )
+        .rust(|i, o| {
+            let (even, odd) = (i.vec3(), i.vec3());
+            let mut quarters = FilmQuarters { even, odd };
+            film_quarters(&mut quarters, i.vec3(), i.u());
+            o.vec3(quarters.even);
+            o.vec3(quarters.odd);
+        })
+        .edges([1, 2].map(|n| {
+            let broken = vec3(1.0, f32::NAN, 2.0);
+            Row::new()
+                .vec3(vec3(3.0, -2.0, 0.5))
+                .vec3(Vec3::one())
+                .vec3(broken)
+                .u(n)
+        }))
+        .seeded(2000, |r| {
+            let v = |r: &mut Rng| vec3(r.log_range(1e-6, 1e12), r.unit(), r.log_range(0.1, 10.0));
+            Row::new().vec3(v(r)).vec3(v(r)).vec3(v(r)).u(r.below(5000))
+        })
+}
+
 fn moments() -> Twin {
     let seen = |r: &mut Rng| Row(sum(r).0.into_iter().chain(sum(r).0).collect());
     let still = || {

@@ -4,7 +4,8 @@ use vkpt::reference::sampler::owen::owen_scramble;
 use vkpt::reference::sampler::pcg4d::{mix_words, pcg4d};
 use vkpt::reference::sampler::sobol_digits::{sobol_digits_1, sobol_digits_2, sobol_digits_3};
 use vkpt::reference::sampler::{
-    bsdf_block, camera_block, chance, light_block, random, roulette_block, sobol, unit_float,
+    bsdf_block, camera_block, chance, light_block, random, roulette_block, sobol, sobol_groups,
+    sobol_quarters, unit_float,
 };
 
 use super::harness::{In, Row, Twin};
@@ -63,6 +64,18 @@ fn numbers() -> Vec<Twin> {
         )
         // indices at 2²⁴ and at the end of all
         .edges([1 << 24, (1 << 24) - 1, u32::MAX - 1].map(|i| Row::from([7, i, 3, 1]))),
+        hash(
+            "sampler_block",
+            "sampler/sobol_quarters",
+            "sampler_block(x, y, z, w)",
+            |[p, s, b, e]| sobol_quarters::sampler_block(p, s, b, e),
+        ),
+        hash(
+            "sobol_block",
+            "sampler/sobol_groups",
+            "sobol_block(x, y, 3u, z, w)",
+            |[p, s, b, e]| sobol_groups::sobol_block(p, s, 3, b, e),
+        ),
         Twin::new("unit_float", "sampler/unit_float")
             .glsl("out_f(unit_float(in_u()));")
             .rust(|i, o| o.f(unit_float(i.u())))
@@ -109,9 +122,9 @@ fn scrambling() -> Vec<Twin> {
             .seeded(2000, |r| Row::new().u(r.u32()))
     };
     vec![
-        Twin::new("lowbias32", "sampler/sobol")
+        Twin::new("lowbias32", "sampler/sobol_groups")
             .glsl("out_u(lowbias32(in_u()));")
-            .rust(|i, o| o.u(sobol::lowbias32(i.u())))
+            .rust(|i, o| o.u(sobol_groups::lowbias32(i.u())))
             .edges([0, 1, 1 << 31, u32::MAX].map(|x| Row::from([x])))
             .seeded(2000, |r| Row::new().u(r.u32())),
         Twin::new("owen_scramble", "sampler/owen")

@@ -5,6 +5,7 @@
 pub const HOMES: &[(&str, &str)] = &[
     // `mixed` with Kd = 0, to the bit
     ("bsdf/diffuse/absent", "bsdf/diffuse/mixed"),
+    ("film/moments/quarters", "film/film_quarters"),
     ("film/moments", "film/film_moments"),
     ("generated", "bsdf/distribution"),
     ("generated", "bsdf/fresnel"),

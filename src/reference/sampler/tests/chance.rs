@@ -2,7 +2,7 @@
 
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use super::super::{random, sobol};
+use super::super::{random, sobol, sobol_quarters};
 use super::{Sampler, rejections};
 use crate::sample::GROUPS;
 
@@ -105,6 +105,25 @@ fn random_numbers_are_uniform_and_independent() {
 fn sobol_points_are_uniform_and_independent_of_pixel_block_seed_and_group() {
     let family = family(sobol::sampler_block, &WALKS);
     assert_eq!(rejections(family), vec![]);
+}
+
+/// From each of four groups to the next, and to the one after the next.
+const QUARTERS: [Walk; 2] = [
+    ("next quarter", |i| [i, 3, 2, 5], [0, 1, 0, 0]),
+    ("opposite quarter", |i| [i, 1, 3, 5], [0, 2, 0, 0]),
+];
+
+#[test]
+fn quarters_are_independent() {
+    let family = family(sobol_quarters::sampler_block, &QUARTERS);
+    assert_eq!(rejections(family), vec![]);
+}
+
+/// Two groups are not four: the family can tell.
+#[test]
+fn halves_have_no_independent_quarters() {
+    let family = family(sobol::sampler_block, &QUARTERS);
+    assert!(!rejections(family).is_empty());
 }
 
 /// Their samples are not: too even for chance.

@@ -1,6 +1,6 @@
 //! Scrambled points are nets: how evenly the samples of a group lie, by the definition.
 
-use super::super::sobol;
+use super::super::{sobol, sobol_quarters};
 use super::Sampler;
 use crate::sample::GROUPS;
 
@@ -72,6 +72,17 @@ fn samples_of_a_group_are_nets() {
                 assert_eq!(faults(&points), [0; 0], "{place:?}: 2^{k} from {start}");
             }
         }
+    }
+}
+
+/// Of four groups: samples of group 1 are those of indices 1, 5, 9 …
+#[test]
+fn quarters_of_the_samples_are_nets() {
+    let group: Sampler =
+        |p, s, b, e| sobol_quarters::sampler_block(p, s / GROUPS * 4 + s % GROUPS, b, e);
+    for place in PLACES {
+        let faults = faults(&points(group, place, 0, 6));
+        assert_eq!(faults, [0; 0], "{place:?}");
     }
 }
 
