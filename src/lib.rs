@@ -4,6 +4,7 @@ pub mod cache;
 pub mod check;
 pub mod cli;
 pub mod converge;
+pub mod denoise;
 pub mod doctor;
 pub mod explain;
 pub mod export;

@@ -18,6 +18,8 @@ pub enum Ending {
     Complete,
     /// By ctrl-c or another signal.
     Interrupted,
+    /// All but denoised pictures; why was said.
+    Undenoised,
 }
 
 /// An end that did not.
@@ -74,6 +76,7 @@ pub fn exit(ending: Result<Ending, Failure>) -> ExitCode {
     match ending {
         Ok(Ending::Complete) => ExitCode::SUCCESS,
         Ok(Ending::Interrupted) => ExitCode::from(exit_code()),
+        Ok(Ending::Undenoised) => ExitCode::FAILURE,
         Err(failure) => {
             let code = failure.code();
             failure.tell();

@@ -6,6 +6,7 @@ mod command;
 mod compare;
 mod console;
 mod converge;
+mod denoise;
 mod destination;
 mod devices;
 mod doctor;

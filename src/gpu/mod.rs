@@ -1,4 +1,5 @@
-//! Vulkan compute: devices, buffers, pipelines, dispatches. The only module with ash and `unsafe`.
+//! Vulkan compute: devices, buffers, pipelines, dispatches; and Open Image Denoise ([`oidn`]). The only module with foreign
+//! libraries, ash and `unsafe`.
 //!
 //! Everything is synchronous: a call returns when the device has done it. Objects keep their device alive and free
 //! themselves. A [`Device`] may be shared between threads; its work is done one piece at a time.
@@ -13,6 +14,7 @@ mod info;
 mod instance;
 mod limits;
 mod memory;
+pub mod oidn;
 mod options;
 mod pipeline;
 mod pipeline_cache;

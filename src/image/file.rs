@@ -29,6 +29,17 @@ pub fn stderr_path(picture: &Path) -> PathBuf {
     picture.with_file_name(name)
 }
 
+/// `NAME-denoised.EXT` beside the picture `NAME.EXT`.
+pub fn denoised_path(picture: &Path) -> PathBuf {
+    let mut name = picture.file_stem().unwrap_or_default().to_os_string();
+    name.push("-denoised");
+    if let Some(extension) = picture.extension() {
+        name.push(".");
+        name.push(extension);
+    }
+    picture.with_file_name(name)
+}
+
 /// Whether `path` can be written, found out before a rendering is spent on it. Leaves no trace.
 pub fn check_writable(path: &Path) -> Result<(), FileError> {
     let check = || match Place::of(path)? {

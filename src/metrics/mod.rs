@@ -6,6 +6,7 @@
 
 pub mod blocks;
 pub mod convergence;
+pub mod denoised;
 mod difference;
 mod error;
 pub mod flip;

@@ -2,7 +2,7 @@
 
 use super::digest::digest;
 use super::names::Named;
-use super::{Job, SOFTWARE};
+use super::{Denoised, Job, SOFTWARE};
 use crate::film::{Aov, Film};
 use crate::settings::Sampler;
 
@@ -35,6 +35,13 @@ pub fn layer_notes(most: u32, job: &Job, device: &str) -> Vec<(&'static str, Str
     let mut notes = notes(job, device);
     notes.push(("layers", format!("means over the first {samples} samples")));
     notes
+}
+
+/// The notes of a denoised picture, after a line that says that it is none of samples alone.
+pub fn denoised_notes(denoised: &Denoised, job: &Job, device: &str) -> Vec<(&'static str, String)> {
+    let mut all = vec![("denoised", format!("by {}", denoised.by))];
+    all.extend(notes(job, device));
+    all
 }
 
 /// The notes of standard errors, after lines that say what the values are, with how many degrees of freedom, and of which

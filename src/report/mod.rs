@@ -21,9 +21,12 @@ mod table;
 pub use comparison::{Comparison, Tested, comparison};
 pub use digest::digest;
 pub use header::{
-    differences, is_noted, layer_notes, noted_digest, noted_freedom, notes, stderr_notes,
+    denoised_notes, differences, is_noted, layer_notes, noted_digest, noted_freedom, notes,
+    stderr_notes,
 };
-pub use record::{Dropped, ErrorAt, Job, Kernel, Largest, Machine, Memory, Record, Seconds, Work};
+pub use record::{
+    Denoised, Dropped, ErrorAt, Job, Kernel, Largest, Machine, Memory, Record, Seconds, Work,
+};
 pub use settings::SettingsRecord;
 pub use summary::{concerns, summary};
 

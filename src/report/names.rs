@@ -81,7 +81,6 @@ impl Named for Sampler {
 impl Named for Aov {
     const ALL: &'static [(Self, &'static str)] = &[
         (Self::Stderr, "stderr"),
-        (Self::Denoised, "denoised"),
         (Self::Albedo, "albedo"),
         (Self::Normal, "normal"),
         (Self::Depth, "depth"),
@@ -123,7 +122,6 @@ mod tests {
         distinct(&[Normals::Visible, Normals::Distribution]);
         distinct(&[
             Aov::Stderr,
-            Aov::Denoised,
             Aov::Albedo,
             Aov::Normal,
             Aov::Depth,

@@ -22,7 +22,26 @@ pub struct Record {
     /// After 1, 2, 4 … samples a pixel, and after the last.
     pub error: Vec<ErrorAt>,
     pub files: Vec<String>,
+    /// The denoised picture beside it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub denoised: Option<Denoised>,
     pub warnings: Vec<String>,
+}
+
+/// A denoised picture.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Denoised {
+    /// By what.
+    pub by: String,
+    /// Seconds that it took.
+    pub seconds: f64,
+    /// Samples in every pixel of the half that is denoised and held against quarters of the other.
+    pub half_spp: u32,
+    /// An unbiased estimate of that denoised half's relMSE, relative to itself; may be below 0. `None` of a tiny picture.
+    pub half_rel_mse: Option<f64>,
+    /// Above it with 95 % confidence.
+    pub half_rel_mse_upper: Option<f64>,
+    pub files: Vec<String>,
 }
 
 /// All that the picture depends on, beside the device.

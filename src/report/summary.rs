@@ -2,7 +2,7 @@
 
 use super::error::bought;
 use super::human::{count, duration, plural};
-use super::{Dropped, Record};
+use super::{Denoised, Dropped, Record};
 
 /// What was rendered, where, how long it took and what was written: a few short lines.
 pub fn summary(record: &Record) -> String {
@@ -30,7 +30,27 @@ pub fn summary(record: &Record) -> String {
         lines.push(format!("  wrote   {}", record.files.join(", ")));
     }
     lines.push(bought(record));
+    lines.extend(record.denoised.iter().flat_map(denoised));
     lines.join("\n")
+}
+
+/// What the denoised picture is, and what is known of its error: it is that of half the samples which can be told.
+fn denoised(of: &Denoised) -> Vec<String> {
+    let bound = match of.half_rel_mse_upper {
+        Some(upper) => format!(
+            "the same made from half of the samples has a relMSE of at most {upper:.1e} (95 %), of that denoised picture, not of the noisy one"
+        ),
+        None => "too small a picture to tell its error".to_owned(),
+    };
+    vec![
+        format!(
+            "  denoised {}, by {} in {}",
+            of.files.join(", "),
+            of.by,
+            duration(of.seconds)
+        ),
+        bound,
+    ]
 }
 
 fn machine(record: &Record) -> String {

@@ -14,6 +14,7 @@ mod citations;
 mod coincident;
 mod convergence_report;
 mod corpus;
+mod denoise;
 mod energy;
 mod estimators;
 mod export;

@@ -67,6 +67,7 @@ fn record() -> Record {
             at(1, 0.1, None, None),
             at(64, 7.5, Some(3.1e-3), Some([2.76e-3, 3.54e-3])),
         ],
+        denoised: None,
         files: vec!["a.png".to_owned()],
         warnings: Vec::new(),
     }

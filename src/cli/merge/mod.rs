@@ -96,6 +96,7 @@ fn leave(
             part: &joined.part,
             parts: &outputs.parts,
             header,
+            denoised: None,
         },
     )
 }

@@ -49,6 +49,7 @@ pub fn record(parts: &InOrder, joined: &Joined, film: &Film) -> Record {
         largest: largest(film, tally.largest),
         error: joined.errors.iter().map(error).collect(),
         files: Vec::new(),
+        denoised: None,
         warnings: distinct(all.iter().flat_map(|r| &r.warnings)),
     }
 }

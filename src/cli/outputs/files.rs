@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::arguments::OutputArguments;
-use super::pictures::{Picture, beside, pictures};
+use super::pictures::{Picture, beside, denoised, pictures};
 use crate::cli::console::Console;
 use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
@@ -19,6 +19,8 @@ pub struct Outputs<'a> {
     pub(super) pictures: Vec<Picture>,
     /// Standard errors; none if nobody asks.
     pub(super) stderr: Vec<Picture>,
+    /// Denoised pictures; none if nobody asks.
+    pub(super) denoised: Vec<Picture>,
     /// Files that can be gone on from.
     pub parts: Vec<Destination>,
 }
@@ -45,7 +47,19 @@ impl<'a> Outputs<'a> {
             arguments,
             pictures,
             stderr,
+            denoised: Vec::new(),
             parts,
+        })
+    }
+
+    /// With a denoised picture beside each.
+    ///
+    /// # Errors
+    /// Where there is no place beside any, or it is that of a picture.
+    pub fn with_denoised(self) -> Result<Self, Failure> {
+        Ok(Self {
+            denoised: denoised(&self.pictures)?,
+            ..self
         })
     }
 
@@ -67,7 +81,11 @@ impl<'a> Outputs<'a> {
 
     /// All of them.
     pub fn all(&self) -> impl Iterator<Item = &Destination> {
-        let pictures = self.pictures.iter().chain(&self.stderr);
+        let pictures = self
+            .pictures
+            .iter()
+            .chain(&self.stderr)
+            .chain(&self.denoised);
         let pictures = pictures.map(|picture| &picture.to);
         pictures.chain(&self.parts).chain(&self.arguments.json)
     }

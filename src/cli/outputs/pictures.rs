@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
 use crate::image::Format;
-use crate::image::file::stderr_path;
+use crate::image::file::{denoised_path, stderr_path};
 use crate::report::names::Named;
 
 /// A picture to be written.
@@ -82,6 +82,32 @@ pub fn beside(pictures: &[Picture], spp: u32) -> Result<Vec<Picture>, Failure> {
         format: Format::Exr,
     };
     Ok(paths.into_iter().map(picture).collect())
+}
+
+/// `NAME-denoised.EXT` beside each picture `NAME.EXT` that is a file.
+pub fn denoised(pictures: &[Picture]) -> Result<Vec<Picture>, Failure> {
+    let mut all = Vec::new();
+    for Picture { to, format } in pictures {
+        let Some(path) = to.neighbour() else { continue };
+        let path = denoised_path(path);
+        if pictures.iter().any(|other| other.to.path() == Some(&path)) {
+            return Err(Failure::Usage(format!(
+                "--denoise would write over the picture {}: give it another name",
+                path.display()
+            )));
+        }
+        all.push(Picture {
+            to: Destination::File(path),
+            format: *format,
+        });
+    }
+    match all.is_empty() {
+        true => Err(Failure::Usage(
+            "--denoise writes beside a picture, and stdout, a device, a pipe or a .vkpt has no place for one: add -o FILE"
+                .to_owned(),
+        )),
+        false => Ok(all),
+    }
 }
 
 #[cfg(test)]

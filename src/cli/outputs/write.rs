@@ -11,8 +11,11 @@ use crate::image::file::FileError;
 use crate::image::{Frame, Labels, encode};
 use crate::part::AnyPart;
 use crate::render::LAYER_SAMPLES;
-use crate::report::{self, Record, SOFTWARE};
+use crate::report::{self, Denoised, Record, SOFTWARE};
 use crate::state::{self, Header};
+
+/// Makes a denoised picture, or says why there is none.
+pub type Denoise<'a> = dyn Fn() -> Result<(Film, Denoised), String> + 'a;
 
 /// What is written.
 pub struct Written<'a> {
@@ -25,6 +28,8 @@ pub struct Written<'a> {
     /// Where that goes.
     pub parts: &'a [Destination],
     pub header: Header,
+    /// Makes the denoised picture, after all else is written.
+    pub denoised: Option<&'a Denoise<'a>>,
 }
 
 /// Writes everything that can be written, for what cost hours is not lost for another's disk; then says what the user should
@@ -41,6 +46,19 @@ pub fn write(outputs: &Outputs, of: Written) -> Result<Ending, Failure> {
     }
     record.files = files;
     record.seconds.write = start.elapsed().as_secs_f64();
+    let lacks_denoised = match of.denoised.map(|denoise| denoise()) {
+        None => false,
+        Some(Ok((film, denoised))) => {
+            let (files, failed) = denoised_pictures(outputs, &film, &denoised, &record);
+            record.denoised = Some(Denoised { files, ..denoised });
+            errors.extend(failed);
+            false
+        }
+        Some(Err(why)) => {
+            warn(&format!("no denoised picture is written: {why}"));
+            true
+        }
+    };
     errors.extend(whole(&outputs.arguments.json, || json(&record)).err());
     report::concerns(&record)
         .iter()
@@ -52,6 +70,7 @@ pub fn write(outputs: &Outputs, of: Written) -> Result<Ending, Failure> {
     match errors.is_empty() {
         false => Err(Failure::Files(errors)),
         true if record.job.ended == "interrupted" => Ok(Ending::Interrupted),
+        true if lacks_denoised => Ok(Ending::Undenoised),
         true => Ok(Ending::Complete),
     }
 }
@@ -88,6 +107,28 @@ fn pictures(outputs: &Outputs, of: &Written, record: &Record) -> (Vec<String>, V
         warn("no standard errors are written: one sample tells nothing of its error");
     }
     (written, errors)
+}
+
+/// The denoised pictures, likewise.
+fn denoised_pictures(
+    outputs: &Outputs,
+    film: &Film,
+    denoised: &Denoised,
+    record: &Record,
+) -> (Vec<String>, Vec<FileError>) {
+    let [x0, y0, ..] = record.job.crop.unwrap_or_default();
+    let frame = Frame {
+        film,
+        origin: [x0, y0],
+        full: record.job.size,
+        channels: &[],
+    };
+    let labels = Labels {
+        exposure: outputs.arguments.exposure,
+        software: SOFTWARE,
+        notes: &report::denoised_notes(denoised, &record.job, &record.machine.device),
+    };
+    write_frame(&outputs.denoised, &frame, &labels)
 }
 
 /// Writes the frame to every file that can be written.

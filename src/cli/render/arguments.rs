@@ -3,9 +3,10 @@
 use std::ops::Range;
 use std::time::Duration;
 
+use crate::cli::denoise::{self, DenoiseArguments};
 use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
-use crate::cli::job::Request;
+use crate::cli::job::{Ready, Request};
 use crate::cli::keep::Pause;
 use crate::cli::numbers::{self, SamplePath};
 use crate::cli::outputs::OutputArguments;
@@ -13,6 +14,7 @@ use crate::cli::settings::SettingArguments;
 use crate::cli::source::Source;
 use crate::cli::values::{self, Devices, choice};
 use crate::cli::view::ViewArguments;
+use crate::film::Aov;
 use crate::gpu::Selector;
 use crate::render::{self, Best, Job, KernelChoice, Target, Until};
 use crate::report::names::Named;
@@ -32,6 +34,9 @@ pub struct RenderArguments {
 
     #[command(flatten, next_help_heading = "Picture")]
     pub view: ViewArguments,
+
+    #[command(flatten)]
+    pub denoise: DenoiseArguments,
 
     /// Samples per pixel, the most where --time or --target-error are given [default: 64, or with
     /// one of those no end]
@@ -107,7 +112,27 @@ impl RenderArguments {
             .request(scene, &self.settings, self.range().end, self.seed);
         Ok(Request {
             quiet: self.outputs.quiet,
+            settings: match self.denoise.denoise {
+                Some(_) => denoise::quartered(request.settings),
+                None => request.settings,
+            },
             ..request
+        })
+    }
+
+    /// What is made beside the picture.
+    pub fn aovs(&self) -> Vec<Aov> {
+        let denoised = self.denoise.denoise.map(|_| Aov::Denoised);
+        self.outputs.aov.iter().copied().chain(denoised).collect()
+    }
+
+    /// What is rendered of the scene.
+    pub fn job<'a>(&self, ready: &'a Ready, aovs: &'a [Aov]) -> Result<Job<'a>, Failure> {
+        Ok(Job {
+            aovs,
+            kernel: self.kernel,
+            until: self.until(),
+            ..ready.job(&self.request()?)?
         })
     }
 

@@ -42,15 +42,10 @@ pub struct Made {
 pub fn develop(
     arguments: &RenderArguments,
     ready: &Ready,
+    job: &Job,
     goal: Goal,
 ) -> Result<Option<Made>, Failure> {
-    let job = Job {
-        aovs: &arguments.outputs.aov,
-        kernel: arguments.kernel,
-        until: arguments.until(),
-        ..ready.job(&arguments.request()?)?
-    };
-    let best = arguments.best(&job);
+    let best = arguments.best(job);
     let labels = Labels {
         arguments,
         ready,
@@ -58,7 +53,7 @@ pub fn develop(
         digest: goal.digest,
         earlier: None,
     };
-    let (labels, start) = begin(labels, &job, goal.kept)?;
+    let (labels, start) = begin(labels, job, goal.kept)?;
     if start.range().end == job.spp && !goal.pictures {
         note("all samples are there already");
         return Ok(None);
@@ -72,8 +67,8 @@ pub fn develop(
         labels: &labels,
     };
     let outcome = match arguments.several() {
-        Some(targets) => render::render_several(&job, targets, &start, &stop, &mut watcher),
-        None => render::render_from(&job, &best.target, &start, &stop, &mut watcher),
+        Some(targets) => render::render_several(job, targets, &start, &stop, &mut watcher),
+        None => render::render_from(job, &best.target, &start, &stop, &mut watcher),
     };
     watcher.display.finish();
     let checkpointed = watcher.checkpoint.map_or(resumes, |c| c.written);
@@ -82,7 +77,7 @@ pub fn develop(
     Ok(Some(Made {
         freedom: freedom(job.settings.estimator.sampler, outcome.spp),
         header,
-        channels: render::layers(&job, outcome.spp),
+        channels: render::layers(job, outcome.spp),
         outcome,
         checkpointed,
     }))

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use self::develop::{Goal, Made, develop};
 use self::trace::trace;
+use crate::cli::denoise::{LEAST, denoised, load};
 use crate::cli::destination::Destination;
 use crate::cli::exit::{Ending, Failure, note, warn};
 use crate::cli::inputs::{Input, spare};
@@ -16,8 +17,9 @@ use crate::cli::job::Loaded;
 use crate::cli::keep::digest;
 use crate::cli::outputs::{Outputs, Written, write};
 use crate::cli::writable;
+use crate::denoise::Denoiser;
 use crate::image::file::check_writable;
-use crate::render::End;
+use crate::render::{End, Job};
 use crate::state::ENDING;
 pub use arguments::RenderArguments;
 pub use record::{dropped, error, error_of, largest};
@@ -52,9 +54,26 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
         digest,
         pictures: outputs.has_pictures(),
     };
-    match develop(arguments, &ready, goal)? {
-        Some(made) => leave(&outputs, made, kept),
-        None => Ok(Ending::Complete),
+    let denoiser = arguments
+        .denoise
+        .denoise
+        .map(|by| load(&arguments.denoise, by));
+    // Said before the rendering, which goes on without.
+    if let Some(Err(why)) = &denoiser {
+        warn(&format!("{why}: no denoised picture is made"));
+    }
+    let aovs = arguments.aovs();
+    let job = arguments.job(&ready, &aovs)?;
+    let Some(made) = develop(arguments, &ready, &job, goal)? else {
+        return Ok(Ending::Complete);
+    };
+    match denoiser {
+        None => leave(&outputs, made, kept, None),
+        Some(Ok(denoiser)) => leave(&outputs, made, kept, Some((&denoiser, &job))),
+        Some(Err(_)) => match leave(&outputs, made, kept, None)? {
+            Ending::Complete => Ok(Ending::Undenoised),
+            ending => Ok(ending),
+        },
     }
 }
 
@@ -62,12 +81,34 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
 fn outputs(arguments: &RenderArguments) -> Result<Outputs<'_>, Failure> {
     let spp = arguments.range().len() as u32;
     let outputs = Outputs::new(&arguments.outputs, spp, || arguments.default_outputs())?;
+    if arguments.denoise.denoise.is_some() {
+        return with_denoised(arguments, outputs, spp);
+    }
     match arguments.samples.is_some() && outputs.has_pictures() {
         true => Err(Failure::Usage(
             "--samples makes a part of a picture, which goes to a .vkpt file: vkpt merge makes pictures of those".to_owned(),
         )),
         false => Ok(outputs),
     }
+}
+
+/// Those, and denoised pictures.
+fn with_denoised<'a>(
+    arguments: &RenderArguments,
+    outputs: Outputs<'a>,
+    spp: u32,
+) -> Result<Outputs<'a>, Failure> {
+    if arguments.samples.is_some() {
+        return Err(Failure::Usage(
+            "--samples makes a part of a picture, and --denoise needs all of it".to_owned(),
+        ));
+    }
+    if spp < LEAST {
+        return Err(Failure::Usage(format!(
+            "--denoise needs --spp {LEAST} or more: a quarter of the samples is a picture of its own"
+        )));
+    }
+    outputs.with_denoised()
 }
 
 /// Where checkpoints go, and what is gone on from: the first part of `-o`, else a file beside the first picture.
@@ -103,7 +144,12 @@ fn can_be_kept(path: &Path, picture: Option<&Path>) -> bool {
 }
 
 /// Writes what was made, its part included where it is to be kept.
-fn leave(outputs: &Outputs, made: Made, kept: Option<PathBuf>) -> Result<Ending, Failure> {
+fn leave(
+    outputs: &Outputs,
+    made: Made,
+    kept: Option<PathBuf>,
+    denoise: Option<(&Denoiser, &Job)>,
+) -> Result<Ending, Failure> {
     let Made {
         outcome,
         channels,
@@ -120,6 +166,7 @@ fn leave(outputs: &Outputs, made: Made, kept: Option<PathBuf>) -> Result<Ending,
     if parts.is_empty() && (early || checkpointed) {
         parts.extend(kept.map(Destination::File));
     }
+    let denoise = denoise.map(|(denoiser, job)| || denoised(denoiser, job, &outcome));
     let written = Written {
         film: &outcome.film,
         channels: &channels,
@@ -127,6 +174,7 @@ fn leave(outputs: &Outputs, made: Made, kept: Option<PathBuf>) -> Result<Ending,
         part: &outcome.state.part,
         parts: &parts,
         header,
+        denoised: denoise.as_ref().map(|denoise| denoise as _),
     };
     let ending = write(outputs, written)?;
     let part = parts.first().map(ToString::to_string);

@@ -49,6 +49,7 @@ pub fn record(
         largest: outcome.and_then(|o| largest(&o.film, o.stats.largest)),
         error: errors.iter().map(error).collect(),
         files: Vec::new(),
+        denoised: None,
         warnings: ready.warnings.clone(),
     }
 }

@@ -4,6 +4,7 @@ mod check;
 mod compare;
 mod converge;
 mod converge_refusals;
+mod denoise;
 mod doctor;
 mod ends;
 #[cfg(target_os = "linux")]

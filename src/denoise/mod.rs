@@ -1,0 +1,50 @@
+//! Pictures without their noise, made from pictures with it: never the truth, and sometimes near it.
+//!
+//! Pure functions of films; Open Image Denoise's part is done by its library ([`crate::gpu::oidn`]).
+
+mod features;
+mod nlm;
+mod oidn;
+mod weights;
+
+pub use features::Features;
+pub use nlm::nlm;
+pub use oidn::{Oidn, usual_places};
+
+use crate::film::Film;
+pub use crate::gpu::oidn::OidnError;
+
+/// A noisy picture, and the two independent halves of its samples.
+#[derive(Clone, Copy, Debug)]
+pub struct Noisy<'a> {
+    pub mean: &'a Film,
+    pub halves: [&'a Film; 2],
+}
+
+/// What denoises.
+pub enum Denoiser {
+    Oidn(Oidn),
+    /// vkpt's own: non-local means.
+    Nlm,
+}
+
+impl Denoiser {
+    /// The denoised picture, of the same size. `features`: of the same pixels, by samples that `noisy` has not.
+    ///
+    /// # Errors
+    /// What Open Image Denoise says.
+    pub fn denoise(&self, noisy: &Noisy, features: &Features) -> Result<Film, OidnError> {
+        match self {
+            Self::Oidn(oidn) => oidn.denoise(noisy.mean, features),
+            Self::Nlm => Ok(nlm(noisy.halves, features)),
+        }
+    }
+
+    /// Its name and version.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Oidn(oidn) => format!("Open Image Denoise {}", oidn.version()),
+            Self::Nlm => "non-local means".to_owned(),
+        }
+    }
+}
