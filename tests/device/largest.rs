@@ -4,6 +4,7 @@
 use vkpt::prepared::Prepared;
 use vkpt::reference::integrator::bidirectional::record;
 use vkpt::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
+use vkpt::reference::integrator::light;
 use vkpt::reference::integrator::light::splat::Window;
 use vkpt::reference::integrator::light::{Splat, trace_light};
 use vkpt::reference::integrator::path::record::Silent;
@@ -92,7 +93,14 @@ fn samples(scene: &Prepared, settings: &Settings) -> Vec<Largest> {
                                 .for_each(|value| take(Splat { value, pixel }));
                         }
                         _ => {
-                            trace_light(&world, &adjoint, window, id, &mut take);
+                            trace_light(
+                                &world,
+                                &adjoint,
+                                window,
+                                id,
+                                &mut light::record::Silent,
+                                &mut take,
+                            );
                         }
                     }
                 }

@@ -7,6 +7,7 @@ use super::Render;
 use crate::part::{Part, Scalar};
 use crate::reference::integrator::bidirectional::record::Silent;
 use crate::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
+use crate::reference::integrator::light;
 use crate::reference::integrator::light::{LightCounts, Splat, trace_light};
 use crate::reference::world::World;
 use crate::render::{Job, LightFilm};
@@ -53,7 +54,11 @@ impl<F: Scalar> Render<F> for LightFilm<F> {
                 let mut take = |splat| arrived.splats.push(splat);
                 let (radiance, counts) = match both {
                     true => trace_bidirectional(transport, window, id, &mut Silent, &mut take),
-                    false => (None, trace_light(world, &adjoint, window, id, &mut take)),
+                    false => {
+                        let recorder = &mut light::record::Silent;
+                        let counts = trace_light(world, &adjoint, window, id, recorder, &mut take);
+                        (None, counts)
+                    }
                 };
                 let pixel = id.pixel;
                 arrived

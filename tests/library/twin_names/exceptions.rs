@@ -207,6 +207,7 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
     ("math/ulps", "measures errors; renders nothing"),
     ("path/trace", "the two halves of trace_rays"),
     ("shape/linear", "the loops that a kernel has written out"),
+    ("arrived_splat", "a part of the loop of light_trace.comp"),
     ("trace_light", "the loop of light_trace.comp"),
     ("trace_path", "the loop of path_trace.comp"),
     ("vec3", "a constructor"),

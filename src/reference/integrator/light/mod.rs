@@ -6,6 +6,7 @@
 //! Simulation, 1997, section 10.3, s ≥ 1 and t = 1.
 
 pub mod begin;
+pub mod record;
 pub mod splat;
 
 use crate::prepared::MaterialKind;
@@ -20,6 +21,7 @@ use crate::reference::path::{SampleId, Subpath, depth_reached};
 use crate::reference::world::World;
 use crate::settings::Settings;
 use begin::{begin_light_path, light_start};
+use record::Recorder;
 use splat::{SplatRay, Window, splat_light, splat_vertex};
 
 /// Light that has arrived at a pixel.
@@ -58,6 +60,7 @@ pub fn trace_light<F: Real>(
     settings: &Settings,
     window: Window,
     id: SampleId,
+    recorder: &mut impl Recorder<F>,
     take: &mut impl FnMut(Splat<F>),
 ) -> LightCounts {
     let mut counts = LightCounts::default();
@@ -66,16 +69,11 @@ pub fn trace_light<F: Real>(
     };
     let mut path = begin_light_path(world, settings, &start, id);
     let power = start.radiance * F::new(std::f64::consts::PI);
-    let mut arrive = |splat: Option<SplatRay<F>>, counts: &mut LightCounts| {
-        let Some(SplatRay { shadow, pixel, .. }) = splat else {
-            return;
-        };
-        if let Some(value) = shadow_ray(world, settings, shadow, &mut counts.rays) {
-            take(Splat { value, pixel });
-        }
-    };
     let splat = splat_light(world, settings, window, &start, id);
-    arrive(splat, &mut counts);
+    if let Some((_, splat)) = arrived_splat(world, settings, splat, &mut counts) {
+        recorder.splat(None, splat);
+        take(splat);
+    }
     let mut alive = true;
     while alive {
         let (hit, distance) = extend_ray(world, settings, &mut path, &mut counts.rays);
@@ -90,9 +88,25 @@ pub fn trace_light<F: Real>(
         }
         let splat = splat_vertex(world, settings, window, power, &path, &v, id);
         let e = extend(settings, Origin::Light, &mut path, &v, id);
-        arrive(splat, &mut counts);
+        if let Some((wi, splat)) = arrived_splat(world, settings, splat, &mut counts) {
+            recorder.splat(Some((&v, wi)), splat);
+            take(splat);
+        }
+        recorder.scattered(&path, &v, e.lobe);
         count_extension(&path, e, &mut counts);
         alive = e.alive;
     }
     counts
+}
+
+/// The direction of a connection to the eye, and what arrives over it.
+fn arrived_splat<F: Real>(
+    world: &World<F>,
+    settings: &Settings,
+    splat: Option<SplatRay<F>>,
+    counts: &mut LightCounts,
+) -> Option<(Vec3<F>, Splat<F>)> {
+    let SplatRay { shadow, pixel } = splat?;
+    let value = shadow_ray(world, settings, shadow, &mut counts.rays)?;
+    Some((shadow.ray.d, Splat { value, pixel }))
 }

@@ -64,8 +64,10 @@ pub fn trace_path<F: Real>(
         let origin = s.path.ray.o;
         let (hit, distance) = extend_ray(world, settings, &mut s.path, &mut s.rays);
         let Some(hit) = hit else {
-            s.radiance += s.path.throughput
+            let seen = s.path.throughput
                 * background_seen(world, settings, &s.path, s.pick_normal, origin);
+            recorder.emission(seen);
+            s.radiance += seen;
             recorder.escape(&s);
             break;
         };
@@ -78,7 +80,7 @@ pub fn trace_path<F: Real>(
             s.path.throughput,
         );
         recorder.hit(&s, &v);
-        s.radiance += s.path.throughput
+        let seen = s.path.throughput
             * emission_seen(
                 world,
                 settings,
@@ -88,6 +90,8 @@ pub fn trace_path<F: Real>(
                 origin,
                 distance,
             );
+        recorder.emission(seen);
+        s.radiance += seen;
         let black = world.materials[v.material as usize].kind == MaterialKind::Black;
         // A path sets out with some light: what has none has lost it to absorption.
         s.underflow = is_black(s.path.throughput);

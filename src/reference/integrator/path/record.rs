@@ -9,6 +9,9 @@ use crate::reference::path::vertex::Vertex;
 pub trait Recorder<F: Real> {
     /// The path has come to the vertex `v`, which is not shaded yet.
     fn hit(&mut self, _s: &PathState<F>, _v: &Vertex<F>) {}
+    /// The vertex that the path has come to shines, or the background: `seen` is its weighted radiance times throughput, which is
+    /// not yet in the radiance.
+    fn emission(&mut self, _seen: Vec3<F>) {}
     /// The light that this vertex was to be connected to, and what that brings if nothing stands in the way.
     fn light(&mut self, _s: &PathState<F>, _light: u32, _contribution: Vec3<F>) {}
     /// The state after the vertex `v` was shaded and the next direction drawn from `lobe`.
