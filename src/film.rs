@@ -1,5 +1,7 @@
 //! The finished picture, and what can be had beside it.
 
+use std::borrow::Cow;
+
 /// Linear RGB of a rectangle of pixels in W·sr⁻¹·m⁻², row 0 at the top: mean radiance, or its standard error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
@@ -60,11 +62,21 @@ impl Aov {
     }
 }
 
+/// What the names of light that is split by classes of paths begin with.
+pub const LIGHT: &str = "light:";
+
 /// A value for each pixel of a film, by name: R, G and B aside.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channel {
     /// As pbrt has it where it has one.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// Row by row.
     pub values: Vec<f32>,
+}
+
+impl Channel {
+    /// Whether it is light of a class of paths, and so a mean over all samples.
+    pub fn is_light(&self) -> bool {
+        self.name.starts_with(LIGHT)
+    }
 }

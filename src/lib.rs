@@ -19,6 +19,7 @@ pub mod layout;
 pub mod memory;
 pub mod metrics;
 pub mod part;
+pub mod path_class;
 pub mod prepared;
 pub mod reference;
 pub mod render;

@@ -135,6 +135,7 @@ pub fn measure(
         seed: SEED,
         crop: case.crop,
         aovs: &[],
+        classes: &[],
         kernel,
     };
     let mut measured = Measured {

@@ -154,6 +154,7 @@ impl Ready {
             seed: request.seed,
             crop: request.crop,
             aovs: &[],
+            classes: &[],
             kernel: KernelChoice::Composed,
         })
     }

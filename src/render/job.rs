@@ -6,6 +6,7 @@ use crate::features::Features;
 use crate::film::Aov;
 use crate::gpu::Selector;
 use crate::kernel::OwnFile;
+use crate::path_class::PathClass;
 use crate::prepared::Prepared;
 use crate::reference::path::SampleId;
 use crate::sample::Address;
@@ -51,6 +52,8 @@ pub struct Job<'a> {
     pub crop: Option<[u32; 4]>,
     /// What to make beside the picture, which it does not change.
     pub aovs: &'a [Aov],
+    /// Classes of paths to split it into.
+    pub classes: &'a [PathClass],
     pub kernel: KernelChoice<'a>,
 }
 

@@ -31,6 +31,7 @@ pub fn layers(job: &Job, spp: u32) -> Vec<Channel> {
     for (name, value) in asked().flat_map(named) {
         if channels.iter().all(|channel| channel.name != name) {
             let values = pixels.iter().map(|pixel| value(pixel) as f32).collect();
+            let name = name.into();
             channels.push(Channel { name, values });
         }
     }

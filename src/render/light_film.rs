@@ -9,6 +9,7 @@ use crate::part::{Counts, Dropped, Part, Scalar, Tally};
 use crate::reference::film::{FilmPixel, PixelSum, film_add, is_summable};
 use crate::reference::integrator::light::splat::Window;
 use crate::reference::integrator::light::{LightCounts, Splat};
+use crate::reference::math::{Real, Vec3};
 
 /// The film of a light tracer.
 pub struct LightFilm<F> {
@@ -20,6 +21,16 @@ pub struct LightFilm<F> {
     counts: Counts,
     /// Pixels in a row of the full picture.
     width: u32,
+}
+
+/// The sum of one more splat.
+pub fn with_splat<F: Real>(mut sum: PixelSum<F>, splat: Vec3<F>) -> PixelSum<F> {
+    if is_summable(splat) && is_summable(sum.sum) {
+        return film_add(sum, splat);
+    }
+    // Breaks the pixel's sample, which the film then drops and counts.
+    sum.sum += splat;
+    sum
 }
 
 impl<F: Scalar> LightFilm<F> {
@@ -49,15 +60,9 @@ impl<F: Scalar> LightFilm<F> {
 
     /// Adds a splat on one of its pixels to the sample index under way: to be called in the order of light paths.
     pub fn splat(&mut self, splat: Splat<F>) {
-        let area = self.pixels.area;
-        let (x, y) = (splat.pixel % self.width, splat.pixel / self.width);
-        let sum = &mut self.sums[((y - area.y) * area.width + x - area.x) as usize];
-        if is_summable(splat.value) && is_summable(sum.sum) {
-            *sum = film_add(*sum, splat.value);
-        } else {
-            // Breaks the pixel's sample, which the film then drops and counts.
-            sum.sum += splat.value;
-        }
+        let at = [splat.pixel % self.width, splat.pixel / self.width];
+        let sum = &mut self.sums[self.pixels.area.index(at) as usize];
+        *sum = with_splat(*sum, splat.value);
     }
 
     /// Every light path of the sample index under way has brought its splats.

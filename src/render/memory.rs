@@ -1,6 +1,6 @@
 //! What a rendering takes of the host's memory, beside its scene.
 
-use super::{Job, LightFilm, RenderError};
+use super::{Job, LightFilm, RenderError, classes};
 use crate::film::{Aov, Keeps};
 use crate::memory::free;
 use crate::part::{BLOCK, PixelSums, Scalar};
@@ -38,5 +38,6 @@ fn bytes<F: Scalar>(job: &Job) -> u64 {
     let sums = size_of::<PixelSums<F>>() as u64 + beside;
     let pictures = 1 + u64::from(job.aovs.contains(&Aov::Stderr));
     let picture = pictures * size_of::<[f32; 3]>() as u64;
-    u64::from(job.area().pixels()) * (film + beside + u64::from(levels) * sums + picture)
+    let classes = job.classes.len() as u64 * classes::PIXEL_BYTES;
+    u64::from(job.area().pixels()) * (film + beside + u64::from(levels) * sums + picture + classes)
 }

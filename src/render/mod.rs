@@ -2,6 +2,7 @@
 
 mod best;
 mod both;
+mod classes;
 mod course;
 mod cpu;
 mod error;
@@ -32,6 +33,7 @@ pub use crate::gpu::Selector;
 use crate::kernel::Spirv;
 pub use crate::part::Dropped;
 pub use best::{Best, best, best_of};
+pub use classes::light_classes;
 pub use course::{End, ErrorAt, Until, look};
 pub use error::RenderError;
 pub use follow::Watch;

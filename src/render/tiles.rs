@@ -41,6 +41,11 @@ impl Tile {
     pub fn pixel(&self, i: u32) -> [u32; 2] {
         [self.x + i % self.width, self.y + i / self.width]
     }
+
+    /// Number of one of its pixels, row by row.
+    pub fn index(&self, [column, row]: [u32; 2]) -> u32 {
+        (row - self.y) * self.width + column - self.x
+    }
 }
 
 /// Cuts `area` into tiles of at most `most` ≥ 1 pixels: whole rows where a row fits, pieces of rows elsewhere.

@@ -32,6 +32,7 @@ pub fn job(prepared: &Prepared, settings: Settings, spp: u32, seed: u32) -> Job<
         seed,
         crop: None,
         aovs: &[],
+        classes: &[],
         kernel: KernelChoice::Composed,
     }
 }

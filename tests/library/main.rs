@@ -11,6 +11,7 @@ mod bidirectional;
 mod bsdf;
 mod caustic;
 mod citations;
+mod classes;
 mod coincident;
 mod convergence_report;
 mod corpus;

@@ -104,6 +104,7 @@ impl Variants {
                 seed: arguments.seed,
                 crop: arguments.view.crop,
                 aovs: &[],
+                classes: &[],
                 kernel: KernelChoice::Composed,
             })
         };

@@ -49,7 +49,7 @@ fn all(frame: &Frame) -> AnyChannels<FlatSamples> {
     let beside = frame
         .channels
         .iter()
-        .map(|c| channel(c.name, c.values.clone()));
+        .map(|c| channel(&c.name, c.values.clone()));
     AnyChannels::sort(film.chain(beside).collect())
 }
 

@@ -1,0 +1,97 @@
+//! Classes of paths as Heckbert's strings: patterns, and the automaton that reads a path letter by letter.
+//!
+//! A path's string begins with E, the eye, has a letter for each surface that scatters, and ends with L, the light. Heckbert,
+//! Adaptive Radiosity Textures for Bidirectional Ray Tracing, 1990, writes it the other way round.
+
+mod automaton;
+mod pattern;
+
+use std::sync::Arc;
+
+use crate::film::LIGHT;
+use automaton::Automaton;
+pub use automaton::State;
+pub use pattern::PatternError;
+
+/// What a surface does with the light of a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Letter {
+    /// Diffuse reflection, Kd.
+    D,
+    /// Rough, by a micro-normal: reflection or refraction.
+    G,
+    /// Smooth: a direction has one answer.
+    S,
+}
+
+impl Letter {
+    pub const ALL: [Self; 3] = [Self::D, Self::G, Self::S];
+
+    fn byte(self) -> u8 {
+        match self {
+            Self::D => b'D',
+            Self::G => b'G',
+            Self::S => b'S',
+        }
+    }
+}
+
+/// The paths whose whole strings match a pattern.
+#[derive(Clone, Debug)]
+pub struct PathClass {
+    text: String,
+    automaton: Arc<Automaton>,
+}
+
+impl PathClass {
+    /// # Errors
+    /// Where the pattern cannot be read, or no path matches it.
+    pub fn new(text: &str) -> Result<Self, PatternError> {
+        let expression = pattern::expression(text)?;
+        let automaton = Automaton::new(&expression).map_err(|why| PatternError::new(text, why))?;
+        match automaton.matches_any() {
+            true => Ok(Self {
+                text: text.to_owned(),
+                automaton: Arc::new(automaton),
+            }),
+            false => Err(PatternError::new(text, "no path matches it")),
+        }
+    }
+
+    /// The pattern.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// A layer's name in an EXR, where a dot would part a layer from its channels: `_` stands for `.`.
+    pub fn layer(&self) -> String {
+        format!("{LIGHT}{}", self.text.replace('.', "_"))
+    }
+
+    /// At the eye, before any surface.
+    pub fn begin(&self) -> State {
+        self.automaton.begin()
+    }
+
+    /// After one more surface on the way from the eye.
+    pub fn after(&self, state: State, letter: Letter) -> State {
+        self.automaton.after(state, letter)
+    }
+
+    /// Whether a path that reaches its light here is of this class.
+    pub fn ends(&self, state: State) -> bool {
+        self.automaton.ends(state)
+    }
+
+    /// Whether the path whose surfaces have these letters is.
+    pub fn has(&self, surfaces: &[Letter]) -> bool {
+        let after = |state, &letter: &Letter| self.after(state, letter);
+        self.ends(surfaces.iter().fold(self.begin(), after))
+    }
+}
+
+impl PartialEq for PathClass {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text
+    }
+}

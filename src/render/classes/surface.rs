@@ -1,0 +1,46 @@
+//! What a surface does with the light of a path: its letter, or a share of two.
+
+use glam::DVec3;
+
+use crate::reference::bsdf::diffuse::lambert::lambert_lobe;
+use crate::reference::bsdf::{LOBE_DELTA, bsdf_eval};
+use crate::reference::math::Vec3;
+use crate::reference::math::frame::to_local;
+use crate::reference::path::vertex::Vertex;
+use crate::settings::Settings;
+
+/// How a surface scatters from one direction of a path to the next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Surface {
+    /// By a lobe without a density: S.
+    Smooth,
+    /// By lobes with a density. A path's light is that of all of them, whichever its direction was drawn from, so it has the
+    /// letter D by this share in each channel, and G by the rest.
+    Rough { diffuse: DVec3 },
+}
+
+impl Surface {
+    /// At `v`, left along `wi` by a lobe with a density; `settings` are those of the path's end.
+    pub fn towards(settings: &Settings, v: &Vertex<f32>, wi: Vec3<f32>) -> Self {
+        let local = to_local(v.frame, wi);
+        let diffuse = lambert_lobe(&v.interaction, local).value.f64();
+        let all = bsdf_eval(settings, &v.interaction, local).value.f64();
+        // f_D/(f_D + f_G); where there is neither, the path has no light either.
+        let share = |d: f64, all: f64| match all > 0.0 {
+            true => (d / all).min(1.0),
+            false => 0.0,
+        };
+        let share = |i| share(diffuse[i], all[i]);
+        Self::Rough {
+            diffuse: DVec3::new(share(0), share(1), share(2)),
+        }
+    }
+
+    /// At `v`, left along `wi`, which was drawn from `lobe`.
+    pub fn left(settings: &Settings, v: &Vertex<f32>, wi: Vec3<f32>, lobe: u32) -> Self {
+        match lobe >= LOBE_DELTA {
+            true => Self::Smooth,
+            false => Self::towards(settings, v, wi),
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! Which paths a pattern has, and which patterns are none.
+
+use proptest::prelude::*;
+use vkpt::path_class::{Letter, PathClass};
+
+use super::class;
+
+fn letters(text: &str) -> Vec<Letter> {
+    let letter = |c| match c {
+        'D' => Letter::D,
+        'G' => Letter::G,
+        'S' => Letter::S,
+        other => panic!("{other}"),
+    };
+    text.chars().map(letter).collect()
+}
+
+/// A pattern, the surfaces of paths that it has, and of paths that it has not.
+const TABLE: [(&str, &[&str], &[&str]); 15] = [
+    ("EL", &[""], &["D", "S", "DD"]),
+    ("EDL", &["D"], &["", "G", "S", "DD"]),
+    ("E.L", &["D", "G", "S"], &["", "DD"]),
+    (
+        "E.D.S*L",
+        &["DDD", "SDG", "GDDSS", "SDSSSS"],
+        &["D", "DD", "DDDD", "DDSD"],
+    ),
+    ("E.*L", &["", "D", "GSDGS"], &[]),
+    ("EDS+L", &["DS", "DSSS"], &["D", "S", "DSD", "DDS"]),
+    ("ES?DL", &["D", "SD"], &["SSD", "S", ""]),
+    ("E[DG]L", &["D", "G"], &["S", "", "DG"]),
+    ("E[^S]*L", &["", "D", "GD"], &["S", "DSD"]),
+    ("E[^DG]+L", &["S", "SS"], &["", "SD"]),
+    ("E(DS)*L", &["", "DS", "DSDS"], &["D", "DSD", "SD"]),
+    // No alternative hides a longer one behind it.
+    ("E(D|DS|G)L", &["D", "DS", "G"], &["S", "GS", "DSG"]),
+    ("EDL|ES+L", &["D", "S", "SS"], &["", "DS"]),
+    ("(EDL)", &["D"], &["", "G"]),
+    ("E(S|)DL", &["D", "SD"], &["SSD"]),
+];
+
+#[test]
+fn a_pattern_has_the_paths_whose_whole_strings_match() {
+    for (pattern, has, has_not) in TABLE {
+        let class = class(pattern);
+        for path in has {
+            assert!(class.has(&letters(path)), "{pattern} and E{path}L");
+        }
+        for path in has_not {
+            assert!(!class.has(&letters(path)), "{pattern} and E{path}L");
+        }
+    }
+}
+
+/// What is wrong is said, and what is allowed.
+#[test]
+fn what_is_no_pattern_is_refused() {
+    let long = format!("E{}L", "D".repeat(200));
+    for (pattern, why) in [
+        ("", "no path matches it"),
+        ("D*L", "no path matches it"),
+        ("ED+", "no path matches it"),
+        ("E", "no path matches it"),
+        ("LDE", "no path matches it"),
+        ("EDEL", "no path matches it"),
+        ("ED|SL", "no path matches it"),
+        ("ed+l", "'e' means nothing in it"),
+        ("ED L", "' ' means nothing in it"),
+        ("ETL", "'T' means nothing in it"),
+        ("ED{2}L", "'{' means nothing in it"),
+        ("E^DL", "'^' means nothing in it"),
+        ("ED]L", "']' means nothing in it"),
+        ("E\\.L", "'\\\\' means nothing in it"),
+        ("E[DL", "a [ has no ]"),
+        ("E[]L", "[] is no set of D, G and S"),
+        ("E[^]L", "[^] is no set of D, G and S"),
+        ("E[^DGS]L", "[^DGS] is no set of D, G and S"),
+        ("E[DL]L", "[DL] is no set of D, G and S"),
+        ("E[D-S]L", "[D-S] is no set of D, G and S"),
+        ("E(DL", "its brackets or repetitions do not fit together"),
+        ("ED)L", "its brackets or repetitions do not fit together"),
+        ("*EDL", "its brackets or repetitions do not fit together"),
+        ("E(?D)L", "its brackets or repetitions do not fit together"),
+        ("E.*D................L", "it is too large"),
+        (&long, "more than 200 letters"),
+    ] {
+        let error = PathClass::new(pattern).expect_err(pattern).to_string();
+        let told = format!("{pattern:?} is no class of paths, {why}");
+        assert!(error.starts_with(&told), "{error}");
+        assert!(error.contains("E, the eye, comes first"), "{error}");
+    }
+}
+
+/// A channel's name begins with its layer's, up to the last dot.
+#[test]
+fn the_name_of_a_layer_has_no_dot() {
+    assert_eq!(class("E.D.S*L").layer(), "light:E_D_S*L");
+    assert_eq!(class("E[^S]L").layer(), "light:E[^S]L");
+}
+
+proptest! {
+    /// Whatever is typed is a class of some path or an error, and no other ending.
+    #[test]
+    fn any_text_is_read_or_refused(text in "[EDGSL.*+?|()\\[\\]^x-]{0,24}") {
+        if let Ok(class) = PathClass::new(&text) {
+            prop_assert!(!class.layer().contains('.'));
+        }
+    }
+
+    /// A path's own string is a pattern that has this path, and no other of its length.
+    #[test]
+    fn a_string_has_its_own_path(path in "[DGS]{0,12}", other in "[DGS]{0,12}") {
+        let class = class(&format!("E{path}L"));
+        prop_assert!(class.has(&letters(&path)));
+        prop_assert_eq!(class.has(&letters(&other)), path == other);
+    }
+}
