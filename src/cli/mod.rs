@@ -1,6 +1,7 @@
 //! The command line: a file a command. Nothing below knows it, and nothing else prints.
 
 mod arguments;
+mod beside;
 mod check;
 mod command;
 mod compare;

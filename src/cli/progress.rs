@@ -46,6 +46,14 @@ impl Display {
         self.show(progress.fraction, || of_rendering(&progress, elapsed));
     }
 
+    /// Shows how far the picture's light is split by classes of paths.
+    pub fn splitting(&mut self, progress: Progress) {
+        let elapsed = self.start.elapsed();
+        self.show(progress.fraction, || {
+            format!("light by class, {}", of_rendering(&progress, elapsed))
+        });
+    }
+
     /// Shows how far the experiment is.
     pub fn experiment(&mut self, progress: converge::Progress) {
         let fraction = (progress.spent_s / progress.seconds).min(1.0);

@@ -226,7 +226,9 @@ fn beside(subject: &Subject) -> [Setting; 4] {
             name: "layers".to_owned(),
             file: "render/layers",
             by: String::new(),
-            absent: match subject.job.aovs.iter().any(|aov| aov.is_layer()) {
+            absent: match subject.job.aovs.iter().any(|aov| aov.is_layer())
+                || !subject.job.classes.is_empty()
+            {
                 true => "the reference makes them after the picture",
                 false => "no --aov asks for any",
             },

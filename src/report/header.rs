@@ -29,12 +29,16 @@ pub fn notes(job: &Job, device: &str) -> Vec<(&'static str, String)> {
     notes
 }
 
-/// The same of a picture with layers, which are known from its first samples, `most` of them at most.
-pub fn layer_notes(most: u32, job: &Job, device: &str) -> Vec<(&'static str, String)> {
+/// Of a picture with layers, what they are known from: its first samples, `most` of them at most.
+pub fn layer_note(most: u32, job: &Job) -> (&'static str, String) {
     let samples = u64::from(most).min(job.spp.into());
-    let mut notes = notes(job, device);
-    notes.push(("layers", format!("means over the first {samples} samples")));
-    notes
+    ("layers", format!("means over the first {samples} samples"))
+}
+
+/// Of a picture whose light is split by classes of paths.
+pub fn light_note(job: &Job) -> (&'static str, String) {
+    let what = format!("of classes of paths, means over all {} samples", job.spp);
+    ("light", what)
 }
 
 /// The notes of a denoised picture, after a line that says that it is none of samples alone.

@@ -88,7 +88,7 @@ pub struct PictureArguments {
     pub stderr: Vec<PathBuf>,
 
     /// Compare this layer of EXR files in place of the pictures: Albedo, N, Ns, P, Z, or any other's
-    /// NAME of channels NAME.R, NAME.X or NAME alone
+    /// NAME of channels NAME.R, NAME.X or NAME alone; light:PATTERN as --aov has it
     #[arg(long, value_name = "NAME", help_heading = PICTURES)]
     pub layer: Option<String>,
 

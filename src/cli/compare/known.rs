@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::arguments::PictureArguments;
+use crate::cli::beside::layer;
 use crate::cli::exit::Failure;
 use crate::cli::inputs::Input;
 use crate::cli::stderr::{belongs, standard_errors};
@@ -53,13 +54,9 @@ impl Known {
     }
 
     /// Picture and standard errors, which must belong to it; otherwise everything that is wrong.
-    fn read(
-        path: &Path,
-        stderr: Option<PathBuf>,
-        layer: Option<&str>,
-    ) -> Result<Self, Vec<String>> {
-        let picture = match layer {
-            Some(layer) => image::read_layer(path, layer),
+    fn read(path: &Path, stderr: Option<PathBuf>, name: Option<&str>) -> Result<Self, Vec<String>> {
+        let picture = match name {
+            Some(name) => image::read_layer(path, &layer(name)),
             None => image::read(path),
         };
         let errors = stderr.map(|path| image::read(&path).map(|errors| (path, errors)));

@@ -1,12 +1,12 @@
 //! Every flag of `vkpt explain`, with its help.
 
+use crate::cli::beside::{Beside, BesideParser};
 use crate::cli::destination::Destination;
 use crate::cli::job::Request;
 use crate::cli::settings::SettingArguments;
 use crate::cli::source::Source;
 use crate::cli::values::{self, choice};
 use crate::cli::view::ViewArguments;
-use crate::film::Aov;
 use crate::gpu::Selector;
 use crate::render::KernelChoice;
 
@@ -30,10 +30,11 @@ pub struct ExplainArguments {
     #[command(flatten)]
     pub view: ViewArguments,
 
-    /// What else is to be written of the pixels: stderr, or layers of the picture's EXR
+    /// What else is to be written of the pixels: stderr, or layers of the picture's EXR, light:PATTERN
+    /// among them
     #[arg(long, value_name = "WHAT", value_delimiter = ',')]
-    #[arg(value_parser = choice::<Aov>(), hide_possible_values = true)]
-    pub aov: Vec<Aov>,
+    #[arg(value_parser = BesideParser)]
+    pub aov: Vec<Beside>,
 
     /// Keep the limits of this Vulkan device, by its index or part of its name [default: the best
     /// there is; where there is none, limits that most GPUs have]

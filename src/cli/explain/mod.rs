@@ -3,6 +3,7 @@
 mod arguments;
 mod outputs;
 
+use super::beside::parted;
 use super::console::Console;
 use super::destination::{Destination, all_written};
 use super::exit::{Ending, Failure};
@@ -30,8 +31,10 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
     let request = arguments.request();
     let loaded = Loaded::new(&request)?;
     let ready = loaded.prepare(&request)?;
+    let (aovs, classes) = parted(&arguments.aov);
     let job = Job {
-        aovs: &arguments.aov,
+        aovs: &aovs,
+        classes: &classes,
         kernel: arguments.kernel,
         ..ready.job(&request)?
     };

@@ -7,6 +7,7 @@ mod record;
 
 use self::join::{Joined, join};
 use self::order::{InOrder, in_order};
+use crate::cli::beside::Beside;
 use crate::cli::exit::{Ending, Failure, warn};
 use crate::cli::inputs::{Input, spare};
 use crate::cli::outputs::{Outputs, Written, write};
@@ -50,11 +51,11 @@ pub fn merge(arguments: &MergeArguments) -> Result<Ending, Failure> {
 
 /// Standard errors of independent samples come from moments, which a part has or has not.
 fn check_stderr(arguments: &MergeArguments, parts: &InOrder) -> Result<(), Failure> {
-    let asked = arguments.outputs.aov.contains(&Aov::Stderr);
+    let asked = arguments.outputs.aov.contains(&Beside::Aov(Aov::Stderr));
     if let Some(layer) = arguments.outputs.aov.iter().find(|aov| aov.is_layer()) {
         return Err(Failure::Usage(format!(
             "--aov {} is seen in the scene, which parts do not hold: vkpt SCENE writes it",
-            layer.name()
+            layer
         )));
     }
     let SettingsRecord { sampler, .. } = &parts.first().record.job.settings;
@@ -75,7 +76,7 @@ fn leave(
 ) -> Result<Ending, Failure> {
     let film = joined.part.picture();
     let spp = joined.part.samples();
-    let asked = arguments.outputs.aov.contains(&Aov::Stderr) && spp >= 2;
+    let asked = arguments.outputs.aov.contains(&Beside::Aov(Aov::Stderr)) && spp >= 2;
     let stderr = asked.then(|| joined.part.standard_errors());
     let SettingsRecord { sampler, .. } = &parts.first().record.job.settings;
     let sampler = match *sampler == Sampler::Random.name() {

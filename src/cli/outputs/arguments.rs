@@ -1,9 +1,9 @@
 //! The flags of what a picture is written to.
 
+use crate::cli::beside::{Beside, BesideParser};
 use crate::cli::destination::Destination;
 use crate::cli::numbers;
 use crate::cli::values::choice;
-use crate::film::Aov;
 use crate::image::Format;
 
 /// Which files are written, and what beside them.
@@ -23,15 +23,16 @@ pub struct OutputArguments {
     /// Write what else is known of the pixels. stderr: standard errors of the mean, to
     /// NAME-stderr.exr; and as layers of the picture's own EXR, of what is seen first: albedo,
     /// normal, depth, position, the lines of shape and material, samples; albedo* and normal* of
-    /// what mirrors and smooth glass show
+    /// what mirrors and smooth glass show; light:PATTERN, the light of a class of paths, as
+    /// light:ED.*L: E, the eye, D (diffuse), G (rough) or S (smooth) for each surface, L, the light
     #[arg(
         long,
         value_name = "WHAT",
         help_heading = "Picture",
         value_delimiter = ','
     )]
-    #[arg(value_parser = choice::<Aov>(), hide_possible_values = true)]
-    pub aov: Vec<Aov>,
+    #[arg(value_parser = BesideParser)]
+    pub aov: Vec<Beside>,
 
     /// Stops by which .png is brightened; negative: darkened
     #[arg(long, value_name = "EV", help_heading = "Picture", default_value = "0")]

@@ -4,12 +4,12 @@ use std::path::Path;
 
 use super::arguments::OutputArguments;
 use super::pictures::{Picture, beside, denoised, pictures};
+use crate::cli::beside::Beside;
 use crate::cli::console::Console;
 use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
 use crate::film::Aov;
 use crate::image::Format;
-use crate::report::names::Named;
 use crate::state;
 
 /// Pictures, parts and report.
@@ -39,7 +39,8 @@ impl<'a> Outputs<'a> {
         let (parts, rest): (Vec<_>, Vec<_>) = given.into_iter().partition(is_part);
         let pictures = pictures(&rest, arguments.format)?;
         check_layers(arguments, &pictures)?;
-        let stderr = match arguments.aov.contains(&Aov::Stderr) && !pictures.is_empty() {
+        let stderr = match arguments.aov.contains(&Beside::Aov(Aov::Stderr)) && !pictures.is_empty()
+        {
             true => beside(&pictures, spp)?,
             false => Vec::new(),
         };
@@ -98,7 +99,7 @@ fn check_layers(arguments: &OutputArguments, pictures: &[Picture]) -> Result<(),
     match layer.filter(|_| !has_exr) {
         Some(layer) => Err(Failure::Usage(format!(
             "--aov {} is a layer of an EXR, and none is written: add -o NAME.exr",
-            layer.name()
+            layer
         ))),
         None => Ok(()),
     }

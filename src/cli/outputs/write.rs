@@ -93,10 +93,13 @@ fn pictures(outputs: &Outputs, of: &Written, record: &Record) -> (Vec<String>, V
         };
         write_frame(files, &frame, &labels)
     };
-    let notes = match of.channels.is_empty() {
-        true => report::notes(job, device),
-        false => report::layer_notes(LAYER_SAMPLES, job, device),
-    };
+    let mut notes = report::notes(job, device);
+    if !of.channels.iter().all(Channel::is_light) {
+        notes.push(report::layer_note(LAYER_SAMPLES, job));
+    }
+    if of.channels.iter().any(Channel::is_light) {
+        notes.push(report::light_note(job));
+    }
     let (mut written, mut errors) = write(&outputs.pictures, of.film, of.channels, &notes);
     if let Some((stderr, freedom)) = of.stderr {
         let notes = report::stderr_notes(freedom, of.film, job, device);

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::time::Duration;
 
+use crate::cli::beside::parted;
 use crate::cli::denoise::{self, DenoiseArguments};
 use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
@@ -16,6 +17,7 @@ use crate::cli::values::{self, Devices, choice};
 use crate::cli::view::ViewArguments;
 use crate::film::Aov;
 use crate::gpu::Selector;
+use crate::path_class::PathClass;
 use crate::render::{self, Best, Job, KernelChoice, Target, Until};
 use crate::report::names::Named;
 
@@ -120,16 +122,22 @@ impl RenderArguments {
         })
     }
 
-    /// What is made beside the picture.
-    pub fn aovs(&self) -> Vec<Aov> {
-        let denoised = self.denoise.denoise.map(|_| Aov::Denoised);
-        self.outputs.aov.iter().copied().chain(denoised).collect()
+    /// What is made beside the picture: by kinds, and the light of classes of paths.
+    pub fn beside(&self) -> (Vec<Aov>, Vec<PathClass>) {
+        let (mut aovs, classes) = parted(&self.outputs.aov);
+        aovs.extend(self.denoise.denoise.map(|_| Aov::Denoised));
+        (aovs, classes)
     }
 
     /// What is rendered of the scene.
-    pub fn job<'a>(&self, ready: &'a Ready, aovs: &'a [Aov]) -> Result<Job<'a>, Failure> {
+    pub fn job<'a>(
+        &self,
+        ready: &'a Ready,
+        (aovs, classes): &'a (Vec<Aov>, Vec<PathClass>),
+    ) -> Result<Job<'a>, Failure> {
         Ok(Job {
             aovs,
+            classes,
             kernel: self.kernel,
             until: self.until(),
             ..ready.job(&self.request()?)?

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::arguments::RenderArguments;
 use super::record::{error_of, record};
+use super::split::split;
 use crate::cli::exit::{Failure, note, warn};
 use crate::cli::interrupt::stop_flag;
 use crate::cli::job::Ready;
@@ -72,12 +73,14 @@ pub fn develop(
     };
     watcher.display.finish();
     let checkpointed = watcher.checkpoint.map_or(resumes, |c| c.written);
-    let outcome = outcome.map_err(Failure::Render)?;
+    let mut outcome = outcome.map_err(Failure::Render)?;
+    let mut channels = render::layers(job, outcome.spp);
+    channels.extend(split(job, &mut outcome, &stop, arguments.outputs.quiet));
     let header = labels.header(&outcome);
     Ok(Some(Made {
         freedom: freedom(job.settings.estimator.sampler, outcome.spp),
         header,
-        channels: render::layers(job, outcome.spp),
+        channels,
         outcome,
         checkpointed,
     }))

@@ -3,6 +3,7 @@
 mod arguments;
 mod develop;
 mod record;
+mod split;
 mod trace;
 
 use std::path::{Path, PathBuf};
@@ -62,8 +63,8 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     if let Some(Err(why)) = &denoiser {
         warn(&format!("{why}: no denoised picture is made"));
     }
-    let aovs = arguments.aovs();
-    let job = arguments.job(&ready, &aovs)?;
+    let beside = arguments.beside();
+    let job = arguments.job(&ready, &beside)?;
     let Some(made) = develop(arguments, &ready, &job, goal)? else {
         return Ok(Ending::Complete);
     };

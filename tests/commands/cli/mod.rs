@@ -1,6 +1,7 @@
 //! The program itself: help, refusals, exit codes, and that a refusal leaves no file.
 
 mod check;
+mod classes;
 mod compare;
 mod converge;
 mod converge_refusals;
