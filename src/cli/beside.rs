@@ -4,6 +4,7 @@ use std::ffi::OsStr;
 use std::fmt::{self, Display};
 
 use clap::builder::TypedValueParser;
+use clap::error::{ContextKind, ContextValue};
 use clap::{Arg, Command, Error};
 
 use super::values::choice;
@@ -75,10 +76,20 @@ impl TypedValueParser for BesideParser {
     ) -> Result<Beside, Error> {
         let is_class = value.as_encoded_bytes().starts_with(LIGHT.as_bytes());
         if !is_class {
-            let aov = choice::<Aov>().parse_ref(command, arg, value)?;
-            return Ok(Beside::Aov(aov));
+            let aov = choice::<Aov>().parse_ref(command, arg, value);
+            return aov.map(Beside::Aov).map_err(with_classes);
         }
         let class = |text: &str| PathClass::new(text.strip_prefix(LIGHT).unwrap_or(text));
         class.parse_ref(command, arg, value).map(Beside::Light)
     }
+}
+
+/// Where the names are told, classes are told beside them.
+fn with_classes(mut error: Error) -> Error {
+    if let Some(ContextValue::Strings(names)) = error.get(ContextKind::ValidValue) {
+        let classes = format!("{LIGHT}PATTERN");
+        let names = names.iter().cloned().chain([classes]).collect();
+        error.insert(ContextKind::ValidValue, ContextValue::Strings(names));
+    }
+    error
 }

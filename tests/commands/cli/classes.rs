@@ -48,6 +48,20 @@ fn a_picture_has_its_classes_in_its_own_file() {
     }
 }
 
+/// Names of more than 31 bytes need a flag in the file.
+#[test]
+fn a_class_may_have_a_long_name() {
+    let folder = folder(SCENE);
+    let pattern = format!("light:E({}D)S*L", "D|G|S|".repeat(25));
+    let line = format!("{RENDER} --aov {pattern} -o a.exr");
+    assert_eq!(words(folder.path(), &line).code, Some(0), "{line}");
+    let file = folder.path().join("a.exr");
+    assert!(read_layer(&file, &pattern).is_ok());
+    // OpenEXR File Layout, "Version Field": bit 10.
+    let bytes = std::fs::read(&file).expect("a file");
+    assert_eq!(bytes[5] & 4, 4);
+}
+
 /// `compare` takes the pattern as `--aov` does, and the layer's own name.
 #[test]
 fn classes_are_compared_by_their_patterns() {
@@ -82,6 +96,10 @@ fn what_is_no_class_is_refused() {
         (
             "scene.scn --aov light:ED+ -o a.exr",
             "error: invalid value 'light:ED+' for '--aov <WHAT>': \"ED+\" is no class of paths, no path matches it: E, the eye,",
+        ),
+        (
+            "scene.scn --aov light -o a.exr",
+            "error: invalid value 'light' for '--aov <WHAT>'\n  [possible values: stderr, albedo, normal, depth, position, shape, material, samples, albedo*, normal*, light:PATTERN]",
         ),
         (
             "explain scene.scn --aov light:ED{2}L",
