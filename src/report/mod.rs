@@ -21,7 +21,8 @@ mod table;
 pub use comparison::{Comparison, Tested, comparison};
 pub use digest::digest;
 pub use header::{
-    denoised_notes, differences, is_noted, layer_note, light_note, noted_digest, noted_freedom, notes, stderr_notes,
+    denoised_notes, differences, is_noted, layer_note, light_note, noted_digest, noted_freedom,
+    notes, stderr_notes,
 };
 pub use record::{
     Denoised, Dropped, ErrorAt, Job, Kernel, Largest, Machine, Memory, Record, Seconds, Work,

@@ -63,8 +63,8 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     if let Some(Err(why)) = &denoiser {
         warn(&format!("{why}: no denoised picture is made"));
     }
-    let beside = arguments.beside();
-    let job = arguments.job(&ready, &beside)?;
+    let asked = arguments.beside();
+    let job = arguments.job(&ready, &asked)?;
     let Some(made) = develop(arguments, &ready, &job, goal)? else {
         return Ok(Ending::Complete);
     };
