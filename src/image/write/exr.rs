@@ -1,6 +1,6 @@
 //! OpenEXR: linear f32 RGB, with what the picture was made from in its header.
 
-use std::io::{Seek, Write};
+use std::io::{Seek, SeekFrom, Write};
 
 use ::exr::prelude::*;
 
@@ -38,8 +38,29 @@ pub fn encode(
     let layer = Layer::new(size, attributes, Encoding::SMALL_LOSSLESS, all(frame));
     let mut image = Image::from_layer(layer);
     image.attributes.display_window = full;
-    Ok(image.write().to_buffered(out)?)
+    let begin = out.stream_position().map_err(::exr::error::Error::from)?;
+    image.write().to_buffered(&mut *out)?;
+    match frame.channels.iter().any(|c| c.name.len() > SHORT_NAME) {
+        true => Ok(flag_long_names(begin, out)?),
+        false => Ok(()),
+    }
 }
+
+/// Says in a file that begins at `begin` that names may be long, which the crate forgets. No other flag is set in a file of one
+/// layer of scan lines.
+fn flag_long_names(begin: u64, out: &mut (impl Write + Seek + ?Sized)) -> ::exr::error::UnitResult {
+    out.seek(SeekFrom::Start(begin + FLAGS))?;
+    out.write_all(&[LONG_NAMES])?;
+    out.seek(SeekFrom::End(0))?;
+    Ok(())
+}
+
+/// Bytes of a name that any reader takes.
+const SHORT_NAME: usize = 31;
+/// Where the flags of the version field are, and that of names of up to 255 bytes, bit 10 of it (OpenEXR File Layout, "Version
+/// Field").
+const FLAGS: u64 = 5;
+const LONG_NAMES: u8 = 4;
 
 /// R, G and B and the channels beside them, which the format wants in the order of their names.
 fn all(frame: &Frame) -> AnyChannels<FlatSamples> {
