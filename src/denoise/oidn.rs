@@ -35,8 +35,11 @@ impl Oidn {
             false => Some(path.to_owned()),
         };
         match file {
-            // A bare name would be looked for elsewhere.
-            Some(file) if file.exists() => Library::load(file.as_os_str()).map(Self),
+            Some(file) if file.exists() => {
+                // A bare name would be looked for elsewhere.
+                let file = std::path::absolute(&file).unwrap_or(file);
+                Library::load(file.as_os_str()).map(Self)
+            }
             _ => Err(OidnError::NoLibrary(format!("there is no {}", NAMES[0]))),
         }
     }
