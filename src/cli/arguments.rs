@@ -19,7 +19,8 @@ use super::streams::print_help;
 const EXIT_CODES: &str = "\
 Exit codes:
     0  the pictures are written
-    1  rendering failed, by an error of the device or in a check of the samples
+    1  rendering failed, by an error of the device or in a check of the samples; or denoising did: the
+       noisy pictures are written
     2  the command line is wrong
     3  the scene or one of its meshes is wrong; nothing was written
     4  there is no such Vulkan device, or none at all

@@ -61,6 +61,7 @@ impl From<ConvergeError> for Failure {
         match error {
             ConvergeError::Render(error) => Self::Render(error),
             ConvergeError::Metrics(error) => Self::Pictures(vec![error.to_string()]),
+            ConvergeError::Finish(why) => Self::Pictures(vec![why]),
         }
     }
 }

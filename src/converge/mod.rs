@@ -7,7 +7,7 @@ mod schedule;
 
 pub use halves::{HALVES, Halves, halves};
 pub use progress::{Part, Progress};
-pub use schedule::{Measured, Plan, Variant, measure};
+pub use schedule::{Finish, Measured, Plan, Variant, measure};
 
 use crate::metrics::MetricsError;
 use crate::render::RenderError;
@@ -19,4 +19,7 @@ pub enum ConvergeError {
     Render(#[from] RenderError),
     #[error(transparent)]
     Metrics(#[from] MetricsError),
+    /// A picture could not be finished.
+    #[error("{0}")]
+    Finish(String),
 }

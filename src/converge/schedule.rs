@@ -3,16 +3,22 @@
 use std::sync::atomic::AtomicBool;
 
 use super::{ConvergeError, Part, Progress};
+use crate::film::Film;
 use crate::metrics::convergence::{Curve, Reference, Step};
 use crate::metrics::flip::Viewing;
 use crate::render::{Engine, Job, Replicates, Took};
 
 /// A rendering to measure, and what it is judged by.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Variant<'a> {
     pub job: &'a Job<'a>,
     pub reference: &'a Reference,
+    /// What is done to each picture before it is judged.
+    pub finish: Option<&'a Finish<'a>>,
 }
+
+/// Makes another picture of a picture and the two halves of its samples, in so many seconds, or says why not.
+pub type Finish<'a> = dyn Fn(&Film, [&Film; 2]) -> Result<(Film, f64), String> + 'a;
 
 /// How much is rendered.
 #[derive(Clone, Debug)]
@@ -150,15 +156,32 @@ impl<'a> Bench<'a> {
         Ok(true)
     }
 
+    /// The pictures of all replicates, and the seconds that finishing took of each.
+    fn pictures(
+        entrant: &Entrant,
+        variant: &Variant,
+    ) -> Result<(Vec<Film>, Vec<f64>), ConvergeError> {
+        let picture = |i| {
+            let picture = entrant.replicates.picture(i);
+            let Some(finish) = variant.finish else {
+                return Ok((picture, 0.0));
+            };
+            let [a, b] = entrant.replicates.halves(i);
+            finish(&picture, [&a, &b]).map_err(ConvergeError::Finish)
+        };
+        (0..entrant.took.len()).map(picture).collect()
+    }
+
     /// Holds every replicate against its variant's reference.
     fn judge(&mut self, spp: u32) -> Result<(), ConvergeError> {
         for (entrant, variant) in self.entrants.iter_mut().zip(self.variants) {
-            let count = entrant.took.len();
-            let pictures: Vec<_> = (0..count).map(|i| entrant.replicates.picture(i)).collect();
+            let (pictures, finishing) = Self::pictures(entrant, variant)?;
             let figures = |film| variant.reference.figures(film, &self.plan.viewing);
             entrant.curve.steps.push(Step {
                 spp,
-                wall_s: entrant.took.iter().map(|t| t.wall_s).collect(),
+                wall_s: (entrant.took.iter().zip(finishing))
+                    .map(|(took, finishing)| took.wall_s + finishing)
+                    .collect(),
                 gpu_s: entrant.took.iter().map(|t| t.gpu_s).collect(),
                 figures: pictures.iter().map(figures).collect::<Result<_, _>>()?,
                 picture: pictures[0].clone(),

@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::{DispatchLimits, Job, RenderError, Target, cpu, memory, vulkan};
 use crate::film::Film;
 use crate::gpu::Device;
+use crate::part::{AnyPart, Halves};
 
 /// What renders, open.
 pub enum Engine {
@@ -38,7 +39,7 @@ impl Took {
 pub(super) trait Growing {
     fn advance(&mut self, i: usize, spp: u32, stop: &AtomicBool) -> Result<Took, RenderError>;
     fn done(&self, i: usize) -> u32;
-    fn picture(&self, i: usize) -> Film;
+    fn part(&self, i: usize) -> AnyPart;
     fn set_up_s(&self) -> f64;
 }
 
@@ -102,7 +103,27 @@ impl<'a> Replicates<'a> {
 
     /// The picture of replicate `i`: to the bit that of a rendering of its seed to as many samples.
     pub fn picture(&self, i: usize) -> Film {
-        self.0.picture(i)
+        self.0.part(i).picture()
+    }
+
+    /// The means of the two groups of the samples of replicate `i`; of a single sample twice that.
+    pub fn halves(&self, i: usize) -> [Film; 2] {
+        let part = self.0.part(i);
+        if part.samples() < 2 {
+            return [part.picture(), part.picture()];
+        }
+        let Halves {
+            mean,
+            half_difference,
+        } = part.halves();
+        [1.0, -1.0].map(|sign| {
+            let pixels = mean.rgb.iter().zip(&half_difference.rgb);
+            let half = pixels.map(|(m, d)| [0, 1, 2].map(|c| m[c] + sign * d[c]));
+            Film {
+                rgb: half.collect(),
+                ..mean
+            }
+        })
     }
 
     /// Seconds from the prepared scene to the first sample: hierarchy, composing, uploading and compiling.

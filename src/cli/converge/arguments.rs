@@ -51,9 +51,15 @@ pub struct ConvergeArguments {
     pub spp: u32,
 
     /// Render with each of these values of a setting, such as connect=mis,light; repeated, with all
-    /// combinations. Any of the settings below; the first is what the others are compared with
+    /// combinations. Any of the settings below, or denoise=off,nlm,oidn, seconds of denoising counted;
+    /// the first is what the others are compared with
     #[arg(long, value_name = "NAME=VALUE,…", help_heading = EXPERIMENT, value_parser = vary)]
     pub vary: Vec<Vary>,
+
+    /// The library of Open Image Denoise, for --vary denoise=oidn, or its folder [default: as of vkpt
+    /// SCENE --denoise]
+    #[arg(long, value_name = "PATH", help_heading = EXPERIMENT)]
+    pub oidn: Option<PathBuf>,
 
     /// The picture to judge by: EXR, HDR or PNG, with the standard errors in NAME-stderr.exr beside
     /// it where that is there [default: two of vkpt's own, each rendered for half of --time]

@@ -3,9 +3,11 @@
 use clap::error::ErrorKind;
 use clap::{Args, Command, FromArgMatches};
 
+use crate::cli::denoise::By;
 use crate::cli::exit::Failure;
 use crate::cli::integrator;
 use crate::cli::settings::SettingArguments;
+use crate::report::names::Named;
 use crate::settings::Settings;
 
 /// A setting and the values that it is to have.
@@ -23,7 +25,13 @@ pub struct Combination {
     pub settings: Settings,
     /// The scene is to choose its integrator.
     pub auto: bool,
+    /// What denoises the pictures before they are judged.
+    pub denoise: Option<By>,
 }
+
+/// What denoises: no setting of the rendering.
+const DENOISE: &str = "denoise";
+const NO_DENOISER: &str = "off";
 
 /// Variants that are worth a table each.
 const MOST: usize = 64;
@@ -35,7 +43,10 @@ pub fn vary(text: &str) -> Result<Vary, String> {
         .ok_or("must be a setting and its values, such as connect=mis,light")?;
     let values: Vec<String> = values.split(',').map(str::to_owned).collect();
     for (i, value) in values.iter().enumerate() {
-        flags(&[(name, value)])?;
+        match name {
+            DENOISE => drop(denoiser(value)?),
+            _ => drop(flags(&[(name, value)])?),
+        }
         if values[..i].contains(value) {
             return Err(format!("{value} is there twice"));
         }
@@ -77,7 +88,10 @@ pub fn combinations(
     }
     let combination = |pairs: &Vec<(&str, &str)>| {
         let names: Vec<String> = pairs.iter().map(|(n, v)| format!("{n}={v}")).collect();
-        let flags = flags(pairs).map_err(Failure::Usage)?;
+        let (denoise, others): (Vec<_>, Vec<_>) = pairs.iter().partition(|(n, _)| *n == DENOISE);
+        let denoise = denoise.first().map(|(_, value)| denoiser(value));
+        let denoise = denoise.transpose().map_err(Failure::Usage)?.flatten();
+        let flags = flags(&others).map_err(Failure::Usage)?;
         let auto = flags.integrator.map_or(settings.auto(), |_| flags.auto());
         let settings = settings.with(&flags);
         integrator::check(&settings)?;
@@ -85,9 +99,24 @@ pub fn combinations(
             name: names.join(" "),
             settings,
             auto,
+            denoise,
         })
     };
     all.iter().map(combination).collect()
+}
+
+/// `off`, or a value of `--denoise`.
+fn denoiser(value: &str) -> Result<Option<By>, String> {
+    let by = By::ALL.iter().find(|(_, name)| *name == value);
+    match by {
+        Some((by, _)) => Ok(Some(*by)),
+        None if value == NO_DENOISER => Ok(None),
+        None => {
+            let names: Vec<&str> = By::ALL.iter().map(|(_, name)| *name).collect();
+            let names = names.join(", ");
+            Err(format!("denoise={value}: there are {NO_DENOISER}, {names}"))
+        }
+    }
 }
 
 /// The flags that a command line would have: `--NAME=VALUE` for each pair.
@@ -104,7 +133,9 @@ fn flags(pairs: &[(&str, &str)]) -> Result<SettingArguments, String> {
         .iter()
         .map(|(name, value)| format!("--{name}={value}"));
     let told = |error: clap::Error| match error.kind() {
-        ErrorKind::UnknownArgument => format!("no such setting; there are {}", known.join(", ")),
+        ErrorKind::UnknownArgument => {
+            format!("no such setting; there are {}, {DENOISE}", known.join(", "))
+        }
         _ => first_paragraph(&error.to_string()),
     };
     command
@@ -149,6 +180,10 @@ mod tests {
             all.iter()
                 .all(|c| c.settings.model == Settings::default().model)
         );
+        let denoised = [vary("denoise=off,nlm").expect("denoisers")];
+        let both = combinations(&given(&[]), &denoised).expect("two");
+        assert_eq!([both[0].denoise, both[1].denoise], [None, Some(By::Nlm)]);
+        assert_eq!(both[0].settings, both[1].settings);
         let alone = combinations(&given(&["connect=bsdf"]), &[]).expect("one");
         assert_eq!(alone.len(), 1);
         assert_eq!(alone[0].name, "");
@@ -174,6 +209,7 @@ mod tests {
             ("connect=mis,all", "mis, light, bsdf"),
             ("connect=mis,mis", "mis is there twice"),
             ("connect=", "value"),
+            ("denoise=blur", "there are off, auto, oidn, nlm"),
             ("max-depth=-1", "-1"),
         ] {
             let error = vary(text).expect_err("refused");

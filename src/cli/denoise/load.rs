@@ -1,23 +1,23 @@
 //! Finding the denoiser.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use super::arguments::{By, DenoiseArguments};
+use super::arguments::By;
 use crate::cli::exit::warn;
 use crate::denoise::{Denoiser, Oidn, usual_places};
 
 /// Names the library, as `--oidn` does.
 const VARIABLE: &str = "VKPT_OIDN";
 
-/// What denoises, as `by` says.
+/// What denoises, as `by` says; `oidn` is the library or its folder, where one is named.
 ///
 /// # Errors
 /// A library that is asked for and not to be had, as a sentence.
-pub fn load(arguments: &DenoiseArguments, by: By) -> Result<Denoiser, String> {
+pub fn load(oidn: Option<&Path>, by: By) -> Result<Denoiser, String> {
     if by == By::Nlm {
         return Ok(Denoiser::Nlm);
     }
-    if let Some((path, named)) = named(arguments) {
+    if let Some((path, named)) = named(oidn) {
         let oidn = Oidn::at(&path);
         let oidn = oidn.map_err(|error| format!("{named} {}: {error}", path.display()))?;
         return Ok(Denoiser::Oidn(oidn));
@@ -41,8 +41,8 @@ pub fn load(arguments: &DenoiseArguments, by: By) -> Result<Denoiser, String> {
 }
 
 /// The library that is asked for, and by what.
-fn named(arguments: &DenoiseArguments) -> Option<(PathBuf, &'static str)> {
-    let flag = arguments.oidn.clone().map(|path| (path, "--oidn"));
+fn named(oidn: Option<&Path>) -> Option<(PathBuf, &'static str)> {
+    let flag = oidn.map(|path| (path.to_owned(), "--oidn"));
     let variable = || std::env::var_os(VARIABLE).filter(|value| !value.is_empty());
     flag.or_else(|| variable().map(|path| (path.into(), VARIABLE)))
 }

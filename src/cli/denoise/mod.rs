@@ -5,7 +5,7 @@ mod load;
 
 use std::time::Instant;
 
-pub use arguments::DenoiseArguments;
+pub use arguments::{By, DenoiseArguments};
 pub use load::load;
 
 use crate::denoise::{Denoiser, Features, Noisy};

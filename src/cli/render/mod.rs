@@ -58,7 +58,7 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     let denoiser = arguments
         .denoise
         .denoise
-        .map(|by| load(&arguments.denoise, by));
+        .map(|by| load(arguments.denoise.oidn.as_deref(), by));
     // Said before the rendering, which goes on without.
     if let Some(Err(why)) = &denoiser {
         warn(&format!("{why}: no denoised picture is made"));

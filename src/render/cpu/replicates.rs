@@ -4,8 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use super::Render;
-use crate::film::Film;
-use crate::part::Scalar;
+use crate::part::{AnyPart, Scalar};
 use crate::reference::world::World;
 use crate::render::replicates::{Growing, Took};
 use crate::render::slices::Slices;
@@ -69,8 +68,8 @@ impl<F: Scalar, R: Render<F>> Growing for Replicates<'_, F, R> {
         self.films[i].done
     }
 
-    fn picture(&self, i: usize) -> Film {
-        self.films[i].film.part().picture()
+    fn part(&self, i: usize) -> AnyPart {
+        F::any(self.films[i].film.part())
     }
 
     fn set_up_s(&self) -> f64 {

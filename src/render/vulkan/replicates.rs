@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 
 use super::limits::DispatchLimits;
 use super::rendering::Rendering;
-use crate::film::Film;
 use crate::gpu::Device;
+use crate::part::{AnyPart, Scalar};
 use crate::render::replicates::{Growing, Took};
 use crate::render::slices::Slices;
 use crate::render::{HostFilm, Job, RenderError};
@@ -95,9 +95,9 @@ impl<'a, R: Rendering<'a>> Growing for Replicates<R, R::Film> {
         self.films[i].done
     }
 
-    fn picture(&self, i: usize) -> Film {
+    fn part(&self, i: usize) -> AnyPart {
         let film = self.films[i].film.as_ref();
-        film.unwrap_or_else(|| self.run.film()).part().picture()
+        Scalar::any(film.unwrap_or_else(|| self.run.film()).part())
     }
 
     fn set_up_s(&self) -> f64 {

@@ -4,6 +4,7 @@ mod check;
 mod classes;
 mod compare;
 mod converge;
+mod converge_denoise;
 mod converge_refusals;
 mod denoise;
 mod doctor;

@@ -78,7 +78,11 @@ fn plan() -> Plan {
 }
 
 fn measured(job: &Job, reference: &Reference, engine: &Engine, plan: &Plan) -> Measured {
-    let variant = [Variant { job, reference }];
+    let variant = [Variant {
+        job,
+        reference,
+        finish: None,
+    }];
     measure(&variant, engine, plan, &RUNNING, &mut |_| {}).expect("a curve")
 }
 
@@ -124,6 +128,7 @@ fn steps_are_whole_and_keep_to_the_time() {
     let variant = [Variant {
         job: &job,
         reference: &reference,
+        finish: None,
     }];
     let stopped = AtomicBool::new(true);
     let none = measure(&variant, &Engine::CpuF32, &plan(), &stopped, &mut |_| {}).expect("a curve");
