@@ -44,9 +44,9 @@ pub fn vary(text: &str) -> Result<Vary, String> {
     let values: Vec<String> = values.split(',').map(str::to_owned).collect();
     for (i, value) in values.iter().enumerate() {
         match name {
-            DENOISE => drop(denoiser(value)?),
-            _ => drop(flags(&[(name, value)])?),
-        }
+            DENOISE => denoiser(value).map(|_| ()),
+            _ => flags(&[(name, value)]).map(|_| ()),
+        }?;
         if values[..i].contains(value) {
             return Err(format!("{value} is there twice"));
         }

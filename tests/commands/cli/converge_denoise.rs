@@ -10,13 +10,13 @@ background .5 .5 .5
 brdf .5 .25 .125 0 0 0 1
 sphere 0 0 0 1
 light 9 9 9
-sphere 3 3 3 .5
+sphere 3 3 3 1.5
 ";
 
 #[test]
 fn denoised_pictures_are_judged_and_said_to_go_elsewhere() {
     let folder = folder(SCENE);
-    let line = "converge scene.scn --vary denoise=off,nlm --spp 16 --replicates 3 --time 5 --device cpu-f32 --json c.json";
+    let line = "converge scene.scn --connect bsdf --vary denoise=off,nlm --spp 16 --replicates 3 --time 5 --device cpu-f32 --json c.json";
     let run = words(folder.path(), line);
     assert_eq!(run.code, Some(0), "{}", run.err);
     assert!(
