@@ -2,16 +2,8 @@
 
 use serde_json::Value;
 
+use super::denoise::SCENE;
 use super::program::{folder, words};
-
-const SCENE: &str = "screen 40 32
-camera 0 0 5 .4
-background .5 .5 .5
-brdf .5 .25 .125 0 0 0 1
-sphere 0 0 0 1
-light 9 9 9
-sphere 3 3 3 1.5
-";
 
 #[test]
 fn denoised_pictures_are_judged_and_said_to_go_elsewhere() {

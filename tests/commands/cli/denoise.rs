@@ -9,7 +9,7 @@ use vkpt::image::{read, read_layer};
 
 use super::program::{folder, words};
 
-const SCENE: &str = "screen 40 32
+pub const SCENE: &str = "screen 40 32
 camera 0 0 5 .4
 background .5 .5 .5
 brdf .5 .25 .125 0 0 0 1
