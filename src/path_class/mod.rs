@@ -18,20 +18,46 @@ pub use pattern::PatternError;
 pub enum Letter {
     /// Diffuse reflection, Kd.
     D,
-    /// Rough, by a micro-normal: reflection or refraction.
-    G,
+    /// Rough, by a micro-normal.
+    G(Side),
     /// Smooth: a direction has one answer.
-    S,
+    S(Side),
+}
+
+/// Where the light of a path goes on at a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// Reflected: on the side that it came from.
+    R,
+    /// Transmitted.
+    T,
 }
 
 impl Letter {
-    pub const ALL: [Self; 3] = [Self::D, Self::G, Self::S];
+    pub const ALL: [Self; 5] = [
+        Self::D,
+        Self::G(Side::R),
+        Self::G(Side::T),
+        Self::S(Side::R),
+        Self::S(Side::T),
+    ];
 
+    /// Which side light goes on.
+    pub fn side(self) -> Side {
+        match self {
+            Self::D => Side::R,
+            Self::G(side) | Self::S(side) => side,
+        }
+    }
+
+    /// What an automaton reads.
     fn byte(self) -> u8 {
         match self {
             Self::D => b'D',
-            Self::G => b'G',
-            Self::S => b'S',
+            Self::G(Side::R) => b'G',
+            Self::G(Side::T) => b'g',
+            Self::S(Side::R) => b'S',
+            Self::S(Side::T) => b's',
         }
     }
 }

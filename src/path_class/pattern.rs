@@ -1,12 +1,13 @@
 //! What a user writes, as a regular expression over the letters of paths.
 
-use super::Letter;
+use super::{Letter, Side};
 
 /// A pattern that is none, and why.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "{text:?} is no class of paths, {why}: E, the eye, comes first, then D (diffuse), G (rough) or S (smooth) for each surface, \
-     then L, the light; . is any surface, and * + ? | ( ) [DG] [^S] are those of regular expressions"
+     R where any reflects, T where any transmits, or <TS> for both at once, then L, the light; . is any surface, and \
+     * + ? | ( ) [DG] [^S] are those of regular expressions"
 )]
 pub struct PatternError {
     text: String,
@@ -35,37 +36,71 @@ pub(super) fn expression(text: &str) -> Result<String, PatternError> {
     let mut rest = text.chars();
     while let Some(c) = rest.next() {
         match c {
-            'E' | 'L' | 'D' | 'G' | 'S' | '*' | '+' | '?' | '|' | '(' | ')' => expression.push(c),
-            '.' => expression += "[DGS]",
-            '[' => {
-                let (set, after) = rest
-                    .as_str()
-                    .split_once(']')
-                    .ok_or_else(|| wrong("a [ has no ]".to_owned()))?;
-                expression += &of_set(set).ok_or_else(|| {
-                    wrong(format!(
-                        "[{set}] is no set of D, G and S, or one with nothing in it"
-                    ))
-                })?;
+            'E' | 'L' | '*' | '+' | '?' | '|' | '(' | ')' => expression.push(c),
+            '[' | '<' => {
+                let (inside, after) = bracketed(c, rest.as_str()).map_err(wrong)?;
+                expression += &inside;
                 rest = after.chars();
             }
-            other => return Err(wrong(format!("{other:?} means nothing in it"))),
+            other => {
+                expression += &any_of(|letter| means(other, letter) == Some(true))
+                    .ok_or_else(|| wrong(format!("{other:?} means nothing in it")))?;
+            }
         }
     }
     Ok(expression)
 }
 
-/// What stands between `[` and `]`: letters, or after `^` those that it is not; `None` where that is nothing.
+/// The expression of what `open` begins, and what comes after it; else what is wrong.
+fn bracketed(open: char, rest: &str) -> Result<(String, &str), String> {
+    let close = if open == '[' { ']' } else { '>' };
+    let (inside, after) = rest
+        .split_once(close)
+        .ok_or_else(|| format!("a {open} has no {close}"))?;
+    let of = match open {
+        '[' => of_set(inside).ok_or("set of D, G, S, R and T, or one with nothing in it"),
+        _ => of_pair(inside).ok_or("R or T before D, G or S, or nothing does both"),
+    };
+    let expression = of.map_err(|what| format!("{open}{inside}{close} is no {what}"))?;
+    Ok((expression, after))
+}
+
+/// Between `[` and `]`: letters, or after `^` those that it is not.
 fn of_set(set: &str) -> Option<String> {
-    let (letters, inside) = match set.strip_prefix('^') {
-        Some(letters) => (letters, false),
+    let (names, inside) = match set.strip_prefix('^') {
+        Some(names) => (names, false),
         None => (set, true),
     };
-    let bytes = Letter::ALL.map(Letter::byte).map(char::from);
-    let known = !letters.is_empty() && letters.chars().all(|c| bytes.contains(&c));
-    let chosen: String = bytes
-        .into_iter()
-        .filter(|&c| letters.contains(c) == inside)
-        .collect();
-    (known && !chosen.is_empty()).then(|| format!("[{chosen}]"))
+    let known = !names.is_empty() && names.chars().all(|name| "DGSRT".contains(name));
+    let named = |letter| names.chars().any(|name| means(name, letter) == Some(true));
+    any_of(|letter| named(letter) == inside).filter(|_| known)
+}
+
+/// Between `<` and `>`, as in the light path expressions of other renderers: a side, and what scatters to it.
+fn of_pair(pair: &str) -> Option<String> {
+    let mut names = pair.chars();
+    let (side, event) = (names.next()?, names.next()?);
+    let known = "RT".contains(side) && "DGS".contains(event) && names.next().is_none();
+    let both = |letter| [side, event].map(|name| means(name, letter)) == [Some(true); 2];
+    any_of(both).filter(|_| known)
+}
+
+/// The expression of the letters that are chosen; `None` of none.
+fn any_of(chosen: impl Fn(Letter) -> bool) -> Option<String> {
+    let letters = Letter::ALL.into_iter().filter(|&letter| chosen(letter));
+    let bytes: String = letters.map(|letter| char::from(letter.byte())).collect();
+    (!bytes.is_empty()).then(|| format!("[{bytes}]"))
+}
+
+/// Whether what a user calls `name` has this letter; `None` if it is no such name.
+fn means(name: char, letter: Letter) -> Option<bool> {
+    Some(match name {
+        '.' => true,
+        'D' => letter == Letter::D,
+        'G' => matches!(letter, Letter::G(_)),
+        'S' => matches!(letter, Letter::S(_)),
+        'R' => letter.side() == Side::R,
+        'T' => letter.side() == Side::T,
+        _ => return None,
+    })
 }

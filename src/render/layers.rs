@@ -13,8 +13,11 @@ use crate::reference::integrator::layers::{First, Seen, first_seen};
 use crate::reference::world::World;
 use crate::sample::Address;
 
-/// Samples of a pixel, at most: what it shows is known sooner than its light.
-pub const LAYER_SAMPLES: u32 = 64;
+/// The samples of a pixel that its layers are means over, for a picture of `spp`: its first half, and 64 at most. What a pixel
+/// shows is known sooner than its light, so layers take a small part of the time.
+pub fn layer_samples(spp: u32) -> u32 {
+    spp.div_ceil(2).min(64)
+}
 
 /// The layers that `job` asks for, of a picture of `spp` samples: a value a pixel of its area in each channel.
 pub fn layers(job: &Job, spp: u32) -> Vec<Channel> {
@@ -57,7 +60,7 @@ struct Pixel {
 
 impl Pixel {
     fn new(job: &Job, world: &World<f32>, pixel: [u32; 2], spp: u32) -> Self {
-        let samples = spp.min(LAYER_SAMPLES);
+        let samples = layer_samples(spp);
         let mut sum = Self {
             samples: spp,
             ..Self::default()

@@ -40,7 +40,7 @@ pub use follow::Watch;
 pub use host_film::freedom;
 use host_film::{HostFilm, empty_part};
 pub use job::{Job, KernelChoice, Target};
-pub use layers::{LAYER_SAMPLES, layers};
+pub use layers::{layer_samples, layers};
 use light_film::LightFilm;
 pub use outcome::{NEAREST, Outcome, Progress, SetUp, Stats};
 pub use paired::paired;

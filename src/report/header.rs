@@ -29,9 +29,8 @@ pub fn notes(job: &Job, device: &str) -> Vec<(&'static str, String)> {
     notes
 }
 
-/// Of a picture with layers, what they are known from: its first samples, `most` of them at most.
-pub fn layer_note(most: u32, job: &Job) -> (&'static str, String) {
-    let samples = u64::from(most).min(job.spp.into());
+/// Of a picture with layers: they are means over its first `samples`.
+pub fn layer_note(samples: u32) -> (&'static str, String) {
     ("layers", format!("means over the first {samples} samples"))
 }
 

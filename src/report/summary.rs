@@ -2,7 +2,7 @@
 
 use super::error::bought;
 use super::human::{count, duration, plural};
-use super::{Denoised, Dropped, Record};
+use super::{Denoised, Dropped, Job, Record};
 
 /// What was rendered, where, how long it took and what was written: a few short lines.
 pub fn summary(record: &Record) -> String {
@@ -104,27 +104,29 @@ fn work(record: &Record) -> String {
     )
 }
 
+/// What a signal or a lost device has left of the samples. Where it came after the last one, nothing is missing.
+fn early_end(job: &Job) -> Option<String> {
+    let why = match &*job.ended {
+        "interrupted" => "interrupted",
+        "device-lost" => "the device failed",
+        _ => return None,
+    };
+    let (spp, asked) = (job.spp, job.spp_asked);
+    let what = match job.range {
+        _ if spp == asked => return None,
+        Some([begin, end]) => format!("the part ends before sample {end}, not {}", begin + asked),
+        // By --time or --target-error nobody asks for a number.
+        None if asked == u32::MAX => format!("the picture is that of --spp {spp}"),
+        None => format!("the picture is that of --spp {spp}, not {asked}"),
+    };
+    Some(format!("{why}: {what}"))
+}
+
 /// What the user should worry about, a sentence each: an early end, samples that count as 0, endless paths.
 pub fn concerns(record: &Record) -> Vec<String> {
     let (job, work) = (&record.job, &record.work);
     let mut sentences = Vec::new();
-    if matches!(&*job.ended, "interrupted" | "device-lost") {
-        let what = match job.range {
-            Some([begin, end]) => format!(
-                "the part ends before sample {end}, not {}",
-                begin + job.spp_asked
-            ),
-            None => format!(
-                "the picture is that of --spp {}, not {}",
-                job.spp, job.spp_asked
-            ),
-        };
-        let why = match &*job.ended {
-            "interrupted" => "interrupted",
-            _ => "the device failed",
-        };
-        sentences.push(format!("{why}: {what}"));
-    }
+    sentences.extend(early_end(job));
     if let (Some(target), "complete" | "time") = (job.target_error, &*job.ended) {
         let reached = record.error.last().and_then(|e| e.high);
         let reached = reached.map_or("unknown".to_owned(), |high| format!("up to {high:.1e}"));

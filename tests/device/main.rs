@@ -5,6 +5,7 @@ mod common;
 
 mod bvh;
 mod check;
+mod classes;
 mod closed_forms;
 mod converge;
 mod doctor;

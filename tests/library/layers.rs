@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use vkpt::film::{Aov, Channel};
-use vkpt::render::{Job, LAYER_SAMPLES, layers};
+use vkpt::render::{Job, layer_samples, layers};
 use vkpt::settings::Settings;
 
 use crate::common::render::{job, prepared};
@@ -163,20 +163,20 @@ fn lights_and_the_background_have_their_colours() {
     }
 }
 
-/// More samples than the layers need change nothing but their number; fewer are fewer.
+/// Layers have half of a picture's samples and 64 at most: more change nothing but their number.
 #[test]
 fn layers_are_known_from_the_first_samples() {
     let scene = "screen 8 6\ncamera 0 0 5 .5\nbrdf .5 .5 .5 0 0 0 1\nsphere 0 0 0 1\n";
-    let (all, more, few) = (
-        seen(scene, LAYER_SAMPLES),
-        seen(scene, 1000),
-        seen(scene, 4),
-    );
+    let (all, more, few) = (seen(scene, 128), seen(scene, 1000), seen(scene, 8));
     for (a, b) in all.iter().zip(&more).filter(|(a, _)| a.name != "Samples.N") {
         assert_eq!(a, b);
     }
     assert_ne!(values(&all, "Z"), values(&few, "Z"));
     assert_eq!(values(&more, "Samples.N")[0], 1000.0);
+    assert_eq!(
+        [0, 1, 3, 4, 128, u32::MAX].map(layer_samples),
+        [0, 1, 2, 2, 64, 64]
+    );
 }
 
 /// Only what is asked for is there, each channel once, whatever the crop.

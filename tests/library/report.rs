@@ -246,6 +246,19 @@ fn concerns_name_causes() {
         "1 path went past a thousand bounces",
     ];
     assert_eq!(concerns(&record), expected);
+    record.work.dropped = Dropped::default();
+    record.work.long_paths = 0;
+    // By --time nobody has asked for a number; and what comes after the last sample leaves none out.
+    for (spp_asked, expected) in [
+        (
+            u32::MAX,
+            &["interrupted: the picture is that of --spp 12"][..],
+        ),
+        (12, &[]),
+    ] {
+        record.job.spp_asked = spp_asked;
+        assert_eq!(concerns(&record), expected);
+    }
 }
 
 #[test]

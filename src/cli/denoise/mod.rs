@@ -12,7 +12,7 @@ use crate::denoise::{Denoiser, Features, Noisy};
 use crate::film::{Aov, Film};
 use crate::metrics::denoised::bound;
 use crate::part::Half;
-use crate::render::{Job, LAYER_SAMPLES, Outcome, layers};
+use crate::render::{Job, Outcome, layers};
 use crate::report::Denoised;
 use crate::settings::{Sampler, Settings};
 
@@ -35,7 +35,8 @@ pub fn features(job: &Job) -> Option<Features> {
         seed: !job.seed,
         ..*job
     };
-    Features::new(&layers(&job, LAYER_SAMPLES), job.size())
+    // By as many samples as layers ever have.
+    Features::new(&layers(&job, u32::MAX), job.size())
 }
 
 /// The denoised picture, and what is known of its error.

@@ -10,7 +10,7 @@ use crate::film::{Channel, Film};
 use crate::image::file::FileError;
 use crate::image::{Frame, Labels, encode};
 use crate::part::AnyPart;
-use crate::render::LAYER_SAMPLES;
+use crate::render::layer_samples;
 use crate::report::{self, Denoised, Record, SOFTWARE};
 use crate::state::{self, Header};
 
@@ -95,7 +95,7 @@ fn pictures(outputs: &Outputs, of: &Written, record: &Record) -> (Vec<String>, V
     };
     let mut notes = report::notes(job, device);
     if !of.channels.iter().all(Channel::is_light) {
-        notes.push(report::layer_note(LAYER_SAMPLES, job));
+        notes.push(report::layer_note(layer_samples(job.spp)));
     }
     if of.channels.iter().any(Channel::is_light) {
         notes.push(report::light_note(job));

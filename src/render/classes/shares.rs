@@ -34,10 +34,14 @@ impl Shares {
         for &(state, weight) in &self.now {
             let to = |letter| class.after(state, letter);
             match surface {
-                Surface::Smooth => add(&mut self.next, to(Letter::S), weight),
-                Surface::Rough { diffuse } => {
+                Surface::Smooth(side) => add(&mut self.next, to(Letter::S(side)), weight),
+                Surface::Rough { diffuse, side } => {
                     add(&mut self.next, to(Letter::D), weight * diffuse);
-                    add(&mut self.next, to(Letter::G), weight * (1.0 - diffuse));
+                    add(
+                        &mut self.next,
+                        to(Letter::G(side)),
+                        weight * (1.0 - diffuse),
+                    );
                 }
             }
         }

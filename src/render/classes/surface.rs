@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
+use crate::path_class::Side;
 use crate::reference::bsdf::diffuse::lambert::lambert_lobe;
-use crate::reference::bsdf::{LOBE_DELTA, bsdf_eval};
+use crate::reference::bsdf::{LOBE_DELTA, LOBE_TRANSMISSION, bsdf_eval};
 use crate::reference::math::Vec3;
 use crate::reference::math::frame::to_local;
 use crate::reference::path::vertex::Vertex;
@@ -13,10 +14,10 @@ use crate::settings::Settings;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Surface {
     /// By a lobe without a density: S.
-    Smooth,
+    Smooth(Side),
     /// By lobes with a density. A path's light is that of all of them, whichever its direction was drawn from, so it has the
     /// letter D by this share in each channel, and G by the rest.
-    Rough { diffuse: DVec3 },
+    Rough { diffuse: DVec3, side: Side },
 }
 
 impl Surface {
@@ -33,14 +34,16 @@ impl Surface {
         let share = |i| share(diffuse[i], all[i]);
         Self::Rough {
             diffuse: DVec3::new(share(0), share(1), share(2)),
+            side: if local.z > 0.0 { Side::R } else { Side::T },
         }
     }
 
     /// At `v`, left along `wi`, which was drawn from `lobe`.
     pub fn left(settings: &Settings, v: &Vertex<f32>, wi: Vec3<f32>, lobe: u32) -> Self {
-        match lobe >= LOBE_DELTA {
-            true => Self::Smooth,
-            false => Self::towards(settings, v, wi),
+        match lobe.checked_sub(LOBE_DELTA) {
+            Some(LOBE_TRANSMISSION) => Self::Smooth(Side::T),
+            Some(_) => Self::Smooth(Side::R),
+            None => Self::towards(settings, v, wi),
         }
     }
 }

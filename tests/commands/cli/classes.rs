@@ -31,7 +31,7 @@ fn a_picture_has_its_classes_in_its_own_file() {
         let [plain, split] = ["plain.exr", "split.exr"].map(|name| read(&at(name)).expect(name));
         assert_eq!(plain.film, split.film);
         for note in [
-            "layers: means over the first 8 samples\n",
+            "layers: means over the first 4 samples\n",
             "light: of classes of paths, means over all 8 samples\n",
         ] {
             assert!(split.notes.contains(note), "{}", split.notes);

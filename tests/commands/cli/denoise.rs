@@ -106,9 +106,9 @@ fn the_library_is_handed_colour_albedo_and_normal() {
     assert_eq!(run.code, Some(0), "{}", run.err);
     let by = &json(folder.path(), "r.json")["denoised"]["by"];
     assert_eq!(by, "Open Image Denoise 2.3.99");
-    // Features are made by samples of another seed, the complement.
+    // Features are made by samples of another seed, the complement, and are the layers of a picture of 128 samples or more.
     let layers = format!(
-        "scene.scn --spp 64 --seed {} --device cpu-f32 --sampler sobol-quarters --quiet --checkpoint off --aov albedo*,normal* -o l.exr",
+        "scene.scn --spp 128 --seed {} --device cpu-f32 --sampler sobol-quarters --quiet --checkpoint off --aov albedo*,normal* -o l.exr",
         !0u32
     );
     assert_eq!(words(folder.path(), &layers).code, Some(0));

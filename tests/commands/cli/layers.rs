@@ -37,7 +37,7 @@ fn a_picture_has_its_layers_in_its_own_file() {
         assert!(
             layered
                 .notes
-                .contains("layers: means over the first 8 samples\n")
+                .contains("layers: means over the first 4 samples\n")
         );
         assert!(!picture("plain.exr").notes.contains("layers"));
     }

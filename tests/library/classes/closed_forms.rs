@@ -2,7 +2,7 @@
 
 use vkpt::settings::{Integrator, Sampler};
 
-use super::{settings, split};
+use super::{INTEGRATORS, settings, split};
 use crate::common::render::{job, prepared};
 use crate::common::stats::{mean_and_error, p_of_mean, sidak};
 
@@ -90,18 +90,50 @@ fn a_lamp_behind_a_pane_is_smooth_twice_and_more() {
         let mut settings = settings(integrator, None);
         settings.estimator.sampler = Sampler::Random;
         let scene = prepared(scene, &settings);
-        let patterns = ["ESSL", "ESSSSL", "E(SS)+L", "EL", "E.*[DG].*L", "E(..)*.L"];
-        let all = split(&job(&scene, settings, 64, 1), &patterns);
-        for ((pixels, expected), pattern) in all.iter().zip(expected).zip(patterns) {
+        let bright = [
+            "ESSL",
+            "ESSSSL",
+            "E(SS)+L",
+            "ETTL",
+            "E<TS>RR<TS>L",
+            "ET(RR)*TL",
+        ];
+        let dark = ["EL", "E.*[DG].*L", "E(..)*.L", "ER.*L", "E.*T.*T.*T.*L"];
+        let of = |patterns| split(&job(&scene, settings, 64, 1), patterns);
+        let expected = expected.iter().cycle();
+        for ((pixels, expected), pattern) in of(&bright).iter().zip(expected).zip(bright) {
             let found = red(pixels);
-            let p = p_of_mean(&found, expected, ROUNDING * expected);
+            let p = p_of_mean(&found, *expected, ROUNDING * expected);
             let (mean, error) = mean_and_error(&found);
             assert!(
-                p > sidak(ALPHA, 6),
+                p > sidak(ALPHA, 12),
                 "{integrator:?}, {pattern}: {mean} ± {error}, expected {expected}"
             );
             assert!(p_of_mean(&found, 1.2 * expected, 0.0) < ALPHA, "{pattern}");
         }
-        assert!(all[3..].iter().flatten().flatten().all(|&x| x == 0.0));
+        assert!(of(&dark).iter().flatten().flatten().all(|&x| x == 0.0));
+    }
+}
+
+/// Rough glass fills all below the picture's only surface: what comes from a lamp in it was transmitted, from one above
+/// reflected.
+#[test]
+fn rough_glass_reflects_the_lamp_above_it_and_transmits_the_one_in_it() {
+    for (z, side, other) in [(2, "E<RG>L", "E<TG>L"), (-3, "E<TG>L", "E<RG>L")] {
+        let scene = format!(
+            "screen 16 12\ncamera 0 -3 5 .5 x 30\nlight 8 4 2\nsphere 0 0 {z} 1\n\
+             brdf 0 0 0 .04 .04 .04 .4 .9 .8 .7 1.5\nbox -50 -50 -90 100 100 90\n"
+        );
+        for integrator in INTEGRATORS {
+            let settings = settings(integrator, Some(1));
+            let prepared = prepared(&scene, &settings);
+            let all = split(&job(&prepared, settings, 64, 1), &["EGL", side, other]);
+            assert!(all[0].iter().flatten().any(|&x| x > 0.0), "{integrator:?}");
+            assert_eq!(all[0], all[1], "{integrator:?}, {side}");
+            assert!(
+                all[2].iter().flatten().all(|&x| x == 0.0),
+                "{integrator:?}, {other}"
+            );
+        }
     }
 }

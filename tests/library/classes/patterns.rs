@@ -1,22 +1,25 @@
 //! Which paths a pattern has, and which patterns are none.
 
 use proptest::prelude::*;
-use vkpt::path_class::{Letter, PathClass};
+use vkpt::path_class::{Letter, PathClass, Side};
 
 use super::class;
 
+/// Small letters are transmission.
 fn letters(text: &str) -> Vec<Letter> {
     let letter = |c| match c {
         'D' => Letter::D,
-        'G' => Letter::G,
-        'S' => Letter::S,
+        'G' => Letter::G(Side::R),
+        'g' => Letter::G(Side::T),
+        'S' => Letter::S(Side::R),
+        's' => Letter::S(Side::T),
         other => panic!("{other}"),
     };
     text.chars().map(letter).collect()
 }
 
 /// A pattern, the surfaces of paths that it has, and of paths that it has not.
-const TABLE: [(&str, &[&str], &[&str]); 15] = [
+const TABLE: [(&str, &[&str], &[&str]); 25] = [
     ("EL", &[""], &["D", "S", "DD"]),
     ("EDL", &["D"], &["", "G", "S", "DD"]),
     ("E.L", &["D", "G", "S"], &["", "DD"]),
@@ -37,6 +40,16 @@ const TABLE: [(&str, &[&str], &[&str]); 15] = [
     ("EDL|ES+L", &["D", "S", "SS"], &["", "DS"]),
     ("(EDL)", &["D"], &["", "G"]),
     ("E(S|)DL", &["D", "SD"], &["SSD"]),
+    ("EGSL", &["GS", "gS", "Gs", "gs"], &["SG", "GG", "g"]),
+    ("E.L", &["D", "G", "g", "S", "s"], &["", "gs"]),
+    ("ETL", &["g", "s"], &["D", "G", "S"]),
+    ("ERL", &["D", "G", "S"], &["g", "s"]),
+    ("ET+RL", &["gsD", "sS"], &["D", "g", "gDD"]),
+    ("E[^T]*L", &["", "DGS"], &["g", "DsD"]),
+    ("E[DT]L", &["D", "g", "s"], &["G", "S"]),
+    ("E[^DT]L", &["G", "S"], &["D", "g", "s"]),
+    ("E<TS>+<RG>L", &["sG", "ssG"], &["SG", "sg", "gG"]),
+    ("E<RD>L|E<TG>L", &["D", "g"], &["G", "s", ""]),
 ];
 
 #[test]
@@ -66,17 +79,32 @@ fn what_is_no_pattern_is_refused() {
         ("ED|SL", "no path matches it"),
         ("ed+l", "'e' means nothing in it"),
         ("ED L", "' ' means nothing in it"),
-        ("ETL", "'T' means nothing in it"),
+        ("EXL", "'X' means nothing in it"),
+        ("EgL", "'g' means nothing in it"),
+        ("E>L", "'>' means nothing in it"),
+        ("E<TSL", "a < has no >"),
+        ("E<T>L", "<T> is no R or T before D, G or S"),
+        ("E<>L", "<> is no R or T before D, G or S"),
+        ("E<ST>L", "<ST> is no R or T before D, G or S"),
+        ("E<T.>L", "<T.> is no R or T before D, G or S"),
+        ("E<TSS>L", "<TSS> is no R or T before D, G or S"),
+        (
+            "E<TD>L",
+            "<TD> is no R or T before D, G or S, or nothing does both",
+        ),
+        ("E[^RT]L", "[^RT] is no set of D, G, S, R and T"),
+        ("E[.]L", "[.] is no set of D, G, S, R and T"),
+        ("E[g]L", "[g] is no set of D, G, S, R and T"),
         ("ED{2}L", "'{' means nothing in it"),
         ("E^DL", "'^' means nothing in it"),
         ("ED]L", "']' means nothing in it"),
         ("E\\.L", "'\\\\' means nothing in it"),
         ("E[DL", "a [ has no ]"),
-        ("E[]L", "[] is no set of D, G and S"),
-        ("E[^]L", "[^] is no set of D, G and S"),
-        ("E[^DGS]L", "[^DGS] is no set of D, G and S"),
-        ("E[DL]L", "[DL] is no set of D, G and S"),
-        ("E[D-S]L", "[D-S] is no set of D, G and S"),
+        ("E[]L", "[] is no set of D, G, S, R and T"),
+        ("E[^]L", "[^] is no set of D, G, S, R and T"),
+        ("E[^DGS]L", "[^DGS] is no set of D, G, S, R and T"),
+        ("E[DL]L", "[DL] is no set of D, G, S, R and T"),
+        ("E[D-S]L", "[D-S] is no set of D, G, S, R and T"),
         ("E(DL", "its brackets or repetitions do not fit together"),
         ("ED)L", "its brackets or repetitions do not fit together"),
         ("*EDL", "its brackets or repetitions do not fit together"),
@@ -101,7 +129,7 @@ fn the_name_of_a_layer_has_no_dot() {
 proptest! {
     /// Whatever is typed is a class of some path or an error, and no other ending.
     #[test]
-    fn any_text_is_read_or_refused(text in "[EDGSL.*+?|()\\[\\]^x-]{0,24}") {
+    fn any_text_is_read_or_refused(text in "[EDGSRTL.*+?|()<>\\[\\]^x-]{0,24}") {
         if let Ok(class) = PathClass::new(&text) {
             prop_assert!(!class.layer().contains('.'));
         }
