@@ -9,8 +9,17 @@
 //!
 //! so w (D − b₁)(D − b₂), w = 1/(D² + ε), is on average what a pixel adds to the relMSE of D, taken relative to D itself. It may be
 //! negative, and is mostly noise: an upper end is all that it tells.
-
-use statrs::distribution::{ContinuousCDF, StudentsT};
+//!
+//! How far it may be off by chance cannot be read from how these products spread: where paths that bring much light are rare, a
+//! product is large only where both pictures have met one in the same pixel, and most pairs of pictures have no such pixel, a small
+//! sum and a small spread. One of the two suffices for the second moments, whose product bounds the variance of the product:
+//!
+//! ```text
+//! Var (D − b₁)(D − b₂) ≤ E(D − b₁)² E(D − b₂)²
+//! ```
+//!
+//! They are taken for alike in a pixel and its neighbours. The sum is skewed, so the end is that of any distribution by the
+//! one-sided inequality of Cantelli (Sui confini della probabilità, 1928): P(x ≤ μ − kσ) ≤ 1/(1 + k²).
 
 use super::MetricsError;
 use super::pair::{check, same_size};
@@ -22,60 +31,68 @@ use crate::film::Film;
 pub struct Bound {
     /// Unbiased; may be below 0.
     pub estimate: f64,
-    /// Below this with a probability of 95 %, and never below 0.
+    /// Below this with a probability of 95 % or more, and never below 0.
     pub upper: f64,
 }
 
-/// Width and height of the blocks whose sums are taken for independent: light paths bring light to several pixels.
-const BLOCK: usize = 8;
-/// The least number of blocks that tells how far their sums spread.
-const LEAST: usize = 12;
-const LEVEL: f64 = 0.95;
+/// √(.95/.05): 1/(1 + k²) = .05.
+const CANTELLI: f64 = 4.358_898_943_540_674;
 
-/// The bound of `denoised`; `None` of a picture of less than 12 blocks of 8 × 8 pixels.
+/// What a pixel says: means over its channels.
+#[derive(Clone, Copy)]
+struct Terms {
+    /// w (D − b₁)(D − b₂).
+    product: f64,
+    /// w ((D − b₁)² + (D − b₂)²)/2, at least the root of their product.
+    moment: f64,
+}
+
+/// The bound of `denoised`, by pictures of equally many samples.
 ///
 /// # Errors
 /// If the films differ in size, have no pixels, or hold what is not finite.
-pub fn bound(denoised: &Film, [a, b]: [&Film; 2]) -> Result<Option<Bound>, MetricsError> {
+pub fn bound(denoised: &Film, [a, b]: [&Film; 2]) -> Result<Bound, MetricsError> {
     for (film, name) in [(denoised, "denoised picture"), (a, "first"), (b, "second")] {
         check(film, name)?;
         same_size((denoised, "denoised picture"), (film, name))?;
     }
-    let (width, height) = (denoised.width as usize, denoised.height as usize);
-    let [columns, rows] = [width, height].map(|size| (size / BLOCK).max(1));
-    let blocks = columns * rows;
-    if blocks < LEAST {
-        return Ok(None);
-    }
-    let mut sums = vec![(0.0, 0.0); blocks];
-    for i in 0..width * height {
-        // The last of a row or column takes the remainder.
-        let column = (i % width / BLOCK).min(columns - 1);
-        let row = (i / width / BLOCK).min(rows - 1);
-        let (sum, pixels) = &mut sums[row * columns + column];
-        *sum += term(denoised.rgb[i], a.rgb[i], b.rgb[i]);
-        *pixels += 1.0;
-    }
-    let pixels = (width * height) as f64;
-    let estimate = sums.iter().map(|(sum, _)| sum).sum::<f64>() / pixels;
-    // Sums of n_b pixels: Var Σ = B/(B − 1) Σ (sum − n_b mean)². Part of that spread is that of the error itself: too much, if
-    // anything.
-    let squares = sums.iter().map(|(sum, n)| (sum - n * estimate).powi(2));
-    let count = blocks as f64;
-    let spread = (squares.sum::<f64>() * count / (count - 1.0)).sqrt() / pixels;
-    let quantile =
-        StudentsT::new(0.0, 1.0, count - 1.0).map_or(f64::INFINITY, |t| t.inverse_cdf(LEVEL));
-    Ok(Some(Bound {
+    let of = denoised.rgb.iter().zip(&a.rgb).zip(&b.rgb);
+    let terms: Vec<Terms> = of.map(|((&d, &a), &b)| Terms::new(d, a, b)).collect();
+    let size = [denoised.width as usize, denoised.height as usize];
+    let pixels = terms.len() as f64;
+    let estimate = terms.iter().map(|t| t.product).sum::<f64>() / pixels;
+    // The spread of a mean over channels is at most the mean of theirs.
+    let moments = (0..terms.len()).map(|i| around(&terms, size, i));
+    let spread = moments.map(|m| m * m).sum::<f64>().sqrt() / pixels;
+    Ok(Bound {
         estimate,
-        upper: (estimate + quantile * spread).max(0.0),
-    }))
+        upper: (estimate + CANTELLI * spread).max(0.0),
+    })
 }
 
-/// What a pixel adds: the mean over its channels.
-fn term(d: [f32; 3], a: [f32; 3], b: [f32; 3]) -> f64 {
-    let channel = |c: usize| {
-        let [d, a, b] = [d[c], a[c], b[c]].map(f64::from);
-        relative((d - a) * (d - b), d)
-    };
-    [0, 1, 2].map(channel).iter().sum::<f64>() / 3.0
+impl Terms {
+    fn new(d: [f32; 3], a: [f32; 3], b: [f32; 3]) -> Self {
+        let channel = |c: usize| {
+            let [d, a, b] = [d[c], a[c], b[c]].map(f64::from);
+            let (a, b) = (d - a, d - b);
+            [a * b, (a * a + b * b) / 2.0].map(|square| relative(square, d))
+        };
+        let all = [0, 1, 2].map(channel);
+        let [product, moment] = [0, 1].map(|i| all.iter().map(|c| c[i]).sum::<f64>() / 3.0);
+        Self { product, moment }
+    }
+}
+
+/// The mean second moment of pixel `i` and those that touch it.
+fn around(terms: &[Terms], [width, height]: [usize; 2], i: usize) -> f64 {
+    let near = |x: usize, size: usize| x.saturating_sub(1)..(x + 2).min(size);
+    let (columns, rows) = (near(i % width, width), near(i / width, height));
+    let (mut sum, mut count) = (0.0, 0.0);
+    for y in rows {
+        for x in columns.clone() {
+            sum += terms[y * width + x].moment;
+            count += 1.0;
+        }
+    }
+    sum / count
 }

@@ -37,10 +37,10 @@ pub struct Denoised {
     pub seconds: f64,
     /// Samples in every pixel of the half that is denoised and held against quarters of the other.
     pub half_spp: u32,
-    /// An unbiased estimate of that denoised half's relMSE, relative to itself; may be below 0. `None` of a tiny picture.
-    pub half_rel_mse: Option<f64>,
-    /// Above it with 95 % confidence.
-    pub half_rel_mse_upper: Option<f64>,
+    /// An unbiased estimate of that denoised half's relMSE, relative to itself; may be below 0.
+    pub half_rel_mse: f64,
+    /// Above it with 95 % confidence or more.
+    pub half_rel_mse_upper: f64,
     pub files: Vec<String>,
 }
 

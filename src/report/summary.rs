@@ -36,12 +36,10 @@ pub fn summary(record: &Record) -> String {
 
 /// What the denoised picture is, and what is known of its error: it is that of half the samples which can be told.
 fn denoised(of: &Denoised) -> Vec<String> {
-    let bound = match of.half_rel_mse_upper {
-        Some(upper) => format!(
-            "the same made from half of the samples has a relMSE of at most {upper:.1e} (95 %), of that denoised picture, not of the noisy one"
-        ),
-        None => "too small a picture to tell its error".to_owned(),
-    };
+    let bound = format!(
+        "the same made from half of the samples has a relMSE of at most {:.1e} (95 %), of that denoised picture, not of the noisy one",
+        of.half_rel_mse_upper
+    );
     vec![
         format!(
             "  denoised {}, by {} in {}",

@@ -81,8 +81,8 @@ pub fn denoised(
         by: denoiser.name(),
         seconds,
         half_spp: outcome.spp - outcome.spp / 2,
-        half_rel_mse: bound.map(|b| b.estimate),
-        half_rel_mse_upper: bound.map(|b| b.upper),
+        half_rel_mse: bound.estimate,
+        half_rel_mse_upper: bound.upper,
         files: Vec::new(),
     };
     Ok((film, record))

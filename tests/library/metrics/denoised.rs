@@ -39,7 +39,7 @@ fn trials(mut pictures: impl FnMut(&mut Random) -> [Film; 3]) -> (Vec<f64>, u64)
     let (mut errors, mut held) = (Vec::new(), 0);
     for _ in 0..TRIALS {
         let [d, a, b] = pictures(&mut random);
-        let found = bound(&d, [&a, &b]).expect("pictures").expect("a bound");
+        let found = bound(&d, [&a, &b]).expect("pictures");
         let right = error(&d, &truth);
         errors.push(found.estimate - right);
         held += u64::from(found.upper >= right);
@@ -88,13 +88,11 @@ fn pictures_that_are_not_independent_are_noticed() {
 }
 
 #[test]
-fn a_perfect_picture_has_no_error_and_a_tiny_one_no_bound() {
+fn a_perfect_picture_has_no_error_and_pictures_of_other_sizes_no_bound() {
     let truth = truth();
     let found = bound(&truth, [&truth, &truth]).expect("pictures");
-    let found = found.expect("a bound");
     assert_eq!((found.estimate, found.upper), (0.0, 0.0));
     let tiny = constant(16, 16, [1.0; 3]);
-    assert_eq!(bound(&tiny, [&tiny, &tiny]), Ok(None));
     let other = constant(16, 17, [1.0; 3]);
     assert!(bound(&tiny, [&tiny, &other]).is_err());
     assert!(bound(&mapped(&tiny, |_| f32::NAN), [&tiny, &tiny]).is_err());

@@ -5,6 +5,7 @@ mod calibration;
 mod closed_forms;
 mod convergence;
 mod denoised;
+mod denoised_renderings;
 mod estimates;
 mod flip;
 mod heatmap;
