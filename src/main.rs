@@ -20,6 +20,7 @@ fn main() -> ExitCode {
         Ok(Task::Compare(arguments)) => cli::compare(&arguments),
         Ok(Task::Converge(arguments)) => cli::converge(&arguments),
         Ok(Task::Check(arguments)) => cli::check(&arguments),
+        Ok(Task::Test(arguments)) => cli::test(&arguments),
         Ok(Task::Merge(arguments)) => cli::merge(&arguments),
         Ok(Task::Explain(arguments)) => cli::explain(&arguments),
         Ok(Task::Export(arguments)) => cli::export(&arguments),

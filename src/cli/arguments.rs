@@ -15,6 +15,7 @@ use super::merge::MergeArguments;
 use super::numbers::negative;
 use super::render::RenderArguments;
 use super::streams::print_help;
+use super::test::TestArguments;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -56,6 +57,8 @@ enum Command {
     Converge(Box<ConvergeArguments>),
     /// Compare pictures, or what several renderers make of a scene
     Compare(Box<CompareArguments>),
+    /// Render the scenes of a folder and compare them with the pictures kept beside them
+    Test(Box<TestArguments>),
     /// Render stiff and extreme cases here and hold each against its bounds
     Check(Box<CheckArguments>),
     /// Examine a Vulkan device: rounding, functions, loops, memory; can its pictures be trusted?
@@ -76,6 +79,7 @@ pub enum Task {
     Compare(Box<CompareArguments>),
     Converge(Box<ConvergeArguments>),
     Check(Box<CheckArguments>),
+    Test(Box<TestArguments>),
     Explain(Box<ExplainArguments>),
     Export(Box<ExportArguments>),
     Farm(Box<FarmArguments>),
@@ -106,6 +110,7 @@ pub fn task() -> Result<Task, Failure> {
         Some(Command::Merge(arguments)) => Task::Merge(arguments),
         Some(Command::Compare(arguments)) => Task::Compare(arguments),
         Some(Command::Check(arguments)) => Task::Check(arguments),
+        Some(Command::Test(arguments)) => Task::Test(arguments),
         Some(Command::Doctor(arguments)) => Task::Doctor(arguments),
         Some(Command::Explain(arguments)) => Task::Explain(arguments),
         Some(Command::Export(arguments)) => Task::Export(arguments),

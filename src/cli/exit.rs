@@ -105,6 +105,52 @@ impl Failure {
         }
     }
 
+    /// Whether the scene or a picture is wrong, and not what renders it.
+    pub fn is_of_input(&self) -> bool {
+        let lacks_memory = |errors: &Errors| errors.lacks_memory;
+        match self {
+            Self::Scene(errors) => !lacks_memory(errors),
+            Self::Prepare(_) | Self::Strict(_) | Self::Pictures(_) | Self::Usage(_) => true,
+            _ => false,
+        }
+    }
+
+    /// What it is, a message each, as it is told after `error: `.
+    pub fn messages(&self) -> Vec<String> {
+        match self {
+            Self::Scene(errors) => {
+                let each = errors.diagnostics.iter().map(ToString::to_string);
+                each.chain([errors.to_string()]).collect()
+            }
+            Self::CommandLine(wrong) => vec![wrong.to_string()],
+            Self::Prepare(e) => vec![e.to_string()],
+            Self::Render(e) => vec![e.to_string()],
+            Self::Strict(warnings) => {
+                let each = warnings.iter();
+                each.map(|warning| format!("{warning} (--strict)"))
+                    .collect()
+            }
+            Self::Usage(message)
+            | Self::NoDevice(message)
+            | Self::Memory(message)
+            | Self::Submission(message) => vec![message.clone()],
+            Self::Unhealthy(device) => vec![format!("{device} is not healthy")],
+            Self::Lost { why, part } => {
+                let resume = part.as_ref().map_or(String::new(), |part| {
+                    format!(
+                        "\n{part} has the samples done by then: --resume goes on from it. Of a CPU's driver, \
+                         --resume --device cpu-f32 ends at the same picture, to the bit."
+                    )
+                });
+                vec![format!("the device failed twice: {why}{resume}")]
+            }
+            Self::Comparison(messages)
+            | Self::Untranslatable(messages)
+            | Self::Pictures(messages) => messages.clone(),
+            Self::Files(errors) => errors.iter().map(|e| format!("cannot write {e}")).collect(),
+        }
+    }
+
     fn tell(self) {
         match self {
             Self::Usage(message) => {
@@ -117,35 +163,7 @@ impl Failure {
                 point_out(errors.diagnostics);
                 error(&sum);
             }
-            Self::Prepare(e) => error(&e),
-            Self::Strict(warnings) => {
-                warnings
-                    .iter()
-                    .for_each(|warning| error(&format!("{warning} (--strict)")));
-            }
-            Self::Render(e) => error(&e),
-            Self::Comparison(differences) => differences.iter().for_each(|d| error(d)),
-            Self::NoDevice(message) | Self::Memory(message) | Self::Submission(message) => {
-                error(&message)
-            }
-            Self::Unhealthy(device) => error(&format!("{device} is not healthy")),
-            Self::Lost { why, part } => {
-                let resume = part.map_or(String::new(), |part| {
-                    format!(
-                        "\n{part} has the samples done by then: --resume goes on from it. Of a CPU's driver, \
-                         --resume --device cpu-f32 ends at the same picture, to the bit."
-                    )
-                });
-                error(&format!("the device failed twice: {why}{resume}"));
-            }
-            Self::Untranslatable(messages) | Self::Pictures(messages) => {
-                messages.iter().for_each(|message| error(message))
-            }
-            Self::Files(errors) => {
-                errors
-                    .iter()
-                    .for_each(|e| error(&format!("cannot write {e}")));
-            }
+            other => other.messages().iter().for_each(|message| error(message)),
         }
     }
 }

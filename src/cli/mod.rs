@@ -34,6 +34,7 @@ mod settings;
 mod source;
 mod stderr;
 mod streams;
+mod test;
 mod values;
 mod view;
 mod writable;
@@ -53,3 +54,4 @@ pub use merge::{MergeArguments, merge};
 
 pub use render::{RenderArguments, render};
 pub use settings::SettingArguments;
+pub use test::{TestArguments, test};

@@ -15,6 +15,7 @@ pub mod names;
 mod page;
 mod record;
 mod settings;
+pub mod suite;
 mod summary;
 mod table;
 

@@ -35,6 +35,7 @@ mod rendering;
 mod resume;
 mod standard_errors;
 mod streams;
+mod suite;
 #[cfg(target_os = "linux")]
 mod unwritable;
 mod writers;
