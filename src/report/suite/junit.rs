@@ -64,7 +64,9 @@ fn test_case(writer: &mut Writer<Vec<u8>>, case: &Case, class: &str) -> io::Resu
         }
     };
     element.write_inner_content(|writer| {
-        let text = [&[why.clone()], &case.files[..]].concat().join("\n");
+        let text = [std::slice::from_ref(why), &case.files[..]]
+            .concat()
+            .join("\n");
         let wrong = writer
             .create_element(tag)
             .with_attribute(("message", &**why));

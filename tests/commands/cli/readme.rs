@@ -11,7 +11,7 @@ fn readme_and_help_name_the_same_flags() {
     let folder = folder("");
     let help_of = |arguments: &[&str]| run(folder.path(), arguments).out;
     let commands = [
-        "check", "compare", "converge", "doctor", "explain", "export",
+        "check", "compare", "converge", "doctor", "explain", "export", "test",
     ];
     let commands = commands.map(|command| vec![command, "--help"]);
     let all = [vec!["--help"], vec!["farm", "slurm", "--help"]];
