@@ -27,6 +27,7 @@ fn main() -> ExitCode {
         Ok(Task::Farm(arguments)) => cli::farm(&arguments),
         Ok(Task::Doctor(arguments)) => cli::doctor(&arguments),
         Ok(Task::Devices) => cli::devices(),
+        Ok(Task::Init(arguments)) => cli::init(&arguments),
         Ok(Task::Help(text)) => cli::help(&text),
         Err(failure) => Err(failure),
     };

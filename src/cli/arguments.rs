@@ -11,6 +11,7 @@ use super::exit::{Ending, Failure};
 use super::explain::ExplainArguments;
 use super::export::ExportArguments;
 use super::farm::FarmArguments;
+use super::init::InitArguments;
 use super::merge::MergeArguments;
 use super::numbers::negative;
 use super::render::RenderArguments;
@@ -49,6 +50,8 @@ pub struct Arguments {
 
 #[derive(Subcommand, Debug)]
 enum Command {
+    /// Write a first scene, whose comments explain the language
+    Init(InitArguments),
     /// List what can render here, and what can't and why
     Devices,
     /// Join parts of a picture, rendered apart by --samples, to the picture of one rendering
@@ -85,6 +88,7 @@ pub enum Task {
     Farm(Box<FarmArguments>),
     Doctor(DoctorArguments),
     Devices,
+    Init(InitArguments),
     /// Help or version, as clap has it.
     Help(clap::Error),
 }
@@ -106,6 +110,7 @@ pub fn task() -> Result<Task, Failure> {
     Ok(match command {
         None => Task::Render(Box::new(render)),
         Some(Command::Devices) => Task::Devices,
+        Some(Command::Init(arguments)) => Task::Init(arguments),
         Some(Command::Converge(arguments)) => Task::Converge(arguments),
         Some(Command::Merge(arguments)) => Task::Merge(arguments),
         Some(Command::Compare(arguments)) => Task::Compare(arguments),

@@ -16,6 +16,7 @@ mod explain;
 mod export;
 mod farm;
 mod identity;
+mod init;
 mod inputs;
 mod integrator;
 mod interrupt;
@@ -25,7 +26,6 @@ mod limits;
 mod listing;
 mod memory;
 mod merge;
-
 mod numbers;
 mod outputs;
 mod progress;
@@ -49,9 +49,9 @@ pub use exit::{Ending, Failure, exit};
 pub use explain::{ExplainArguments, explain};
 pub use export::{ExportArguments, export};
 pub use farm::{FarmArguments, farm};
+pub use init::{InitArguments, init};
 pub use limits::meet_limits;
 pub use merge::{MergeArguments, merge};
-
 pub use render::{RenderArguments, render};
 pub use settings::SettingArguments;
 pub use test::{TestArguments, test};

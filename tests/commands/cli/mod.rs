@@ -16,6 +16,7 @@ mod export;
 #[cfg(target_os = "linux")]
 mod full;
 mod help;
+mod init;
 mod integrator;
 mod interrupt;
 mod lamps;
