@@ -5,7 +5,7 @@ mod picture;
 mod scenes;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
@@ -89,11 +89,10 @@ fn case(
     display: &mut Display,
 ) -> Result<Option<Case>, Failure> {
     let began = Instant::now();
-    let mut files = Vec::new();
-    let verdict = match verdict(arguments, found, stop, display, &mut files) {
-        Ok(Some(verdict)) => verdict,
+    let (verdict, files) = match tried(arguments, found, stop, display) {
+        Ok(Some(tried)) => tried,
         Ok(None) => return Ok(None),
-        Err(failure) if failure.is_of_input() => Verdict::Failed(failure.messages().join("\n")),
+        Err(failure) if failure.is_of_input() => failed(failure.messages().join("\n")),
         Err(failure) => return Err(failure),
     };
     Ok(Some(Case {
@@ -104,79 +103,91 @@ fn case(
     }))
 }
 
-fn verdict(
+/// A verdict, and the files that show it.
+type Tried = (Verdict, Vec<String>);
+
+fn failed(why: String) -> Tried {
+    (Verdict::Failed(why), Vec::new())
+}
+
+fn tried(
     arguments: &TestArguments,
     found: &Found,
     stop: &AtomicBool,
     display: &mut Display,
-    files: &mut Vec<String>,
-) -> Result<Option<Verdict>, Failure> {
+) -> Result<Option<Tried>, Failure> {
     let Some(scene) = &found.scene else {
-        return Ok(Some(Verdict::Failed(
-            "there is no scene beside it: take the picture away, or bring the scene back"
-                .to_owned(),
-        )));
+        let why = "there is no scene beside it: take the picture away, or bring the scene back";
+        return Ok(Some(failed(why.to_owned())));
     };
     let expected = match expected(&found.expected) {
         // What can't be read is kept anew.
         Err(_) if arguments.bless => None,
         read => read?,
     };
-    if expected.is_none() && !arguments.bless {
-        return Ok(Some(Verdict::Failed(format!(
+    let name = name(found);
+    let mut made = || rendered(arguments, scene, &name, stop, &mut |p| display.update(p));
+    let tried = match (expected, arguments.bless) {
+        (expected, true) => match made()? {
+            Some(made) => kept(found, &made, expected.as_ref())?,
+            None => return Ok(None),
+        },
+        (Some(expected), false) => match made()? {
+            Some(made) => judged(arguments, found, &made, &expected)?,
+            None => return Ok(None),
+        },
+        (None, false) => failed(format!(
             "there is no {}: --bless keeps the picture that it makes now",
             found.expected.display()
-        ))));
-    }
-    let made = rendered(arguments, scene, &name(found), stop, &mut |p| {
-        display.update(p)
-    })?;
-    let Some(Rendered { bytes, picture }) = made else {
-        return Ok(None);
+        )),
     };
-    let other = expected
-        .as_ref()
-        .map(|expected| difference(&picture, expected));
-    Ok(Some(match (other, arguments.max_relmse) {
-        (Some(None), _) => Verdict::Same,
-        (other, _) if arguments.bless => {
-            let instead = other.is_some() || found.expected.exists();
-            all_written([put(&found.expected, &bytes)])?;
-            Verdict::Kept { instead }
+    Ok(Some(tried))
+}
+
+/// Keeps the picture, unless it is the one that is kept already.
+fn kept(found: &Found, made: &Rendered, expected: Option<&Picture>) -> Result<Tried, Failure> {
+    if expected.is_some_and(|expected| difference(&made.picture, expected).is_none()) {
+        return Ok((Verdict::Same, Vec::new()));
+    }
+    let instead = found.expected.exists();
+    all_written([put(&found.expected, &made.bytes)])?;
+    Ok((Verdict::Kept { instead }, Vec::new()))
+}
+
+/// Compares the picture with the one that is kept, and shows where they differ.
+fn judged(
+    arguments: &TestArguments,
+    found: &Found,
+    made: &Rendered,
+    expected: &Picture,
+) -> Result<Tried, Failure> {
+    match (difference(&made.picture, expected), arguments.max_relmse) {
+        (None, _) => Ok((Verdict::Same, Vec::new())),
+        (Some((Some(rel_mse), _)), Some(most)) if rel_mse <= most => {
+            Ok((Verdict::Close { rel_mse }, Vec::new()))
         }
-        (Some(Some((Some(rel_mse), _))), Some(most)) if rel_mse <= most => {
-            Verdict::Close { rel_mse }
+        (Some((_, why)), _) => {
+            let files = show(&arguments.out.join(&found.stem), made, expected)?;
+            Ok((Verdict::Differs(why), files))
         }
-        (Some(Some((_, why))), _) => {
-            let stem = arguments.out.join(&found.stem);
-            *files = shown(&stem, &bytes, &picture, expected.as_ref())?;
-            Verdict::Differs(why)
-        }
-        (None, _) => Verdict::Failed("there is nothing to compare it with".to_owned()),
-    }))
+    }
 }
 
 /// Writes the picture and where it differs, for people to look at; returns the names.
-fn shown(
-    stem: &Path,
-    bytes: &[u8],
-    actual: &Picture,
-    expected: Option<&Picture>,
-) -> Result<Vec<String>, Failure> {
+fn show(stem: &Path, made: &Rendered, expected: &Picture) -> Result<Vec<String>, Failure> {
     let folder = stem.parent().unwrap_or(Path::new(""));
     fs::create_dir_all(folder).map_err(|cause| {
-        Failure::Files(vec![FileError {
-            path: folder.to_owned(),
-            cause,
-        }])
+        let path = folder.to_owned();
+        Failure::Files(vec![FileError { path, cause }])
     })?;
-    let mut all: Vec<(PathBuf, Vec<u8>)> = vec![(beside(stem, ".actual.exr"), bytes.to_vec())];
-    if let Some(map) = expected.and_then(|expected| heat(actual, expected)) {
-        all.push((beside(stem, ".difference.png"), png(&map)?));
+    let actual = beside(stem, ".actual.exr");
+    all_written([put(&actual, &made.bytes)])?;
+    let mut names = vec![actual.display().to_string()];
+    // Of pictures of one size.
+    if let Some(map) = heat(&made.picture, expected) {
+        let difference = beside(stem, ".difference.png");
+        all_written([put(&difference, &png(&map)?)])?;
+        names.push(difference.display().to_string());
     }
-    all_written(all.iter().map(|(path, bytes)| put(path, bytes)))?;
-    Ok(all
-        .iter()
-        .map(|(path, _)| path.display().to_string())
-        .collect())
+    Ok(names)
 }
