@@ -94,7 +94,9 @@ fn a_report_on_stdout_is_all_there_is_on_it() {
 #[test]
 fn every_report_of_an_experiment_can_go_to_stdout() {
     let folder = folder(SCENE);
-    let common = ["converge", "scene.scn", "--device", "cpu-f32", "--spp", "1"];
+    // References take as long as the experiment may.
+    let common = "converge scene.scn --device cpu-f32 --spp 1 --time 0.5";
+    let common: Vec<&str> = common.split(' ').collect();
     let on_stdout = |flag: &str| {
         let output = piped(folder.path(), &[&common[..], &[flag, "-"]].concat(), "");
         assert_eq!(output.status.code(), Some(0), "{}", told(&output));
@@ -196,6 +198,8 @@ fn every_command_that_takes_a_scene_reads_stdin() {
             "cpu-f32",
             "--spp",
             "1",
+            "--time",
+            "0.5",
             "--vary",
             "absorption=segment,term",
         ],
