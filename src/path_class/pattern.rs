@@ -6,8 +6,8 @@ use super::{Letter, Side};
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "{text:?} is no class of paths, {why}: E, the eye, comes first, then D (diffuse), G (rough) or S (smooth) for each surface, \
-     R where any reflects, T where any transmits, or <TS> for both at once, then L, the light; . is any surface, and \
-     * + ? | ( ) [DG] [^S] are those of regular expressions"
+     R or T for any that reflects or transmits, <TS> for one that transmits smoothly, then L, the light; . is any surface, \
+     and * + ? | ( ) [DG] [^S] are those of regular expressions"
 )]
 pub struct PatternError {
     text: String,
