@@ -107,9 +107,8 @@ impl Failure {
 
     /// Whether the scene or a picture is wrong, and not what renders it.
     pub fn is_of_input(&self) -> bool {
-        let lacks_memory = |errors: &Errors| errors.lacks_memory;
         match self {
-            Self::Scene(errors) => !lacks_memory(errors),
+            Self::Scene(errors) => !errors.lacks_memory,
             Self::Prepare(_) | Self::Strict(_) | Self::Pictures(_) | Self::Usage(_) => true,
             _ => false,
         }

@@ -15,12 +15,7 @@ pub fn picture(width: u32, height: u32, radiance: impl Fn(u32, u32) -> [f32; 3])
         height,
         rgb: texels.map(|(x, y)| radiance(x, y)).collect(),
     };
-    let frame = Frame {
-        film: &film,
-        origin: [0, 0],
-        full: [width, height],
-        channels: &[],
-    };
+    let frame = Frame::whole(&film);
     let labels = Labels {
         exposure: 0.0,
         software: "vkpt's tests",

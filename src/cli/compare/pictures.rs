@@ -89,18 +89,12 @@ fn heatmap(tested: &[Known], reference: &Known) -> Result<Film, Failure> {
 }
 
 fn write_heatmap(film: &Film, to: &Destination) -> Written {
-    let frame = Frame {
-        film,
-        origin: [0, 0],
-        full: [film.width, film.height],
-        channels: &[],
-    };
     let labels = Labels {
         exposure: 0.0,
         software: report::SOFTWARE,
         notes: &[],
     };
-    to.write(|mut out| encode(&frame, Format::Png, &labels, &mut out))
+    to.write(|mut out| encode(&Frame::whole(film), Format::Png, &labels, &mut out))
 }
 
 /// What the colours of a heat map mean.

@@ -4,11 +4,12 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use super::arguments::TestArguments;
-use crate::cli::destination::{Destination, Written};
+use crate::cli::destination::Written;
 use crate::cli::exit::Failure;
 use crate::cli::job::Ready;
 use crate::cli::source::Source;
 use crate::film::Film;
+use crate::image::file::write_whole;
 use crate::image::{Format, Frame, Labels, Picture, decode, encode, read};
 use crate::metrics::{Errors, Pair, heatmap};
 use crate::render::{End, Progress, render};
@@ -95,8 +96,10 @@ pub fn difference(actual: &Picture, expected: &Picture) -> Option<(Option<f64>, 
         .map(|(i, _)| i)
         .collect();
     let &first = differs.first()?;
-    let pair = Pair::new(&actual.film, &expected.film).ok()?;
-    let rel_mse = Errors::of(&pair).rel_mse.all;
+    let rel_mse = match Pair::new(&actual.film, &expected.film) {
+        Ok(pair) => Errors::of(&pair).rel_mse.all,
+        Err(error) => return Some((None, error.to_string())),
+    };
     let width = actual.film.width as usize;
     let told = format!(
         "relMSE {rel_mse:.2e}; {} of {} pixels differ, the first at {},{}",
@@ -122,13 +125,7 @@ pub fn heat(actual: &Picture, expected: &Picture) -> Option<Film> {
 
 /// A picture of `film` alone.
 pub fn png(film: &Film) -> Result<Vec<u8>, Failure> {
-    let frame = Frame {
-        film,
-        origin: [0, 0],
-        full: [film.width, film.height],
-        channels: &[],
-    };
-    encoded(&frame, Format::Png, &[])
+    encoded(&Frame::whole(film), Format::Png, &[])
 }
 
 fn encoded(
@@ -159,5 +156,5 @@ pub fn expected(path: &Path) -> Result<Option<Picture>, Failure> {
 
 /// Writes bytes whole or not at all.
 pub fn put(path: &Path, bytes: &[u8]) -> Written {
-    Destination::File(path.to_owned()).write(|out| out.write_all(bytes))
+    write_whole(path, |out| out.write_all(bytes))
 }

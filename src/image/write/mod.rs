@@ -21,6 +21,18 @@ pub struct Frame<'a> {
     pub channels: &'a [Channel],
 }
 
+impl<'a> Frame<'a> {
+    /// A film that is the full picture, alone.
+    pub fn whole(film: &'a Film) -> Self {
+        Self {
+            film,
+            origin: [0, 0],
+            full: [film.width, film.height],
+            channels: &[],
+        }
+    }
+}
+
 /// What is told beside the pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct Labels<'a> {

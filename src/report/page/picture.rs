@@ -16,20 +16,13 @@ use crate::report::SOFTWARE;
 /// # Errors
 /// A film that holds more or fewer pixels than it says.
 pub fn data_uri(film: &Film, exposure: f64) -> Result<String, EncodeError> {
-    let full = [film.width, film.height];
-    let frame = Frame {
-        film,
-        origin: [0, 0],
-        full,
-        channels: &[],
-    };
     let labels = Labels {
         exposure,
         software: SOFTWARE,
         notes: &[],
     };
     let mut png = Cursor::new(Vec::new());
-    encode(&frame, Format::Png, &labels, &mut png)?;
+    encode(&Frame::whole(film), Format::Png, &labels, &mut png)?;
     let text = STANDARD.encode(png.into_inner());
     Ok(format!("data:image/png;base64,{text}"))
 }

@@ -17,12 +17,7 @@ const ERROR: f32 = 0.05;
 
 fn write(folder: &Path, name: &str, film: &Film) {
     let path = folder.join(name);
-    let frame = Frame {
-        film,
-        origin: [0, 0],
-        full: [film.width, film.height],
-        channels: &[],
-    };
+    let frame = Frame::whole(film);
     let labels = Labels {
         exposure: 0.0,
         software: "test",

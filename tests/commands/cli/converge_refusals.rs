@@ -38,12 +38,7 @@ fn write_picture(path: &Path, odd: f32) {
         rgb: vec![[0.5; 3]; 96],
     };
     film.rgb[6 * 12 + 5][1] = odd;
-    let frame = Frame {
-        film: &film,
-        origin: [0, 0],
-        full: [12, 8],
-        channels: &[],
-    };
+    let frame = Frame::whole(&film);
     let labels = Labels {
         exposure: 0.0,
         software: "test",

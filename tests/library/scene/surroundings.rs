@@ -40,12 +40,7 @@ fn folder() -> TempDir {
         height: 1,
         rgb: vec![[0.5; 3]; 2],
     };
-    let frame = vkpt::image::Frame {
-        film: &film,
-        origin: [0, 0],
-        full: [2, 1],
-        channels: &[],
-    };
+    let frame = vkpt::image::Frame::whole(&film);
     let labels = vkpt::image::Labels {
         exposure: 0.0,
         software: "",
