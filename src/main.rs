@@ -12,24 +12,6 @@
 
 use std::process::ExitCode;
 
-use vkpt::cli::{self, Task};
-
 fn main() -> ExitCode {
-    let ending = match cli::meet_limits().and_then(|()| cli::task()) {
-        Ok(Task::Render(arguments)) => cli::render(&arguments),
-        Ok(Task::Compare(arguments)) => cli::compare(&arguments),
-        Ok(Task::Converge(arguments)) => cli::converge(&arguments),
-        Ok(Task::Check(arguments)) => cli::check(&arguments),
-        Ok(Task::Test(arguments)) => cli::test(&arguments),
-        Ok(Task::Merge(arguments)) => cli::merge(&arguments),
-        Ok(Task::Explain(arguments)) => cli::explain(&arguments),
-        Ok(Task::Export(arguments)) => cli::export(&arguments),
-        Ok(Task::Farm(arguments)) => cli::farm(&arguments),
-        Ok(Task::Doctor(arguments)) => cli::doctor(&arguments),
-        Ok(Task::Devices) => cli::devices(),
-        Ok(Task::Init(arguments)) => cli::init(&arguments),
-        Ok(Task::Help(text)) => cli::help(&text),
-        Err(failure) => Err(failure),
-    };
-    cli::exit(ending)
+    vkpt::cli::run(std::env::args_os()).into()
 }

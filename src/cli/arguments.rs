@@ -1,6 +1,8 @@
 //! The command line: all commands, and which of them was typed.
 
-use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use std::ffi::OsString;
+
+use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use super::check::CheckArguments;
 use super::compare::CompareArguments;
@@ -93,9 +95,9 @@ pub enum Task {
     Help(clap::Error),
 }
 
-/// Reads the command line.
-pub fn task() -> Result<Task, Failure> {
-    let matches = match command().try_get_matches() {
+/// Reads a command line, the program's name first.
+pub fn task(words: &[OsString]) -> Result<Task, Failure> {
+    let matches = match command().try_get_matches_from(words) {
         Ok(matches) => matches,
         Err(wrong) if wrong.use_stderr() => return Err(Failure::CommandLine(wrong)),
         Err(help) => return Ok(Task::Help(help)),
@@ -121,6 +123,28 @@ pub fn task() -> Result<Task, Failure> {
         Some(Command::Export(arguments)) => Task::Export(arguments),
         Some(Command::Farm(arguments)) => Task::Farm(arguments),
     })
+}
+
+/// The arguments `A` of a command from words for them, for a program that calls.
+pub fn parsed<A: Args>(words: impl IntoIterator<Item = OsString>) -> Result<A, Failure> {
+    let matches = of::<A>().try_get_matches_from(words);
+    let parsed = matches.and_then(|matches| A::from_arg_matches(&matches));
+    parsed.map_err(Failure::CommandLine)
+}
+
+/// The flags of a command by their long names, and whether each is a switch, which takes no value.
+pub fn flags<A: Args>() -> Vec<(String, bool)> {
+    let command = of::<A>();
+    let flags = command.get_arguments().filter_map(|flag| {
+        let is_switch = matches!(flag.get_action(), ArgAction::SetTrue);
+        Some((flag.get_long()?.to_owned(), is_switch))
+    });
+    flags.collect()
+}
+
+fn of<A: Args>() -> clap::Command {
+    let none = clap::Command::new("vkpt").no_binary_name(true);
+    with_negative(A::augment_args(none.disable_help_flag(true)))
 }
 
 /// Prints what was asked for in place of a task.

@@ -2,6 +2,7 @@
 
 use std::ffi::OsString;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use super::job::Request;
 use crate::gpu::Selector;
@@ -11,8 +12,16 @@ use crate::report::{Job, SettingsRecord};
 use crate::settings::Settings;
 use crate::shell::{self, quoted};
 
-/// The words of a command line as a shell takes them.
-pub fn typed(words: impl Iterator<Item = OsString>) -> String {
+static TYPED: OnceLock<Vec<OsString>> = OnceLock::new();
+
+/// Keeps the words that were typed; a process has one command line, the first that it runs.
+pub fn keep(words: impl Iterator<Item = OsString>) -> &'static [OsString] {
+    TYPED.get_or_init(|| words.collect())
+}
+
+/// The command line that was typed, as a shell takes it.
+pub fn typed() -> String {
+    let words = TYPED.get().into_iter().flatten();
     shell::line(words.map(|word| word.to_string_lossy().into_owned()))
 }
 

@@ -1,9 +1,8 @@
 //! How the program ends: exit codes, and errors told on stderr.
 
-use std::process::ExitCode;
-
 use miette::Severity;
 
+use super::caller::caller;
 use super::interrupt::exit_code;
 use super::streams::tell;
 use crate::converge::ConvergeError;
@@ -73,21 +72,22 @@ pub const MEMORY: u8 = 6;
 const LOST: u8 = 7;
 
 /// Tells a failure and gives the program's exit code.
-pub fn exit(ending: Result<Ending, Failure>) -> ExitCode {
+pub fn exit(ending: Result<Ending, Failure>) -> u8 {
     match ending {
-        Ok(Ending::Complete) => ExitCode::SUCCESS,
-        Ok(Ending::Interrupted) => ExitCode::from(exit_code()),
-        Ok(Ending::Undenoised) => ExitCode::FAILURE,
+        Ok(Ending::Complete) => 0,
+        Ok(Ending::Interrupted) => exit_code(),
+        Ok(Ending::Undenoised) => 1,
         Err(failure) => {
             let code = failure.code();
             failure.tell();
-            ExitCode::from(code)
+            code
         }
     }
 }
 
 impl Failure {
-    fn code(&self) -> u8 {
+    /// The program's exit code.
+    pub fn code(&self) -> u8 {
         match self {
             Self::Render(error) if error.is_no_device() => 4,
             Self::Render(RenderError::Twice(_)) | Self::Lost { .. } => LOST,
@@ -121,7 +121,7 @@ impl Failure {
                 let each = errors.diagnostics.iter().map(ToString::to_string);
                 each.chain([errors.to_string()]).collect()
             }
-            Self::CommandLine(wrong) => vec![wrong.to_string()],
+            Self::CommandLine(wrong) => vec![sentence(wrong)],
             Self::Prepare(e) => vec![e.to_string()],
             Self::Render(e) => vec![e.to_string()],
             Self::Strict(warnings) => {
@@ -167,18 +167,39 @@ impl Failure {
     }
 }
 
+/// What is wrong with a command line, without the advice that clap adds for those who typed it.
+fn sentence(wrong: &clap::Error) -> String {
+    let text = wrong.to_string();
+    let said = text.split("\n\n").next().unwrap_or(&text);
+    said.trim_start_matches("error: ").trim_end().to_owned()
+}
+
+/// A diagnostic with its place, in one line.
+fn placed(diagnostic: &Diagnostic) -> String {
+    let file = diagnostic.file();
+    match diagnostic.place {
+        Some(place) => format!("{file}:{}: {diagnostic}", place.line),
+        None => diagnostic.to_string(),
+    }
+}
+
 fn error(message: &dyn std::fmt::Display) {
     tell(format!("error: {message}"));
 }
 
 /// Tells a warning.
 pub fn warn(message: &str) {
-    tell(format!("warning: {message}"));
+    match caller() {
+        Some(by) => by.caller.borrow_mut().warn(message),
+        None => tell(format!("warning: {message}")),
+    }
 }
 
-/// Tells what is good to know.
+/// Tells what is good to know, on a command line.
 pub fn note(message: &str) {
-    tell(format!("note: {message}"));
+    if caller().is_none() {
+        tell(format!("note: {message}"));
+    }
 }
 
 /// As many errors as are worth reading before some are mended. Each is drawn by going through the whole file.
@@ -187,6 +208,13 @@ const MOST: usize = 20;
 /// Shows what is wrong in a scene file: the line, with the culprit underlined. Where there is too much of it, errors go
 /// before warnings.
 pub fn point_out(mut diagnostics: Vec<Diagnostic>) {
+    if caller().is_some() {
+        let warnings = diagnostics
+            .iter()
+            .filter(|d| d.severity == Severity::Warning);
+        warnings.for_each(|d| warn(&placed(d)));
+        return;
+    }
     let all = diagnostics.len();
     if all > MOST {
         diagnostics.sort_by_key(|d| d.severity != Severity::Error);
@@ -197,5 +225,49 @@ pub fn point_out(mut diagnostics: Vec<Diagnostic>) {
     }
     if all > MOST {
         tell(format!("… and {} more\n", all - MOST));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::RefCell;
+    use std::rc::Rc;
+    use std::sync::Arc;
+    use std::sync::atomic::AtomicBool;
+
+    use super::*;
+    use crate::cli::caller::{Called, Caller, called};
+    use crate::cli::interrupt::stop_flag;
+
+    #[derive(Default)]
+    struct Ears(Vec<String>);
+
+    impl Caller for Ears {
+        fn warn(&mut self, message: &str) {
+            self.0.push(message.to_owned());
+        }
+
+        fn progress(&mut self, _: f64, _: &dyn Fn() -> String) {}
+    }
+
+    #[test]
+    fn a_caller_hears_its_own_command_and_stops_it() {
+        let [outer, inner] = [(); 2].map(|()| Rc::new(RefCell::new(Ears::default())));
+        let stop = Arc::new(AtomicBool::new(true));
+        let by = |caller: &Rc<RefCell<Ears>>| Called {
+            caller: caller.clone(),
+            stop: stop.clone(),
+        };
+        called(by(&outer), || {
+            warn("one");
+            called(by(&inner), || warn("two"));
+            note("none of its business");
+            warn("three");
+            assert!(Arc::ptr_eq(&stop_flag(), &stop));
+        });
+        assert!(caller().is_none());
+        assert!(!Arc::ptr_eq(&stop_flag(), &stop));
+        assert_eq!(outer.borrow().0, ["one", "three"]);
+        assert_eq!(inner.borrow().0, ["two"]);
     }
 }

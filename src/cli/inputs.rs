@@ -48,6 +48,7 @@ impl Input {
         match &self.source {
             Source::Stdin => identity::of_stdin(),
             Source::File(path) => identity::of(path),
+            Source::Text(_) => None,
         }
     }
 }

@@ -7,6 +7,8 @@ use std::sync::{Arc, LazyLock};
 use signal_hook::consts::SIGINT;
 use signal_hook::flag;
 
+use super::caller::caller;
+
 /// Ctrl-c; what batch systems send before they kill; a terminal that is closed.
 #[cfg(unix)]
 const ENDING: [c_int; 3] = [
@@ -20,8 +22,11 @@ const ENDING: [c_int; 1] = [SIGINT];
 /// The signal that came last, 0 before any.
 static LAST: LazyLock<Arc<AtomicUsize>> = LazyLock::new(Arc::default);
 
-/// Set by the first of the signals from now on.
+/// Set by the first of the signals from now on; that of a program that calls, which has signals of its own.
 pub fn stop_flag() -> Arc<AtomicBool> {
+    if let Some(by) = caller() {
+        return by.stop;
+    }
     let stop = Arc::new(AtomicBool::new(false));
     for signal in ENDING.into_iter().filter(|signal| !is_ignored(*signal)) {
         // Handlers run in this order: the first signal finds the flag unset, sets it, and the second quits.

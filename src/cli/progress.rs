@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::caller::{Called, caller};
 use super::streams::tell;
 use crate::converge::{self, Part};
 use crate::render::Progress;
@@ -24,18 +25,23 @@ pub struct Display {
 
 enum Form {
     Silent,
+    /// Of a program that calls.
+    Caller(Called),
     Bar(ProgressBar),
-    Lines { last: Instant },
+    Lines {
+        last: Instant,
+    },
 }
 
 impl Display {
     /// What suits stderr; silent if asked to be `quiet`.
     pub fn new(quiet: bool) -> Self {
         let start = Instant::now();
-        let form = match () {
-            () if quiet => Form::Silent,
-            () if std::io::stderr().is_terminal() => Form::Bar(bar()),
-            () => Form::Lines { last: start },
+        let form = match caller() {
+            _ if quiet => Form::Silent,
+            Some(by) => Form::Caller(by),
+            None if std::io::stderr().is_terminal() => Form::Bar(bar()),
+            None => Form::Lines { last: start },
         };
         Self { start, form }
     }
@@ -67,9 +73,10 @@ impl Display {
         });
     }
 
-    fn show(&mut self, fraction: f64, words: impl FnOnce() -> String) {
+    fn show(&mut self, fraction: f64, words: impl Fn() -> String) {
         match &mut self.form {
             Form::Silent => {}
+            Form::Caller(by) => by.caller.borrow_mut().progress(fraction, &words),
             Form::Bar(bar) => {
                 bar.set_message(words());
                 bar.set_position((fraction * STEPS as f64) as u64);

@@ -3,7 +3,9 @@
 use std::fmt;
 use std::sync::Arc;
 
-use miette::{LabeledSpan, NamedSource, Severity, SourceCode};
+use miette::{
+    GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, Severity, SourceCode,
+};
 
 /// A stretch of one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +46,28 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
+    /// The text of the culprit.
+    pub fn culprit(&self) -> Option<&str> {
+        let Place { start, length, .. } = self.place?;
+        self.source.inner().get(start..start + length)
+    }
+
+    /// The name of the file.
+    pub fn file(&self) -> &str {
+        self.source.name()
+    }
+
+    /// The line with the culprit underlined, as a terminal without colours shows it.
+    pub fn drawn(&self) -> String {
+        let theme = GraphicalTheme::unicode_nocolor();
+        let handler = GraphicalReportHandler::new_themed(theme).with_links(false);
+        let mut text = String::new();
+        match handler.render_report(&mut text, self) {
+            Ok(()) => text,
+            Err(fmt::Error) => self.message.clone(),
+        }
+    }
+
     /// Adds what to do about it.
     pub(super) fn help(&mut self, help: impl Into<String>) {
         self.help = Some(help.into());

@@ -55,7 +55,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
     };
     let sheet = Sheet {
         record,
-        command: typed(std::env::args_os()),
+        command: typed(),
         shown: &ran.shown,
     };
     all_written(outputs::write(arguments, &sheet).into_iter().chain([told]))?;

@@ -3,23 +3,79 @@
 use std::path::{Path, PathBuf};
 
 use super::arguments::PictureArguments;
+use super::comparand::Comparand;
 use crate::cli::beside::layer;
 use crate::cli::exit::Failure;
 use crate::cli::inputs::Input;
 use crate::cli::stderr::{belongs, standard_errors};
+use crate::film::Film;
 use crate::image::file::stderr_path;
-use crate::image::{self, Picture};
+use crate::image::{self, Picture, Precision};
+use crate::metrics::StandardErrors;
 use crate::metrics::blocks::{Estimate, Stderr};
 
 /// A picture, and its standard errors where there are any.
 pub struct Known {
     pub path: PathBuf,
     pub picture: Picture,
-    /// With the name of their file.
-    stderr: Option<(PathBuf, Picture)>,
+    stderr: Option<Errors>,
+}
+
+/// Standard errors.
+struct Errors {
+    /// Their file, if they come from one.
+    path: Option<PathBuf>,
+    film: Film,
+    freedom: f64,
 }
 
 impl Known {
+    /// A picture that a program names or has.
+    pub fn new(of: Comparand) -> Result<Self, Failure> {
+        match of {
+            Comparand::File(path) => {
+                let stderr = Some(stderr_path(&path)).filter(|path| path.exists());
+                Self::read(&path, stderr, None).map_err(Failure::Pictures)
+            }
+            Comparand::Memory {
+                name,
+                film,
+                origin,
+                stderr,
+            } => Ok(Self::in_memory(name, film, origin, stderr)),
+        }
+    }
+
+    fn in_memory(
+        name: String,
+        film: Film,
+        crop: Option<[u32; 2]>,
+        stderr: Option<(Film, f64)>,
+    ) -> Self {
+        let size = [film.width, film.height];
+        let [x, y] = crop.unwrap_or_default();
+        let stderr = stderr.map(|(film, freedom)| Errors {
+            path: None,
+            film,
+            freedom,
+        });
+        Self {
+            path: name.into(),
+            picture: Picture {
+                film,
+                origin: [x as i32, y as i32],
+                // No crop is as large as its picture: how large does not matter here.
+                full: match crop {
+                    Some(_) => [u32::MAX; 2],
+                    None => size,
+                },
+                precision: Precision::Single,
+                notes: String::new(),
+            },
+            stderr,
+        }
+    }
+
     /// All pictures of the command line, the one to judge by last.
     pub fn read_all(arguments: &PictureArguments) -> Result<Vec<Self>, Failure> {
         let count = arguments.paths().count();
@@ -69,7 +125,11 @@ impl Known {
                 Ok(Self {
                     path: path.to_owned(),
                     picture,
-                    stderr,
+                    stderr: stderr.map(|(file, picture)| Errors {
+                        freedom: standard_errors(&picture).freedom,
+                        path: Some(file),
+                        film: picture.film,
+                    }),
                 })
             }
             (picture, errors) => {
@@ -81,8 +141,8 @@ impl Known {
 
     /// The files that it was read from.
     pub fn inputs(&self) -> impl Iterator<Item = Input> {
-        let errors = self.stderr.iter();
-        let errors = errors.map(|(path, _)| Input::new("the standard errors of a picture", path));
+        let errors = self.stderr.iter().filter_map(|e| e.path.as_ref());
+        let errors = errors.map(|path| Input::new("the standard errors of a picture", path));
         [Input::new("a picture to compare", &self.path)]
             .into_iter()
             .chain(errors)
@@ -94,7 +154,7 @@ impl Known {
 
     /// The picture with its standard errors; otherwise what is missing.
     pub fn estimate(&self) -> Result<Estimate<'_>, String> {
-        let (_, stderr) = self.stderr.as_ref().ok_or_else(|| {
+        let Errors { film, freedom, .. } = self.stderr.as_ref().ok_or_else(|| {
             format!(
                 "there are no standard errors of {}: vkpt writes them with --aov stderr to {}, --stderr names others",
                 self.name(),
@@ -103,7 +163,10 @@ impl Known {
         })?;
         Ok(Estimate {
             mean: &self.picture.film,
-            stderr: Stderr::PerPixel(standard_errors(stderr)),
+            stderr: Stderr::PerPixel(StandardErrors {
+                film,
+                freedom: *freedom,
+            }),
             precision: self.picture.precision,
         })
     }

@@ -1,12 +1,16 @@
 //! `vkpt compare`.
 
 mod arguments;
+mod call;
+mod comparand;
 mod known;
 mod paired;
 mod pictures;
 
 use super::exit::{Ending, Failure};
 pub use arguments::CompareArguments;
+pub use call::compared;
+pub use comparand::Comparand;
 use paired::paired;
 use pictures::pictures;
 

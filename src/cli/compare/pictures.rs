@@ -36,7 +36,11 @@ pub fn pictures(arguments: &PictureArguments) -> Result<Ending, Failure> {
 }
 
 /// Each of `tested` against the reference.
-fn compare(exposure: f64, tested: &[Known], reference: &Known) -> Result<Comparison, Vec<String>> {
+pub fn compare(
+    exposure: f64,
+    tested: &[Known],
+    reference: &Known,
+) -> Result<Comparison, Vec<String>> {
     let viewing = Viewing {
         exposure,
         ..Viewing::default()

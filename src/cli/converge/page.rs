@@ -37,7 +37,7 @@ pub fn parts<'a>(
     });
     Parts {
         scene: &variants.text,
-        command: command::typed(std::env::args_os()),
+        command: command::typed(),
         exposure: arguments.exposure,
         shown: shown.collect(),
     }

@@ -7,4 +7,4 @@ mod write;
 
 pub use arguments::OutputArguments;
 pub use files::{Outputs, is_part};
-pub use write::{Written, write};
+pub use write::{Written, notes, write};

@@ -11,7 +11,7 @@ use crate::image::file::FileError;
 use crate::image::{Frame, Labels, encode};
 use crate::part::AnyPart;
 use crate::render::layer_samples;
-use crate::report::{self, Denoised, Record, SOFTWARE};
+use crate::report::{self, Denoised, Job, Record, SOFTWARE};
 use crate::state::{self, Header};
 
 /// Makes a denoised picture, or says why there is none.
@@ -93,13 +93,7 @@ fn pictures(outputs: &Outputs, of: &Written, record: &Record) -> (Vec<String>, V
         };
         write_frame(files, &frame, &labels)
     };
-    let mut notes = report::notes(job, device);
-    if !of.channels.iter().all(Channel::is_light) {
-        notes.push(report::layer_note(layer_samples(job.spp)));
-    }
-    if of.channels.iter().any(Channel::is_light) {
-        notes.push(report::light_note(job));
-    }
+    let notes = notes(job, device, of.channels);
     let (mut written, mut errors) = write(&outputs.pictures, of.film, of.channels, &notes);
     if let Some((stderr, freedom)) = of.stderr {
         let notes = report::stderr_notes(freedom, of.film, job, device);
@@ -110,6 +104,18 @@ fn pictures(outputs: &Outputs, of: &Written, record: &Record) -> (Vec<String>, V
         warn("no standard errors are written: one sample tells nothing of its error");
     }
     (written, errors)
+}
+
+/// What the header of a picture says of it and of its layers.
+pub fn notes(job: &Job, device: &str, channels: &[Channel]) -> Vec<(&'static str, String)> {
+    let mut notes = report::notes(job, device);
+    if !channels.iter().all(Channel::is_light) {
+        notes.push(report::layer_note(layer_samples(job.spp)));
+    }
+    if channels.iter().any(Channel::is_light) {
+        notes.push(report::light_note(job));
+    }
+    notes
 }
 
 /// The denoised pictures, likewise.

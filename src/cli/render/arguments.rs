@@ -1,10 +1,11 @@
 //! Every flag of a rendering, with its help.
 
 use std::ops::Range;
+use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use crate::cli::beside::parted;
-use crate::cli::denoise::{self, DenoiseArguments};
+use crate::cli::denoise::{self, DenoiseArguments, LEAST};
 use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
 use crate::cli::job::{Ready, Request};
@@ -18,7 +19,9 @@ use crate::cli::view::ViewArguments;
 use crate::film::Aov;
 use crate::gpu::Selector;
 use crate::path_class::PathClass;
-use crate::render::{self, Best, Job, KernelChoice, Target, Until};
+use crate::render::{
+    self, Best, Job, KernelChoice, Outcome, RenderError, Start, Target, Until, Watch,
+};
 use crate::report::names::Named;
 
 /// Time between two checkpoints, where nobody says.
@@ -151,6 +154,37 @@ impl RenderArguments {
         self.samples.clone().unwrap_or(0..spp)
     }
 
+    /// Whether there are samples enough to be denoised, where that is asked for.
+    pub fn check_denoise(&self) -> Result<(), Failure> {
+        let message = match self.denoise.denoise {
+            Some(_) if self.samples.is_some() => {
+                "--samples makes a part of a picture, and --denoise needs all of it".to_owned()
+            }
+            Some(_) if (self.range().len() as u32) < LEAST => format!(
+                "--denoise needs --spp {LEAST} or more: a quarter of the samples is a picture of its own"
+            ),
+            _ => return Ok(()),
+        };
+        Err(Failure::Usage(message))
+    }
+
+    /// Renders the job on all devices that are named, else on `target`.
+    pub fn develop(
+        &self,
+        job: &Job,
+        target: &Target,
+        start: &Start,
+        stop: &AtomicBool,
+        watch: &mut dyn Watch,
+    ) -> Result<Outcome, RenderError> {
+        match &self.device {
+            Some(Devices::Several(targets)) => {
+                render::render_several(job, targets, start, stop, watch)
+            }
+            _ => render::render_from(job, target, start, stop, watch),
+        }
+    }
+
     /// What the rendering writes where nobody says.
     pub fn default_outputs(&self) -> Result<Vec<Destination>, Failure> {
         let stem = self.scene()?.stem().ok_or_else(|| {
@@ -194,14 +228,6 @@ impl RenderArguments {
             None => Target::Vulkan(Selector::Best),
             Some(Devices::One(target)) => target.clone(),
             Some(Devices::Several(targets)) => targets[0].clone(),
-        }
-    }
-
-    /// All devices, where there are several.
-    pub fn several(&self) -> Option<&[Target]> {
-        match &self.device {
-            Some(Devices::Several(targets)) => Some(targets),
-            _ => None,
         }
     }
 

@@ -67,10 +67,7 @@ pub fn develop(
         checkpoint: pause.map(|(pause, path)| Checkpoint::new(path.to_owned(), pause, resumes)),
         labels: &labels,
     };
-    let outcome = match arguments.several() {
-        Some(targets) => render::render_several(job, targets, &start, &stop, &mut watcher),
-        None => render::render_from(job, &best.target, &start, &stop, &mut watcher),
-    };
+    let outcome = arguments.develop(job, &best.target, &start, &stop, &mut watcher);
     watcher.display.finish();
     let checkpointed = watcher.checkpoint.map_or(resumes, |c| c.written);
     let mut outcome = outcome.map_err(Failure::Render)?;

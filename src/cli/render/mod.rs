@@ -1,6 +1,7 @@
 //! `vkpt SCENE`: renders a scene to pictures.
 
 mod arguments;
+mod call;
 mod develop;
 mod record;
 mod split;
@@ -10,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 use self::develop::{Goal, Made, develop};
 use self::trace::trace;
-use crate::cli::denoise::{LEAST, denoised, load};
+use crate::cli::denoise::{denoised, load};
 use crate::cli::destination::Destination;
 use crate::cli::exit::{Ending, Failure, note, warn};
 use crate::cli::inputs::{Input, spare};
@@ -23,6 +24,7 @@ use crate::image::file::check_writable;
 use crate::render::{End, Job};
 use crate::state::ENDING;
 pub use arguments::RenderArguments;
+pub use call::{Growing, Rendered, rendered};
 pub use record::{dropped, error, error_of, largest};
 
 /// Reads, prepares, renders, writes and reports; or prints the path that `--trace` asks for.
@@ -83,7 +85,8 @@ fn outputs(arguments: &RenderArguments) -> Result<Outputs<'_>, Failure> {
     let spp = arguments.range().len() as u32;
     let outputs = Outputs::new(&arguments.outputs, spp, || arguments.default_outputs())?;
     if arguments.denoise.denoise.is_some() {
-        return with_denoised(arguments, outputs, spp);
+        arguments.check_denoise()?;
+        return outputs.with_denoised();
     }
     match arguments.samples.is_some() && outputs.has_pictures() {
         true => Err(Failure::Usage(
@@ -91,25 +94,6 @@ fn outputs(arguments: &RenderArguments) -> Result<Outputs<'_>, Failure> {
         )),
         false => Ok(outputs),
     }
-}
-
-/// Those, and denoised pictures.
-fn with_denoised<'a>(
-    arguments: &RenderArguments,
-    outputs: Outputs<'a>,
-    spp: u32,
-) -> Result<Outputs<'a>, Failure> {
-    if arguments.samples.is_some() {
-        return Err(Failure::Usage(
-            "--samples makes a part of a picture, and --denoise needs all of it".to_owned(),
-        ));
-    }
-    if spp < LEAST {
-        return Err(Failure::Usage(format!(
-            "--denoise needs --spp {LEAST} or more: a quarter of the samples is a picture of its own"
-        )));
-    }
-    outputs.with_denoised()
 }
 
 /// Where checkpoints go, and what is gone on from: the first part of `-o`, else a file beside the first picture.
