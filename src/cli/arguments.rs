@@ -2,7 +2,7 @@
 
 use std::ffi::OsString;
 
-use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{Arg, ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use super::check::CheckArguments;
 use super::compare::CompareArguments;
@@ -20,11 +20,31 @@ use super::render::RenderArguments;
 use super::streams::print_help;
 use super::test::TestArguments;
 
-const EXIT_CODES: &str = "\
+const DEVICES_HELP: &str = "\
+Exit codes:
+    0  there is a Vulkan device that can render
+    4  there is none; the reference renderer is always there
+    5  stdout could not be written
+
+Examples:
+  vkpt devices     the first column is what --device takes";
+
+/// What most people need to know; the rest is where it points to.
+const AFTER_HELP: &str = "\
+Examples:
+  vkpt init                             write scene.txt, a first scene
+  vkpt scene.txt                        render it to scene.png and scene.exr
+  vkpt scene.txt --time 60 -o a.png     as good as a minute makes it
+  vkpt scene.txt --target-error 1e-3    as long as that takes
+
+`vkpt render --help` has all options and exit codes, `vkpt COMMAND --help` those
+of a command.";
+
+const AFTER_RENDER_HELP: &str = "\
 Exit codes:
     0  the pictures are written
-    1  rendering failed, by an error of the device or in a check of the samples; or denoising did: the
-       noisy pictures are written
+    1  rendering failed, by an error of the device or in a check of the samples; or denoising did:
+       the noisy pictures are written
     2  the command line is wrong
     3  the scene or one of its meshes is wrong; nothing was written
     4  there is no such Vulkan device, or none at all
@@ -32,7 +52,25 @@ Exit codes:
     6  there is not enough memory; a driver that aborts ends so too
     7  the device failed twice; the samples done by then are in the .vkpt file, and in the pictures
   130  interrupted by ctrl-c; the pictures hold the samples done by then
-  143  the same by SIGTERM, 129 by SIGHUP";
+  143  the same by SIGTERM, 129 by SIGHUP
+
+Examples:
+  vkpt scene.txt --spp 256 -o a.png -o a.exr       both of 256 samples per pixel
+  vkpt scene.txt --crop 100,100,164,164            a detail, the same pixels as in the full picture
+  vkpt scene.txt --spp 4096 --resume               go on where an earlier run was interrupted
+  vkpt scene.txt --device cpu-f64                  the reference renderer; needs no Vulkan
+  vkpt scene.txt --aov albedo,depth,stderr         what else is known of the pixels
+  vkpt scene.txt --json report.json --quiet        for scripts";
+
+/// The options that `vkpt --help` shows, as briefly as it can.
+const SHOWN: [(&str, &str); 6] = [
+    ("scene", "The scene file, text or glTF, or - for stdin"),
+    ("output", ".png, .hdr or .exr; may be repeated"),
+    ("spp", "Samples per pixel [default: 64]"),
+    ("time", "End after so many seconds"),
+    ("target_error", "End once the relMSE is below this"),
+    ("device", "A Vulkan device, cpu-f32 or cpu-f64"),
+];
 
 /// A headless path tracer on Vulkan: a scene file goes in, pictures come out
 #[derive(Parser, Debug)]
@@ -41,8 +79,7 @@ Exit codes:
     args_conflicts_with_subcommands = true,
     subcommand_negates_reqs = true
 )]
-#[command(after_help = EXIT_CODES, max_term_width = 100, subcommand_value_name = "COMMAND")]
-#[command(disable_help_subcommand = true)]
+#[command(subcommand_value_name = "COMMAND", disable_help_subcommand = true)]
 pub struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
@@ -54,25 +91,28 @@ pub struct Arguments {
 enum Command {
     /// Write a first scene, whose comments explain the language
     Init(InitArguments),
+    /// Render a scene to pictures; the word may be left out
+    Render(Box<RenderArguments>),
     /// List what can render here, and what can't and why
+    #[command(after_help = DEVICES_HELP)]
     Devices,
-    /// Join parts of a picture, rendered apart by --samples, to the picture of one rendering
+    /// Join parts of a picture, rendered apart by --samples
     Merge(Box<MergeArguments>),
     /// Measure how fast a scene converges, and by which settings faster
     Converge(Box<ConvergeArguments>),
-    /// Compare pictures, or what several renderers make of a scene
+    /// Compare pictures, or several renderers of a scene path by path
     Compare(Box<CompareArguments>),
-    /// Render the scenes of a folder and compare them with the pictures kept beside them
+    /// Render the scenes of a folder and compare with kept pictures
     Test(Box<TestArguments>),
-    /// Render stiff and extreme cases here and hold each against its bounds
+    /// Render stiff and extreme cases and compare with their bounds
     Check(Box<CheckArguments>),
-    /// Examine a Vulkan device: rounding, functions, loops, memory; can its pictures be trusted?
+    /// Examine a Vulkan device: can its pictures be trusted?
     Doctor(DoctorArguments),
-    /// Tell what the kernel of a scene holds and why, without rendering
+    /// Print which parts the kernel of a scene has, and why
     Explain(Box<ExplainArguments>),
-    /// Write a scene for another renderer, or tell what that has no equal of
+    /// Write a scene for another renderer
     Export(Box<ExportArguments>),
-    /// Write scripts that render scenes in parts on many machines, for Slurm
+    /// Write scripts that render on many machines, for Slurm
     Farm(Box<FarmArguments>),
 }
 
@@ -97,7 +137,8 @@ pub enum Task {
 
 /// Reads a command line, the program's name first.
 pub fn task(words: &[OsString]) -> Result<Task, Failure> {
-    let matches = match command().try_get_matches_from(words) {
+    let first_page = command_line().mut_args(shown);
+    let matches = match first_page.try_get_matches_from(words) {
         Ok(matches) => matches,
         Err(wrong) if wrong.use_stderr() => return Err(Failure::CommandLine(wrong)),
         Err(help) => return Ok(Task::Help(help)),
@@ -111,6 +152,7 @@ pub fn task(words: &[OsString]) -> Result<Task, Failure> {
         Arguments::from_arg_matches(&matches).map_err(Failure::CommandLine)?;
     Ok(match command {
         None => Task::Render(Box::new(render)),
+        Some(Command::Render(arguments)) => Task::Render(arguments),
         Some(Command::Devices) => Task::Devices,
         Some(Command::Init(arguments)) => Task::Init(arguments),
         Some(Command::Converge(arguments)) => Task::Converge(arguments),
@@ -144,7 +186,7 @@ pub fn flags<A: Args>() -> Vec<(String, bool)> {
 
 fn of<A: Args>() -> clap::Command {
     let none = clap::Command::new("vkpt").no_binary_name(true);
-    with_negative(A::augment_args(none.disable_help_flag(true)))
+    finished(A::augment_args(none.disable_help_flag(true)))
 }
 
 /// Prints what was asked for in place of a task.
@@ -154,11 +196,25 @@ pub fn help(text: &clap::Error) -> Result<Ending, Failure> {
 }
 
 /// All commands with all flags.
-fn command() -> clap::Command {
-    with_negative(Arguments::command())
+pub fn command_line() -> clap::Command {
+    let command = Arguments::command()
+        .after_help(AFTER_HELP)
+        .mut_subcommand("render", |render| render.after_help(AFTER_RENDER_HELP));
+    finished(command)
 }
 
-/// The command, and those in it, with flags that take negative numbers.
-fn with_negative(command: clap::Command) -> clap::Command {
-    command.mut_args(negative).mut_subcommands(with_negative)
+/// An option of the first page of help: brief, or hidden.
+fn shown(arg: Arg) -> Arg {
+    match SHOWN.iter().find(|(id, _)| arg.get_id() == id) {
+        Some((_, help)) => arg.help(*help).help_heading(None),
+        None => arg.hide(true),
+    }
+}
+
+/// The command, and those in it, with flags that take negative numbers, and lines that can be read.
+fn finished(command: clap::Command) -> clap::Command {
+    command
+        .mut_args(negative)
+        .max_term_width(100)
+        .mut_subcommands(finished)
 }

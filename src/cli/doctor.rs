@@ -9,17 +9,21 @@ use crate::doctor::Examiner;
 use crate::gpu::{Device, Selector};
 use crate::report::doctor::page;
 
-const EXIT_CODES: &str = "\
+const AFTER_HELP: &str = "\
 Exit codes:
     0  healthy; bits may differ from the reference's where Vulkan allows it
     1  something failed that pictures depend on, or the device gave up
     2  the command line is wrong
     4  there is no such Vulkan device, or none at all
-    5  the report or stdout could not be written";
+    5  the report or stdout could not be written
+
+Examples:
+  vkpt doctor                                   can the best device's pictures be trusted?
+  vkpt doctor --device 0 --json device.json     another one; all findings for scripts";
 
 /// How a device is examined.
 #[derive(clap::Args, Debug)]
-#[command(after_help = EXIT_CODES, max_term_width = 100)]
+#[command(after_help = AFTER_HELP)]
 pub struct DoctorArguments {
     /// A Vulkan device, by its index or part of its name [default: the best there is]
     #[arg(long, value_name = "DEVICE", value_parser = values::vulkan_device)]

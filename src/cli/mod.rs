@@ -41,7 +41,7 @@ mod values;
 mod view;
 mod writable;
 
-pub use arguments::{Arguments, flags, parsed};
+pub use arguments::{Arguments, command_line, flags, parsed};
 pub use caller::{Called, Caller, called};
 pub use check::{CheckArguments, check};
 pub use compare::{Comparand, CompareArguments, compare, compared};

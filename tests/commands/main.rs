@@ -4,6 +4,7 @@
 mod common;
 
 mod cli;
+mod documented;
 mod farm;
 #[cfg(target_os = "linux")]
 mod faults;

@@ -5,7 +5,7 @@ use crate::cli::values;
 use crate::gpu::Selector;
 use crate::settings::Integrator;
 
-const EXIT_CODES: &str = "\
+const AFTER_HELP: &str = "\
 Exit codes:
     0  every case is within its bounds
     1  a case fails, or could not be run
@@ -14,11 +14,16 @@ Exit codes:
     5  a report or stdout could not be written
     6  there is not enough memory
   130  interrupted by ctrl-c; the cases done by then are told
-  143  the same by SIGTERM, 129 by SIGHUP";
+  143  the same by SIGTERM, 129 by SIGHUP
+
+Examples:
+  vkpt check --quick                     a minute, on any Vulkan device
+  vkpt check --case alpha/ggx            one case, or all below a name
+  vkpt check --quick --html check.html   a page with the table and the pictures";
 
 /// Which cases run where.
 #[derive(clap::Args, Debug)]
-#[command(after_help = EXIT_CODES, max_term_width = 100)]
+#[command(after_help = AFTER_HELP)]
 pub struct CheckArguments {
     /// Leave out the cases that take seconds: a minute in all on two cores
     #[arg(long)]

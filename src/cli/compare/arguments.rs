@@ -14,7 +14,7 @@ use crate::cli::values;
 use crate::cli::view::ViewArguments;
 use crate::gpu::Selector;
 
-const EXIT_CODES: &str = "\
+const AFTER_HELP: &str = "\
 Exit codes:
     0  compared, and as close as the flags demand
     1  --max-relmse or --z-test failed; a Vulkan device of the CPU differs from cpu-f32 in a bit, or
@@ -26,11 +26,17 @@ Exit codes:
     5  the heat map or stdout could not be written
     6  there is not enough memory
   130  interrupted by ctrl-c
-  143  the same by SIGTERM, 129 by SIGHUP";
+  143  the same by SIGTERM, 129 by SIGHUP
+
+Examples:
+  vkpt compare a.exr b.exr                          how far is a from b?
+  vkpt compare a.exr b.exr --heatmap map.png        where?
+  vkpt compare a.exr b.exr --z-test                 is the difference chance?
+  vkpt compare --paired scene.txt                   the device and the reference, path by path";
 
 /// What is to be compared.
 #[derive(clap::Args, Debug)]
-#[command(after_help = EXIT_CODES, max_term_width = 100)]
+#[command(after_help = AFTER_HELP)]
 #[command(
     override_usage = "vkpt compare [OPTIONS] <A> <B>\n       vkpt compare [OPTIONS] --paired <SCENE>"
 )]

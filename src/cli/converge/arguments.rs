@@ -15,7 +15,7 @@ use crate::converge::HALVES;
 use crate::gpu::Selector;
 use crate::render::Target;
 
-const EXIT_CODES: &str = "\
+const AFTER_HELP: &str = "\
 Exit codes:
     0  measured, whatever was found: that pictures do not converge to the reference is a warning,
        and `converges` is false in --json
@@ -26,11 +26,17 @@ Exit codes:
     5  a file or stdout could not be written
     6  there is not enough memory
   130  interrupted by ctrl-c; what was measured by then is told
-  143  the same by SIGTERM, 129 by SIGHUP";
+  143  the same by SIGTERM, 129 by SIGHUP
+
+Examples:
+  vkpt converge scene.txt --time 60                      error against seconds
+  vkpt converge scene.txt --vary connect=mis,light,bsdf  which of the three is best?
+  vkpt converge scene.txt --reference other.exr          judged by another program's picture
+  vkpt converge scene.txt --html report.html             a page with plot and pictures";
 
 /// What is to be measured.
 #[derive(clap::Args, Debug)]
-#[command(after_help = EXIT_CODES, max_term_width = 100)]
+#[command(after_help = AFTER_HELP)]
 pub struct ConvergeArguments {
     /// The scene file, text or glTF, or - for stdin
     pub scene: Source,

@@ -10,7 +10,7 @@ use crate::cli::view::ViewArguments;
 use crate::gpu::Selector;
 use crate::render::KernelChoice;
 
-const EXIT_CODES: &str = "\
+const AFTER_HELP: &str = "\
 Exit codes:
     0  explained
     1  the kernel does not compile, which is a mistake of vkpt's
@@ -18,11 +18,16 @@ Exit codes:
     3  the scene or one of its meshes is wrong; nothing was written
     4  there is no such Vulkan device as --device asks for, or none for --statistics
     5  a file or stdout could not be written
-    6  there is not enough memory";
+    6  there is not enough memory
+
+Examples:
+  vkpt explain scene.txt                          what the kernel holds and why
+  vkpt explain scene.txt --glsl > scene.glsl      its source
+  vkpt explain scene.txt --spirv scene.spv        the module that a device gets";
 
 /// What is to be explained.
 #[derive(clap::Args, Debug)]
-#[command(after_help = EXIT_CODES, max_term_width = 100)]
+#[command(after_help = AFTER_HELP)]
 pub struct ExplainArguments {
     /// The scene file, text or glTF, or - for stdin
     pub scene: Source,

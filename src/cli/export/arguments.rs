@@ -17,7 +17,7 @@ Exit codes:
 
 /// What is to be written for whom.
 #[derive(clap::Args, Debug)]
-#[command(after_help = EXIT_CODES, max_term_width = 100)]
+#[command(after_help = EXIT_CODES)]
 pub struct ExportArguments {
     /// The scene file, text or glTF, or - for stdin
     pub scene: Source,

@@ -8,14 +8,19 @@ use crate::cli::settings::SettingArguments;
 use crate::cli::source::Source;
 use crate::cli::view::ViewArguments;
 
-const EXIT_CODES: &str = "\
+const AFTER_HELP: &str = "\
 Exit codes:
     0  the scripts are written, and submitted where that was asked for
     1  they are written, but could not be submitted
     2  the command line is wrong, or a folder contains parts of a rendering already
     3  a scene or one of its meshes is wrong; nothing was written
     5  a file or stdout could not be written
-    6  there is not enough memory";
+    6  there is not enough memory
+
+Examples:
+  vkpt farm slurm scene.txt --spp 65536 --tasks 64     scripts to scene.farm/
+  vkpt farm slurm scene.txt --tasks 64 --submit        submitted, too
+  vkpt farm slurm shots/*.txt --spp 1024               a folder and a task for each scene";
 
 /// Which batch system renders.
 #[derive(clap::Args, Debug)]
@@ -33,7 +38,7 @@ pub enum System {
 
 /// What Slurm is to render.
 #[derive(clap::Args, Debug)]
-#[command(after_help = EXIT_CODES, max_term_width = 100)]
+#[command(after_help = AFTER_HELP)]
 pub struct SlurmArguments {
     /// The scene files, each of which gets a folder of scripts
     #[arg(required = true, value_name = "SCENE")]

@@ -12,15 +12,19 @@ use crate::shell::quoted;
 /// The scene.
 const SCENE: &str = include_str!("scene.txt");
 
-const EXIT_CODES: &str = "\
+const AFTER_HELP: &str = "\
 Exit codes:
     0  written
     2  the command line is wrong
-    5  the file is there already, or it or stdout could not be written";
+    5  the file is there already, or it or stdout could not be written
+
+Examples:
+  vkpt init              writes scene.txt; vkpt scene.txt renders it
+  vkpt init glass.txt    under another name";
 
 /// Where the scene goes.
 #[derive(clap::Args, Debug)]
-#[command(after_help = EXIT_CODES, max_term_width = 100)]
+#[command(after_help = AFTER_HELP)]
 pub struct InitArguments {
     /// File to write, which must not be there yet; - for stdout
     #[arg(value_name = "FILE", default_value = "scene.txt")]

@@ -11,7 +11,7 @@ use crate::cli::values;
 use crate::cli::view::ViewArguments;
 use crate::render::Target;
 
-const EXIT_CODES: &str = "\
+const AFTER_HELP: &str = "\
 Exit codes:
     0  every scene makes its kept picture, or with --bless one that is kept now
     1  a picture differs, is missing or could not be made
@@ -26,11 +26,12 @@ Examples:
   vkpt test pictures --bless               keep the pictures of all scenes in pictures/
   vkpt test pictures                       render them again: the same to the bit?
   vkpt test pictures --junit results.xml   the same for a CI service
+  vkpt test pictures --html test.html      a page with the pictures of what differs
   vkpt test pictures --device 0 --max-relmse 1e-3";
 
 /// Which scenes are rendered, and what is expected of them.
 #[derive(clap::Args, Debug)]
-#[command(after_help = EXIT_CODES, max_term_width = 100)]
+#[command(after_help = AFTER_HELP)]
 pub struct TestArguments {
     /// The folder of the scenes, in it or below: NAME.txt, .scn, .gltf or .glb, each beside the picture
     /// that it is to make, NAME.expected.exr
@@ -51,6 +52,11 @@ pub struct TestArguments {
     /// Write the results as JUnit's XML, which CI services show; - for stdout
     #[arg(long, value_name = "FILE.xml")]
     pub junit: Option<Destination>,
+
+    /// Write a page with all scenes, and the pictures of what differs beside the kept ones: one file that
+    /// needs no network; - for stdout
+    #[arg(long, value_name = "FILE.html")]
+    pub html: Option<Destination>,
 
     /// Samples per pixel
     #[arg(long, value_name = "N", default_value = "64", value_parser = numbers::whole(1))]
@@ -77,6 +83,11 @@ pub struct TestArguments {
 }
 
 impl TestArguments {
+    /// The reports.
+    pub fn reports(&self) -> impl Iterator<Item = &Destination> {
+        self.junit.iter().chain(&self.html)
+    }
+
     /// What is to be rendered of a scene.
     pub fn request<'a>(&'a self, scene: &'a Source) -> Request<'a> {
         Request {

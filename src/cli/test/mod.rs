@@ -17,9 +17,10 @@ use super::exit::{Ending, Failure, warn};
 use super::interrupt::stop_flag;
 use super::progress::Display;
 use super::writable;
+use crate::film::Film;
 use crate::image::Picture;
 use crate::image::file::FileError;
-use crate::report::suite::{Case, Suite, Verdict, junit, line, sum};
+use crate::report::suite::{Case, Shown, Suite, Verdict, junit, line, page, sum};
 pub use arguments::TestArguments;
 
 /// Renders every scene, compares it with its picture and prints a line of each.
@@ -32,8 +33,8 @@ pub fn test(arguments: &TestArguments) -> Result<Ending, Failure> {
             folder.display()
         )));
     }
-    let _claims = writable::check(&arguments.junit)?;
-    let console = Console::beside(&arguments.junit);
+    let _claims = writable::check(arguments.reports())?;
+    let console = Console::beside(arguments.reports());
     let stop = stop_flag();
     let mut display = Display::new(arguments.quiet);
     let mut suite = Suite::default();
@@ -65,7 +66,14 @@ pub fn test(arguments: &TestArguments) -> Result<Ending, Failure> {
         false => console.print(&sum(&suite)),
     };
     let label = folder.display().to_string();
-    all_written([told, whole(&arguments.junit, || junit(&suite, &label))])?;
+    let html = whole(&arguments.html, || {
+        page(&suite, &label).map_err(std::io::Error::other)
+    });
+    all_written([
+        told,
+        whole(&arguments.junit, || junit(&suite, &label)),
+        html,
+    ])?;
     match (ended, suite.wrong()) {
         (Ok(_), 1..) => Err(Failure::Comparison(Vec::new())),
         (ended, _) => ended,
@@ -89,7 +97,7 @@ fn case(
     display: &mut Display,
 ) -> Result<Option<Case>, Failure> {
     let began = Instant::now();
-    let (verdict, files) = match tried(arguments, found, stop, display) {
+    let tried = match tried(arguments, found, stop, display) {
         Ok(Some(tried)) => tried,
         Ok(None) => return Ok(None),
         Err(failure) if failure.is_of_input() => failed(failure.messages().join("\n")),
@@ -98,16 +106,31 @@ fn case(
     Ok(Some(Case {
         name: name(found),
         seconds: began.elapsed().as_secs_f64(),
-        verdict,
-        files,
+        verdict: tried.verdict,
+        files: tried.files,
+        shown: tried.shown,
     }))
 }
 
-/// A verdict, and the files that show it.
-type Tried = (Verdict, Vec<String>);
+/// A verdict, and what shows it.
+struct Tried {
+    verdict: Verdict,
+    files: Vec<String>,
+    shown: Option<Shown>,
+}
+
+impl From<Verdict> for Tried {
+    fn from(verdict: Verdict) -> Self {
+        Self {
+            verdict,
+            files: Vec::new(),
+            shown: None,
+        }
+    }
+}
 
 fn failed(why: String) -> Tried {
-    (Verdict::Failed(why), Vec::new())
+    Verdict::Failed(why).into()
 }
 
 fn tried(
@@ -147,11 +170,11 @@ fn tried(
 /// Keeps the picture, unless it is the one that is kept already.
 fn kept(found: &Found, made: &Rendered, expected: Option<&Picture>) -> Result<Tried, Failure> {
     if expected.is_some_and(|expected| difference(&made.picture, expected).is_none()) {
-        return Ok((Verdict::Same, Vec::new()));
+        return Ok(Verdict::Same.into());
     }
     let instead = found.expected.exists();
     all_written([put(&found.expected, &made.bytes)])?;
-    Ok((Verdict::Kept { instead }, Vec::new()))
+    Ok(Verdict::Kept { instead }.into())
 }
 
 /// Compares the picture with the one that is kept, and shows where they differ.
@@ -162,19 +185,29 @@ fn judged(
     expected: &Picture,
 ) -> Result<Tried, Failure> {
     match (difference(&made.picture, expected), arguments.max_relmse) {
-        (None, _) => Ok((Verdict::Same, Vec::new())),
+        (None, _) => Ok(Verdict::Same.into()),
         (Some((Some(rel_mse), _)), Some(most)) if rel_mse <= most => {
-            Ok((Verdict::Close { rel_mse }, Vec::new()))
+            Ok(Verdict::Close { rel_mse }.into())
         }
         (Some((_, why)), _) => {
-            let files = show(&arguments.out.join(&found.stem), made, expected)?;
-            Ok((Verdict::Differs(why), files))
+            let heat = heat(&made.picture, expected);
+            let files = show(&arguments.out.join(&found.stem), made, heat.as_ref())?;
+            let shown = Shown {
+                expected: expected.film.clone(),
+                actual: made.picture.film.clone(),
+                heat,
+            };
+            Ok(Tried {
+                verdict: Verdict::Differs(why),
+                files,
+                shown: Some(shown),
+            })
         }
     }
 }
 
 /// Writes the picture and where it differs, for people to look at; returns the names.
-fn show(stem: &Path, made: &Rendered, expected: &Picture) -> Result<Vec<String>, Failure> {
+fn show(stem: &Path, made: &Rendered, heat: Option<&Film>) -> Result<Vec<String>, Failure> {
     let folder = stem.parent().unwrap_or(Path::new(""));
     fs::create_dir_all(folder).map_err(|cause| {
         let path = folder.to_owned();
@@ -184,9 +217,9 @@ fn show(stem: &Path, made: &Rendered, expected: &Picture) -> Result<Vec<String>,
     all_written([put(&actual, &made.bytes)])?;
     let mut names = vec![actual.display().to_string()];
     // Of pictures of one size.
-    if let Some(map) = heat(&made.picture, expected) {
+    if let Some(map) = heat {
         let difference = beside(stem, ".difference.png");
-        all_written([put(&difference, &png(&map)?)])?;
+        all_written([put(&difference, &png(map)?)])?;
         names.push(difference.display().to_string());
     }
     Ok(names)

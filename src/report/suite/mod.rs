@@ -1,10 +1,14 @@
 //! What `vkpt test` found: scenes, each against its kept picture.
 
 mod junit;
+mod page;
 mod text;
 
 pub use junit::junit;
+pub use page::page;
 pub use text::{line, sum};
+
+use crate::film::Film;
 
 /// All scenes of a folder that were tried, in their order.
 #[derive(Clone, Debug, Default)]
@@ -21,6 +25,18 @@ pub struct Case {
     pub verdict: Verdict,
     /// What was written to show the difference.
     pub files: Vec<String>,
+    /// The pictures, where they differ.
+    pub shown: Option<Shown>,
+}
+
+/// Pictures that differ.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    /// The one that is kept.
+    pub expected: Film,
+    pub actual: Film,
+    /// The relMSE of each pixel as a colour; of pictures of one size.
+    pub heat: Option<Film>,
 }
 
 /// What became of it.

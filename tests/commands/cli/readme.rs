@@ -14,7 +14,7 @@ fn readme_and_help_name_the_same_flags() {
         "check", "compare", "converge", "doctor", "explain", "export", "test",
     ];
     let commands = commands.map(|command| vec![command, "--help"]);
-    let all = [vec!["--help"], vec!["farm", "slurm", "--help"]];
+    let all = [vec!["render", "--help"], vec!["farm", "slurm", "--help"]];
     let all = all.iter().chain(&commands);
     let help: String = all.map(|words| help_of(words)).collect();
     let in_help = help

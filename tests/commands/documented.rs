@@ -1,0 +1,214 @@
+//! Every command line that README.md, docs/ci.md and the help of the commands show is run, and succeeds. Those of docs/farm.md
+//! are run by `farm::page`, those of docs/python.md by pytest.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use tempfile::TempDir;
+
+use crate::cli::program::{finish, run, without_vulkan, words};
+use crate::common::models::{Model, lamp};
+use crate::scripts::program::program;
+
+const PAGES: [&str; 2] = [
+    include_str!("../../README.md"),
+    include_str!("../../docs/ci.md"),
+];
+
+/// The commands that have a page of help.
+const COMMANDS: [&str; 13] = [
+    "render",
+    "init",
+    "devices",
+    "merge",
+    "converge",
+    "compare",
+    "test",
+    "check",
+    "doctor",
+    "explain",
+    "export",
+    "farm slurm",
+    "",
+];
+
+/// As small as it can be: the lines are the same whatever they render.
+const SCENE: &str = "screen 8 6\ncamera 0 0 5 .3\nbackground .1 .1 .1\nlight 1 1 1\nsphere 0 0 1 .3\nbrdf .5 .5 .5 0 0 0 1\nsphere 0 0 0 1\n";
+
+/// What is run in place of what takes long; the words are the same to the program.
+const CHEAPER: [(&str, &str); 7] = [
+    ("--time 60", "--time 0.2"),
+    ("--time 3600", "--time 0.2"),
+    (
+        "vkpt converge scene",
+        "vkpt converge --time 0.2 --device cpu-f32 scene",
+    ),
+    ("--spp 65536", "--spp 64"),
+    ("check --quick", "check --quick --case alpha/ggx/0.1"),
+    // There is one device here.
+    ("--device 1", "--device 0"),
+    ("--submit", ""),
+];
+
+/// The lines of blocks that run vkpt, and of `run:` in workflows, without comments.
+fn of_page(page: &str) -> Vec<String> {
+    let blocks = page.split("```").skip(1).step_by(2);
+    let lines = blocks.flat_map(str::lines).map(str::trim);
+    let lines = lines.map(|line| line.strip_prefix("- run: ").unwrap_or(line));
+    let shown = lines.filter(|line| line.starts_with("vkpt ") || line.contains("| vkpt "));
+    shown.map(|line| uncommented(line).to_owned()).collect()
+}
+
+/// The line up to what is said of it.
+fn uncommented(line: &str) -> &str {
+    line.split(" #").next().unwrap_or(line).trim_end()
+}
+
+/// The examples of a page of help, without what is said of them.
+fn of_help(help: &str) -> Vec<String> {
+    let (_, examples) = help.split_once("Examples:\n").expect("examples");
+    let lines = examples.lines().map(str::trim);
+    let shown = lines.filter(|line| line.starts_with("vkpt "));
+    shown
+        .map(|line| line.split("  ").next().unwrap_or(line).to_owned())
+        .collect()
+}
+
+fn cheaper(line: &str) -> String {
+    let told = |line: String, (long, short): &(&str, &str)| line.replace(long, short);
+    CHEAPER.iter().fold(line.to_owned(), told)
+}
+
+/// A folder with all that the lines name, in whose `bin` vkpt is, and what it is piped to.
+fn folder() -> TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    for name in ["bin", "shots", "pictures", "out"] {
+        fs::create_dir(at.join(name)).expect("a folder");
+    }
+    for name in [
+        "scene.scn",
+        "shots/1.txt",
+        "shots/2.txt",
+        "pictures/ball.txt",
+    ] {
+        fs::write(at.join(name), SCENE).expect("a scene");
+    }
+    let mut model = Model::seen_from([0.0, 0.0, 5.0], 0.5);
+    model.document["cameras"][0]["name"] = "Front".into();
+    model.cuboid([-1.0; 3], [1.0; 3], lamp(1.0));
+    fs::write(at.join("model.glb"), model.glb()).expect("a model");
+    let bin = at.join("bin");
+    program(
+        &bin,
+        "vkpt",
+        &format!("exec {} \"$@\"", env!("CARGO_BIN_EXE_vkpt")),
+    );
+    program(&bin, "make-scene", "cat scene.scn");
+    program(&bin, "display", "cat > /dev/null");
+    program(&bin, "jq", "cat > /dev/null");
+    let classes = "light:EL,light:ED.*L,light:EDS+L";
+    for (name, seed) in [("a", 0), ("b", 1), ("r", 2), ("other", 3), ("scene", 4)] {
+        made(
+            at,
+            &format!("scene.scn --seed {seed} --aov stderr,{classes} -o {name}.exr"),
+        );
+    }
+    fs::remove_file(at.join("scene-stderr.exr")).expect("standard errors");
+    made(at, "scene.scn --aov stderr --spp 256 -o scene.exr");
+    for (name, samples) in [("a", "0..512"), ("b", "512..1024")] {
+        made(at, &format!("scene.scn --samples {samples} -o {name}.vkpt"));
+    }
+    made(at, "test pictures --bless");
+    folder
+}
+
+fn made(folder: &Path, line: &str) {
+    let run = words(folder, &format!("{line} --quiet"));
+    assert_eq!(run.code, Some(0), "{line}: {}", run.err);
+}
+
+/// Runs a line in the folder; what it says where it fails.
+fn failure(folder: &Path, line: &str) -> Option<String> {
+    // Scenes of the course end in .scn, those of others in .txt: here both are there, but for the one that is written.
+    let scene = folder.join("scene.txt");
+    let _ = match line.starts_with("vkpt init") {
+        true => fs::remove_file(&scene),
+        false => fs::write(&scene, SCENE),
+    };
+    let path = std::env::var("PATH").expect("PATH");
+    let path = format!("{}:{path}", folder.join("bin").display());
+    let mut shell = Command::new("bash");
+    let shell = shell.args(["-o", "pipefail", "-c", &cheaper(line)]);
+    let run = finish(
+        shell
+            .current_dir(folder)
+            .env("PATH", path)
+            .env("NO_COLOR", "1"),
+    );
+    (run.code != Some(0)).then(|| format!("{line}: {:?}, {}{}", run.code, run.out, run.err))
+}
+
+#[test]
+fn every_command_that_is_shown_succeeds() {
+    if without_vulkan() {
+        return;
+    }
+    let folder = folder();
+    let help = COMMANDS.map(|command| words(folder.path(), format!("{command} --help").trim()).out);
+    let pages = PAGES.iter().flat_map(|page| of_page(page));
+    let lines: Vec<String> = pages
+        .chain(help.iter().flat_map(|help| of_help(help)))
+        .collect();
+    assert!(lines.len() > 60, "{lines:#?}");
+    let failed: Vec<String> = lines
+        .iter()
+        .filter_map(|line| failure(folder.path(), line))
+        .collect();
+    assert!(failed.is_empty(), "{}", failed.join("\n\n"));
+}
+
+#[test]
+fn lines_are_found_and_failures_seen() {
+    let page = "text\n```sh\nvkpt a.txt   # said\nmake | vkpt - -o -\nls\n```\nvkpt not\n```yaml\n      - run: vkpt test p\n```\n";
+    assert_eq!(
+        of_page(page),
+        ["vkpt a.txt", "make | vkpt - -o -", "vkpt test p"]
+    );
+    let help = "Options:\n\nExamples:\n  vkpt init              said\n  vkpt a.txt --time 60\n";
+    assert_eq!(of_help(help), ["vkpt init", "vkpt a.txt --time 60"]);
+    assert_eq!(cheaper("vkpt a.txt --time 60"), "vkpt a.txt --time 0.2");
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::create_dir(folder.path().join("bin")).expect("a folder");
+    program(
+        &folder.path().join("bin"),
+        "vkpt",
+        &format!("exec {} \"$@\"", env!("CARGO_BIN_EXE_vkpt")),
+    );
+    let wrong = failure(folder.path(), "vkpt scene.scn --nonsense | cat").expect("a failure");
+    assert!(wrong.contains("--nonsense"), "{wrong}");
+}
+
+#[test]
+fn the_workflow_is_the_one_of_its_page() {
+    let workflow = include_str!("../../docs/ci/pictures.yml");
+    assert!(PAGES[1].contains(&format!("```yaml\n{workflow}```\n")));
+    assert!(workflow.lines().count() <= 12);
+}
+
+#[test]
+fn help_of_each_command_has_exit_codes_and_examples() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for command in COMMANDS.iter().filter(|command| !command.is_empty()) {
+        let words: Vec<&str> = command.split(' ').chain(["--help"]).collect();
+        let help = run(folder.path(), &words).out;
+        for part in ["Exit codes:\n    0  ", "Examples:\n  vkpt "] {
+            assert!(help.contains(part), "{command} lacks {part}");
+        }
+        assert!(
+            help.lines().all(|line| line.chars().count() <= 100),
+            "{command}"
+        );
+    }
+}
