@@ -7,12 +7,11 @@ import numpy as np
 
 from blocks import bound, z_scores
 from planted import errors
-from renderers import Mitsuba, Vkpt
+from renderers import Mitsuba, Refused, Vkpt
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-SCENES = [ROOT / f"scenes/{name}.txt" for name in ("diffuse", "furnace", "slab", "room", "absorption")]
-SCENES += sorted((HERE / "scenes").glob("*.txt"))
+SCENES = sorted((ROOT / "scenes").glob("*.txt")) + sorted((HERE / "scenes").glob("*.txt"))
 
 
 def arguments():
@@ -47,7 +46,11 @@ def compare(scene, options):
     text = scene.read_text()
     width, height = size_of(text, options.shrink)
     size, samples = f"{width}x{height}", width * height * options.spp
-    theirs = Mitsuba(options.vkpt, scene, size, options.spp)
+    try:
+        theirs = Mitsuba(options.vkpt, scene, size, options.spp)
+    except Refused as why:
+        print(f"| {scene.stem} | refused: {why} |", flush=True)
+        return True
     # Mitsuba's roulette is right where there are no media (README.md), and then the same as vkpt's.
     roulette = "off" if theirs.has_media else "throughput"
     ours = Vkpt(options.vkpt, scene, text, size, roulette)

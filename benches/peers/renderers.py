@@ -19,6 +19,10 @@ def read(path):
     return np.array(picture.convert(mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.Float32, False), dtype=np.float64)
 
 
+class Refused(Exception):
+    """A scene that the other program cannot have, and why."""
+
+
 class Vkpt:
     """A scene's text, rendered in the folder where its meshes are, by the faster of a CPU's driver and the reference.
 
@@ -49,7 +53,10 @@ class Mitsuba:
         with tempfile.TemporaryDirectory() as folder:
             xml = Path(folder, "scene.xml")
             command = [program, "export", scene, "--to", "mitsuba", "--size", size, "-o", xml]
-            subprocess.run([str(word) for word in command], check=True)
+            run = subprocess.run([str(word) for word in command], text=True, capture_output=True)
+            if run.returncode == 3:
+                raise Refused("; ".join(run.stderr.replace("error: ", "").split("\n")[:-1]))
+            run.check_returncode()
             self.has_media = "volpathmis" in xml.read_text()
             self.scene = mi.load_file(str(xml))
         self.render(spp, 2**31 - 1)

@@ -4,17 +4,10 @@ use std::borrow::Cow;
 
 use glam::DVec3;
 
-use super::Subject;
-use super::shape::seen;
+use super::seen::seen;
+use super::{Beside, Subject};
 use crate::prepared::{Material, Prepared};
 use crate::scene::{Geometry, Mesh, flip, signed_volume};
-
-/// A file to stand beside the XML.
-#[derive(Clone, Debug)]
-pub struct MeshFile {
-    pub name: String,
-    pub bytes: Vec<u8>,
-}
 
 /// The name of the mesh of a line.
 pub fn file_name(stem: &str, line: usize) -> String {
@@ -22,12 +15,12 @@ pub fn file_name(stem: &str, line: usize) -> String {
 }
 
 /// Those of all meshes that can be seen.
-pub fn files(subject: &Subject) -> Vec<MeshFile> {
+pub fn files(subject: &Subject) -> Vec<Beside> {
     let meshes = seen(subject).filter_map(|(shape, material)| match &shape.geometry {
         Geometry::Mesh(mesh) => Some((shape.line, outwards(mesh, material))),
         _ => None,
     });
-    let file = |(line, mesh): (usize, Cow<Mesh>)| MeshFile {
+    let file = |(line, mesh): (usize, Cow<Mesh>)| Beside {
         name: file_name(subject.stem, line),
         bytes: ply(&mesh),
     };
@@ -35,7 +28,7 @@ pub fn files(subject: &Subject) -> Vec<MeshFile> {
 }
 
 /// Glass and lights have an outside: their triangles are wound as one sees them from there.
-fn outwards<'m>(mesh: &'m Mesh, material: &Material) -> Cow<'m, Mesh> {
+pub fn outwards<'m>(mesh: &'m Mesh, material: &Material) -> Cow<'m, Mesh> {
     let has_outside = Prepared::is_transmissive(material) || material.radiance != DVec3::ZERO;
     if !has_outside || signed_volume(mesh) >= 0.0 {
         return Cow::Borrowed(mesh);

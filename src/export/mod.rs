@@ -1,20 +1,16 @@
-//! A scene for another renderer: XML as Mitsuba 3 reads it, and its meshes as PLY files. What that program converges to is
-//! the same picture (measured: `benches/peers/`). What it has no equal of is refused, by line.
+//! A scene in the words of other programs: a folder each. What such a program has no equal of is refused, by line; where it
+//! has another model of the same thing, that is said. docs/exchange.md has all of both.
 
-mod camera;
-mod document;
-mod integrator;
 mod mesh;
+pub mod mitsuba;
 mod place;
-mod refusal;
-mod shape;
-mod surface;
+mod remark;
+mod seen;
 
 use std::io::{self, Write};
 
-use document::Node;
-pub use mesh::MeshFile;
-pub use refusal::{Reason, Refusal, setting};
+use mitsuba::Node;
+pub use remark::Remark;
 
 use crate::prepared::Prepared;
 use crate::scene::Scene;
@@ -29,57 +25,38 @@ pub struct Subject<'a> {
     pub model: &'a Model,
     /// First column and row, then those behind the last, from the top left.
     pub crop: Option<[u32; 4]>,
-    /// What the names of mesh files begin with.
+    /// What the names of files beside the scene begin with.
     pub stem: &'a str,
 }
 
 /// What the other renderer reads.
 #[derive(Clone, Debug)]
 pub struct Export {
-    root: Node,
-    /// To stand beside the XML, which has their names.
-    pub meshes: Vec<MeshFile>,
+    text: Text,
+    /// To stand beside the scene, which has their names.
+    pub beside: Vec<Beside>,
 }
 
-/// The scene in Mitsuba 3's words. [`setting`] has nothing against the model.
-///
-/// # Errors
-/// All that Mitsuba has no equal of, each reason once, in the order of the file.
-pub fn mitsuba(subject: &Subject) -> Result<Export, Vec<Refusal>> {
-    let mut refusals = place::refusals(subject.prepared);
-    if subject.scene.surroundings.is_some() {
-        let line = subject.scene.background_line;
-        refusals.push(Refusal::new(line, Reason::Surroundings));
-    }
-    let surfaces = surface::nodes(subject.prepared, &mut refusals);
-    let shapes = shape::nodes(subject, &mut refusals);
-    if !refusals.is_empty() {
-        return Err(refusal::gathered(refusals));
-    }
-    let root = Node::new("scene")
-        .attribute("version", "3.9.1")
-        .with(integrator::node(subject))
-        .with(camera::node(subject))
-        .with_all(background(subject.scene))
-        .with_all(surfaces)
-        .with_all(shapes);
-    Ok(Export {
-        root,
-        meshes: mesh::files(subject),
-    })
+#[derive(Clone, Debug)]
+enum Text {
+    Xml(Node),
+}
+
+/// A file to stand beside the scene.
+#[derive(Clone, Debug)]
+pub struct Beside {
+    pub name: String,
+    pub bytes: Vec<u8>,
 }
 
 impl Export {
-    /// Writes the XML.
+    /// Writes the scene.
     ///
     /// # Errors
     /// Those of `out`.
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
-        self.root.write(out)
+        match &self.text {
+            Text::Xml(root) => root.write(out),
+        }
     }
-}
-
-fn background(scene: &Scene) -> Option<Node> {
-    let shines = scene.background.max_element() > 0.0;
-    shines.then(|| Node::plugin("emitter", "constant").rgb("radiance", scene.background))
 }

@@ -1,20 +1,19 @@
-//! Places in which the two programs see different things: inside a light, and where faces coincide.
+//! Places in which two programs see different things: inside a light, and where faces coincide.
 
-use super::{Reason, Refusal};
 use crate::prepared::patch::{Orientation, Patch};
 use crate::prepared::{NONE, Prepared, Shape, ShapeKind};
 
-/// What is refused for where it is.
-pub fn refusals(prepared: &Prepared) -> Vec<Refusal> {
-    let shapes = || prepared.shapes.iter().enumerate();
-    let lights = shapes().filter(|(_, shape)| shape.light != NONE);
-    let around = lights.filter(|(_, shape)| contains_eye(prepared, shape));
-    let around = around.map(|(_, shape)| Refusal::new(shape.line, Reason::EyeInLight));
-    let coincident = shapes().filter_map(|(i, shape)| {
-        let other = other_in_place(prepared, i, shape)?;
-        Some(Refusal::new(shape.line, Reason::Coincident(other.line)))
-    });
-    around.chain(coincident).collect()
+/// The lines of the lights that the eye stands in.
+pub fn lights_about_eye(prepared: &Prepared) -> impl Iterator<Item = usize> {
+    let lights = prepared.shapes.iter().filter(|shape| shape.light != NONE);
+    let around = lights.filter(|shape| contains_eye(prepared, shape));
+    around.map(|shape| shape.line)
+}
+
+/// The line of each shape with a face where one of another shape is, and the line of that.
+pub fn coincident(prepared: &Prepared) -> impl Iterator<Item = (usize, usize)> {
+    let shapes = prepared.shapes.iter().enumerate();
+    shapes.filter_map(|(i, shape)| Some((shape.line, other_in_place(prepared, i, shape)?.line)))
 }
 
 fn contains_eye(prepared: &Prepared, shape: &Shape) -> bool {

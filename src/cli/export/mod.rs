@@ -2,15 +2,16 @@
 
 mod arguments;
 
+use std::fmt::Display;
 use std::path::Path;
 
 use super::destination::{Destination, all_written};
 use super::exit::{Ending, Failure};
 use super::inputs::{Input, spare};
-use super::job::Loaded;
+use super::job::{Loaded, Request};
 use super::values::Peer;
 use super::writable;
-use crate::export::{Subject, mitsuba, setting};
+use crate::export::{Export, Remark, Subject, mitsuba};
 pub use arguments::ExportArguments;
 
 /// Writes the scene and its meshes, all that is said of it or nothing.
@@ -19,7 +20,7 @@ pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
     // What cannot be written is told before the work; it is claimed below, with the meshes.
     drop(writable::check([&to])?);
     let request = arguments.request();
-    if let Some(message) = setting(&request.settings.model) {
+    if let Some(message) = setting(arguments.to, &request) {
         return Err(Failure::Usage(message.to_owned()));
     }
     let loaded = Loaded::new(&request)?;
@@ -32,26 +33,40 @@ pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
         crop: ready.job(&request)?.crop,
         stem: &stem.to_string_lossy(),
     };
-    let exported = match arguments.to {
-        Peer::Mitsuba => mitsuba(&subject),
-    };
-    let export = exported.map_err(|refusals| {
-        let file = arguments.scene.name();
-        let told = (refusals.iter()).map(|r| format!("{}: {r}", loaded.place(&file, r.line)));
-        Failure::Untranslatable(told.collect())
-    })?;
-    let places = (export.meshes.iter())
-        .map(|mesh| beside(&to, &mesh.name))
+    let place = |line| loaded.place(&arguments.scene.name(), line);
+    let export = match arguments.to {
+        Peer::Mitsuba => told(mitsuba::export(&subject), place),
+    }?;
+    let places = (export.beside.iter())
+        .map(|file| beside(&to, &file.name))
         .collect::<Result<Vec<_>, _>>()?;
     let _claims = writable::check(places.iter().chain([&to]))?;
     let inputs = Input::of_scene(request.scene, &loaded.scene);
     spare(&inputs, places.iter().chain([&to]))?;
-    let written = (places.iter().zip(&export.meshes))
-        .map(|(to, mesh)| to.write(|out| out.write_all(&mesh.bytes)));
+    let written = (places.iter().zip(&export.beside))
+        .map(|(to, file)| to.write(|out| out.write_all(&file.bytes)));
     // The scene last: where it is, its meshes are.
     all_written(written)?;
     all_written([to.write(|out| export.write(out))])?;
     Ok(Ending::Complete)
+}
+
+/// The flag that the other renderer has no equal of, and why.
+fn setting(peer: Peer, request: &Request) -> Option<&'static str> {
+    match peer {
+        Peer::Mitsuba => mitsuba::setting(&request.settings.model),
+    }
+}
+
+/// What is refused, told by the places of lines.
+fn told<R: Display>(
+    exported: Result<Export, Vec<Remark<R>>>,
+    place: impl Fn(usize) -> String,
+) -> Result<Export, Failure> {
+    exported.map_err(|refusals| {
+        let told = (refusals.iter()).map(|r| format!("{}: {r}", place(r.line)));
+        Failure::Untranslatable(told.collect())
+    })
 }
 
 /// The file of `-o`, else one named after the scene.

@@ -3,7 +3,8 @@
 use glam::DVec3;
 
 use super::document::Node;
-use super::{Reason, Refusal};
+use super::{Reason, Remark};
+use crate::export::seen::{absorbs, used};
 use crate::prepared::{Material, MaterialKind, OPAQUE_SIGMA, Prepared};
 use crate::settings::{Distribution, Fresnel};
 
@@ -20,35 +21,13 @@ pub fn medium_id(material: &Material) -> String {
     format!("medium-{}", material.line)
 }
 
-/// Whether light is absorbed inside.
-pub fn absorbs(material: &Material) -> bool {
-    Prepared::is_transmissive(material) && material.sigma != DVec3::ZERO
-}
-
-/// Whether there is anything to be seen of it: a null interface without absorption is not there.
-pub fn is_there(material: &Material) -> bool {
-    material.kind != MaterialKind::NullInterface || absorbs(material)
-}
-
-/// The materials of shapes that can be seen.
-pub fn used(prepared: &Prepared) -> impl Iterator<Item = &Material> {
-    let mut has_shape = vec![false; prepared.materials.len()];
-    for shape in &prepared.shapes {
-        has_shape[shape.material as usize] = true;
-    }
-    let materials = prepared.materials.iter().zip(has_shape);
-    materials
-        .filter(|(material, has_shape)| *has_shape && is_there(material))
-        .map(|(material, _)| material)
-}
-
 /// The bsdfs and media of all that can be seen; adds what is refused.
-pub fn nodes(prepared: &Prepared, refusals: &mut Vec<Refusal>) -> Vec<Node> {
+pub fn nodes(prepared: &Prepared, refusals: &mut Vec<Remark<Reason>>) -> Vec<Node> {
     let mut nodes = Vec::new();
     for material in used(prepared) {
         match bsdf(material) {
             Ok(node) => nodes.push(node.attribute("id", bsdf_id(material))),
-            Err(reason) => refusals.push(Refusal::new(material.line, reason)),
+            Err(reason) => refusals.push(Remark::new(material.line, reason)),
         }
         nodes.extend(absorbs(material).then(|| medium(material, prepared.space.unit)));
     }

@@ -1,6 +1,8 @@
 //! What Mitsuba has no equal of.
 
-use vkpt::export::setting;
+use std::path::Path;
+
+use vkpt::export::mitsuba::setting;
 use vkpt::settings::{Absorption, Model};
 
 use super::*;

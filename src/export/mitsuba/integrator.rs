@@ -1,8 +1,8 @@
 //! The integrator: paths from the eye, with vkpt's roulette where Mitsuba's is right.
 
-use super::Subject;
 use super::document::Node;
-use super::surface::{absorbs, used};
+use crate::export::Subject;
+use crate::export::seen::{absorbs, used};
 
 /// `path` tests roulette from the third bounce on, as vkpt does.
 const ROULETTE: i64 = 3;

@@ -1,51 +1,6 @@
 //! What Mitsuba has no equal of.
 
-use std::fmt;
-
 use crate::settings::{Absorption, Model};
-
-/// A line of the scene that Mitsuba cannot say.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Refusal {
-    pub line: usize,
-    pub reason: Reason,
-    /// Lines after it with the same reason.
-    pub more: usize,
-}
-
-impl Refusal {
-    pub fn new(line: usize, reason: Reason) -> Self {
-        Self {
-            line,
-            reason,
-            more: 0,
-        }
-    }
-}
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        self.reason.fmt(f)?;
-        match self.more {
-            0 => Ok(()),
-            1 => f.write_str(" (and 1 more line)"),
-            n => write!(f, " (and {n} more lines)"),
-        }
-    }
-}
-
-/// In the order of the file, each reason once.
-pub fn gathered(mut refusals: Vec<Refusal>) -> Vec<Refusal> {
-    refusals.sort_by_key(|refusal| refusal.line);
-    let mut gathered: Vec<Refusal> = Vec::new();
-    for refusal in refusals {
-        match gathered.iter_mut().find(|r| r.reason == refusal.reason) {
-            Some(same) => same.more += 1,
-            None => gathered.push(refusal),
-        }
-    }
-    gathered
-}
 
 /// Why.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -1,5 +1,7 @@
 //! Shapes, lights and mesh files.
 
+use std::path::Path;
+
 use vkpt::scene::parse_mesh;
 
 use super::*;

@@ -3,33 +3,27 @@
 use glam::{DMat4, DQuat, DVec3};
 
 use super::document::Node;
-use super::surface::{absorbs, bsdf_id, is_there, medium_id};
-use super::{Reason, Refusal, Subject, mesh};
+use super::surface::{bsdf_id, medium_id};
+use super::{Reason, Remark};
+use crate::export::seen::{absorbs, seen};
+use crate::export::{Subject, mesh};
 use crate::prepared::{Material, MaterialKind};
 use crate::scene::{Edges, Geometry, Mesh, Shape, edges};
 
 /// All shapes that can be seen; adds what is refused.
-pub fn nodes(subject: &Subject, refusals: &mut Vec<Refusal>) -> Vec<Node> {
+pub fn nodes(subject: &Subject, refusals: &mut Vec<Remark<Reason>>) -> Vec<Node> {
     let mut nodes = Vec::new();
     for (shape, material) in seen(subject) {
         if let Geometry::Mesh(mesh) = &shape.geometry
             && let Some(reason) = against(mesh, material)
         {
-            refusals.push(Refusal::new(shape.line, reason));
+            refusals.push(Remark::new(shape.line, reason));
             continue;
         }
         let pieces = pieces(shape, subject.stem);
         nodes.extend(pieces.into_iter().map(|piece| made_of(piece, material)));
     }
     nodes
-}
-
-/// The shapes of the scene that can be seen, with what they are made of.
-pub fn seen<'a>(subject: &Subject<'a>) -> impl Iterator<Item = (&'a Shape, &'a Material)> {
-    let materials = &subject.prepared.materials;
-    let all = subject.scene.shapes.iter();
-    all.map(|shape| (shape, &materials[shape.material]))
-        .filter(|(_, material)| is_there(material))
 }
 
 fn against(mesh: &Mesh, material: &Material) -> Option<Reason> {

@@ -2,9 +2,10 @@
 
 use glam::DMat4;
 
-use super::Subject;
 use super::document::Node;
-use super::surface::{absorbs, medium_id};
+use super::surface::medium_id;
+use crate::export::Subject;
+use crate::export::seen::absorbs;
 
 /// Mitsuba leaves out what is nearer than one plane or farther than another. In units of rendering space, where no shape is
 /// farther than 4 from the eye: before the one is what single precision does not tell from the eye.

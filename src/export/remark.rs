@@ -1,0 +1,46 @@
+//! What is said of a line of the scene: that the other renderer cannot have it, or has it otherwise.
+
+use std::fmt;
+
+/// A line of the scene, and what is said of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Remark<R> {
+    pub line: usize,
+    pub reason: R,
+    /// Lines after it of which the same is said.
+    pub more: usize,
+}
+
+impl<R> Remark<R> {
+    pub fn new(line: usize, reason: R) -> Self {
+        Self {
+            line,
+            reason,
+            more: 0,
+        }
+    }
+}
+
+impl<R: fmt::Display> fmt::Display for Remark<R> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        self.reason.fmt(f)?;
+        match self.more {
+            0 => Ok(()),
+            1 => f.write_str(" (and 1 more line)"),
+            n => write!(f, " (and {n} more lines)"),
+        }
+    }
+}
+
+/// In the order of the file, each reason once.
+pub fn gathered<R: PartialEq>(mut remarks: Vec<Remark<R>>) -> Vec<Remark<R>> {
+    remarks.sort_by_key(|remark| remark.line);
+    let mut gathered: Vec<Remark<R>> = Vec::new();
+    for remark in remarks {
+        match gathered.iter_mut().find(|r| r.reason == remark.reason) {
+            Some(same) => same.more += 1,
+            None => gathered.push(remark),
+        }
+    }
+    gathered
+}

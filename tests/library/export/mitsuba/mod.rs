@@ -1,0 +1,93 @@
+//! Scenes in Mitsuba's words: well-formed, each value as computed by hand from the scene, and what has no equal refused.
+
+mod camera;
+mod refusals;
+mod shapes;
+mod surfaces;
+
+use roxmltree::{Document, Node};
+use vkpt::export::mitsuba::{Reason, export as mitsuba};
+use vkpt::export::{Beside, Remark};
+use vkpt::settings::Settings;
+
+use super::{exported, same, written};
+
+/// What an export left: the XML and the meshes.
+struct Exported {
+    xml: String,
+    meshes: Vec<Beside>,
+}
+
+fn export_by(text: &str, settings: &Settings) -> Result<Exported, Vec<Remark<Reason>>> {
+    let export = exported(text, settings, mitsuba)?;
+    Ok(Exported {
+        xml: String::from_utf8(written(&export)).expect("UTF-8"),
+        meshes: export.beside,
+    })
+}
+
+fn export(text: &str) -> Exported {
+    export_by(text, &Settings::default()).expect("nothing is refused")
+}
+
+/// Each refused line and why.
+fn refused(text: &str) -> Vec<(usize, Reason)> {
+    let refusals = export_by(text, &Settings::default()).err();
+    let refusals = refusals.expect("something is refused").into_iter();
+    refusals.map(|r| (r.line, r.reason)).collect()
+}
+
+fn document(exported: &Exported) -> Document<'_> {
+    Document::parse(&exported.xml).expect("well-formed XML")
+}
+
+/// The plugins of a role, anywhere.
+fn plugins<'a>(document: &'a Document, tag: &'static str) -> Vec<Node<'a, 'a>> {
+    let all = document.descendants();
+    all.filter(|node| node.has_tag_name(tag)).collect()
+}
+
+/// The bsdf of a line, without what makes it two-sided.
+fn bsdf<'a>(document: &'a Document, line: usize) -> Node<'a, 'a> {
+    let id = format!("bsdf-{line}");
+    let all = document.descendants();
+    let mut named = all.filter(|node| node.attribute("id") == Some(&id));
+    let bsdf = (named.find(|node| node.has_tag_name("bsdf"))).expect("a bsdf of that line");
+    match bsdf.attribute("type") {
+        Some("twosided") => bsdf.first_element_child().expect("a bsdf in it"),
+        _ => bsdf,
+    }
+}
+
+fn kind<'a>(node: &Node<'a, 'a>) -> &'a str {
+    node.attribute("type").expect("a plugin")
+}
+
+/// The parameter `name` of a plugin.
+fn parameter<'a>(node: &Node<'a, 'a>, name: &str) -> Node<'a, 'a> {
+    let found = (node.children()).find(|child| child.attribute("name") == Some(name));
+    found.unwrap_or_else(|| panic!("{name} is missing"))
+}
+
+fn word<'a>(node: &Node<'a, 'a>, name: &str) -> &'a str {
+    let parameter = parameter(node, name);
+    parameter.attribute("value").expect("a value")
+}
+
+fn numbers(words: &str) -> Vec<f64> {
+    let parse = |word: &str| word.parse().expect("a number");
+    words.split_whitespace().map(parse).collect()
+}
+
+/// The numbers of a parameter are these.
+fn check(node: &Node, name: &str, expected: &[f64]) {
+    same(&numbers(word(node, name)), expected, name);
+}
+
+/// The rows of `to_world` are these.
+fn check_matrix(node: &Node, expected: &[f64; 16]) {
+    let transform = parameter(node, "to_world");
+    let matrix = transform.first_element_child().expect("a matrix");
+    let words = matrix.attribute("value").expect("numbers");
+    same(&numbers(words), expected, "to_world");
+}
