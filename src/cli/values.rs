@@ -15,10 +15,12 @@ pub enum Preset {
     Handout,
 }
 
-/// Another renderer.
+/// Another renderer, or the format of many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Peer {
     Mitsuba,
+    Pbrt,
+    Gltf,
 }
 
 impl Named for Preset {
@@ -26,7 +28,11 @@ impl Named for Preset {
 }
 
 impl Named for Peer {
-    const ALL: &'static [(Self, &'static str)] = &[(Self::Mitsuba, "mitsuba")];
+    const ALL: &'static [(Self, &'static str)] = &[
+        (Self::Mitsuba, "mitsuba"),
+        (Self::Pbrt, "pbrt"),
+        (Self::Gltf, "gltf"),
+    ];
 }
 
 impl Named for KernelChoice<'static> {

@@ -1,13 +1,38 @@
-//! Meshes as binary PLY files, each triangle where the scene has it.
+//! Meshes as binary PLY files, each triangle where the scene has it; and boxes as meshes.
 
 use std::borrow::Cow;
 
-use glam::DVec3;
+use glam::{BVec3, DVec3};
 
 use super::seen::seen;
 use super::{Beside, Subject};
 use crate::prepared::{Material, Prepared};
 use crate::scene::{Geometry, Mesh, flip, signed_volume};
+
+/// The triangles of a box, wound as one sees them from outside: two for each face, by its [`corners`].
+pub const BOX: [[u32; 3]; 12] = [
+    [0, 4, 6],
+    [0, 6, 2],
+    [1, 3, 7],
+    [1, 7, 5],
+    [0, 1, 5],
+    [0, 5, 4],
+    [2, 6, 7],
+    [2, 7, 3],
+    [0, 2, 3],
+    [0, 3, 1],
+    [4, 5, 7],
+    [4, 7, 6],
+];
+
+/// The corners of the box from `lo` to `hi`: bit 0 of a corner's number says whether its x is that of `hi`, bit 1 its y,
+/// bit 2 its z.
+pub fn corners(lo: DVec3, hi: DVec3) -> [DVec3; 8] {
+    std::array::from_fn(|i| {
+        let is_hi = BVec3::from_array([0, 1, 2].map(|bit| i >> bit & 1 == 1));
+        DVec3::select(is_hi, hi, lo)
+    })
+}
 
 /// The name of the mesh of a line.
 pub fn file_name(stem: &str, line: usize) -> String {

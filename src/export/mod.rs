@@ -1,8 +1,10 @@
 //! A scene in the words of other programs: a folder each. What such a program has no equal of is refused, by line; where it
 //! has another model of the same thing, that is said. docs/exchange.md has all of both.
 
+pub mod gltf;
 mod mesh;
 pub mod mitsuba;
+pub mod pbrt;
 mod place;
 mod remark;
 mod seen;
@@ -35,11 +37,16 @@ pub struct Export {
     text: Text,
     /// To stand beside the scene, which has their names.
     pub beside: Vec<Beside>,
+    /// Where the picture will not be quite the same, each once, in the order of the file.
+    pub warnings: Vec<Remark<String>>,
+    /// What is good to know.
+    pub note: Option<Remark<String>>,
 }
 
 #[derive(Clone, Debug)]
 enum Text {
     Xml(Node),
+    Bytes(Vec<u8>),
 }
 
 /// A file to stand beside the scene.
@@ -57,6 +64,7 @@ impl Export {
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         match &self.text {
             Text::Xml(root) => root.write(out),
+            Text::Bytes(bytes) => out.write_all(bytes),
         }
     }
 }

@@ -21,6 +21,17 @@ impl<R> Remark<R> {
     }
 }
 
+impl<R: fmt::Display> Remark<R> {
+    /// The same, its reason in words.
+    pub fn told(self) -> Remark<String> {
+        Remark {
+            line: self.line,
+            reason: self.reason.to_string(),
+            more: self.more,
+        }
+    }
+}
+
 impl<R: fmt::Display> fmt::Display for Remark<R> {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         self.reason.fmt(f)?;

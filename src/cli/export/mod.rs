@@ -1,26 +1,26 @@
 //! `vkpt export SCENE`: a scene as another renderer reads it.
 
 mod arguments;
+mod peer;
 
-use std::fmt::Display;
 use std::path::Path;
 
 use super::destination::{Destination, all_written};
-use super::exit::{Ending, Failure};
+use super::exit::{Ending, Failure, note, warn};
 use super::inputs::{Input, spare};
-use super::job::{Loaded, Request};
-use super::values::Peer;
+use super::job::Loaded;
 use super::writable;
-use crate::export::{Export, Remark, Subject, mitsuba};
+use crate::export::{Remark, Subject};
 pub use arguments::ExportArguments;
 
-/// Writes the scene and its meshes, all that is said of it or nothing.
+/// Writes the scene and what stands beside it, all that is said of it or nothing.
 pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
     let to = output(arguments)?;
-    // What cannot be written is told before the work; it is claimed below, with the meshes.
+    // What cannot be written is told before the work; it is claimed below, with the files beside it.
     drop(writable::check([&to])?);
     let request = arguments.request();
-    if let Some(message) = setting(arguments.to, &request) {
+    let model = &request.settings.model;
+    if let Some(message) = peer::setting(arguments.to, model, request.crop) {
         return Err(Failure::Usage(message.to_owned()));
     }
     let loaded = Loaded::new(&request)?;
@@ -33,10 +33,20 @@ pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
         crop: ready.job(&request)?.crop,
         stem: &stem.to_string_lossy(),
     };
-    let place = |line| loaded.place(&arguments.scene.name(), line);
-    let export = match arguments.to {
-        Peer::Mitsuba => told(mitsuba::export(&subject), place),
-    }?;
+    let file = arguments.scene.name();
+    let told = |remarks: &[Remark<String>]| {
+        let told = |r: &Remark<String>| format!("{}: {r}", loaded.place(&file, r.line));
+        remarks.iter().map(told).collect::<Vec<_>>()
+    };
+    let export = peer::export(arguments.to, &subject, to.path())
+        .map_err(|refusals| Failure::Untranslatable(told(&refusals)))?;
+    let warnings = told(&export.warnings);
+    if request.strict && !warnings.is_empty() {
+        return Err(Failure::Strict(warnings));
+    }
+    warnings.iter().for_each(|what| warn(what));
+    let notes = told(export.note.as_slice());
+    notes.iter().for_each(|what| note(what));
     let places = (export.beside.iter())
         .map(|file| beside(&to, &file.name))
         .collect::<Result<Vec<_>, _>>()?;
@@ -45,28 +55,10 @@ pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
     spare(&inputs, places.iter().chain([&to]))?;
     let written = (places.iter().zip(&export.beside))
         .map(|(to, file)| to.write(|out| out.write_all(&file.bytes)));
-    // The scene last: where it is, its meshes are.
+    // The scene last: where it is, what it names is.
     all_written(written)?;
     all_written([to.write(|out| export.write(out))])?;
     Ok(Ending::Complete)
-}
-
-/// The flag that the other renderer has no equal of, and why.
-fn setting(peer: Peer, request: &Request) -> Option<&'static str> {
-    match peer {
-        Peer::Mitsuba => mitsuba::setting(&request.settings.model),
-    }
-}
-
-/// What is refused, told by the places of lines.
-fn told<R: Display>(
-    exported: Result<Export, Vec<Remark<R>>>,
-    place: impl Fn(usize) -> String,
-) -> Result<Export, Failure> {
-    exported.map_err(|refusals| {
-        let told = (refusals.iter()).map(|r| format!("{}: {r}", place(r.line)));
-        Failure::Untranslatable(told.collect())
-    })
 }
 
 /// The file of `-o`, else one named after the scene.
@@ -80,16 +72,16 @@ fn output(arguments: &ExportArguments) -> Result<Destination, Failure> {
         ));
     };
     let mut name = stem.to_os_string();
-    name.push(".xml");
+    name.push(peer::ending(arguments.to));
     Ok(Destination::File(name.into()))
 }
 
-/// Where a mesh goes.
+/// Where a file beside the scene goes.
 fn beside(to: &Destination, name: &str) -> Result<Destination, Failure> {
     match to.neighbour() {
         Some(path) => Ok(Destination::File(path.with_file_name(name))),
         None => Err(Failure::Usage(format!(
-            "meshes are written beside the scene, and {to} has no place beside it: use -o FILE"
+            "files are written beside the scene, and {to} has no place beside it: use -o FILE"
         ))),
     }
 }

@@ -41,6 +41,8 @@ pub fn export(subject: &Subject) -> Result<Export, Vec<Remark<Reason>>> {
     Ok(Export {
         text: Text::Xml(root),
         beside: mesh::files(subject),
+        warnings: Vec::new(),
+        note: None,
     })
 }
 

@@ -1,10 +1,11 @@
 //! `vkpt export`: the files that it leaves, and how it ends.
 
 use std::fs;
+use std::path::Path;
 
 use roxmltree::Document;
 
-use super::program::{SCENE, folder, names, run};
+use super::program::{SCENE, folder, names, run, words};
 use crate::common::meshes::cube;
 
 const TO: [&str; 4] = ["export", "scene.scn", "--to", "mitsuba"];
@@ -114,4 +115,76 @@ fn a_detail_is_a_part_of_the_same_film() {
         let given = named.next().and_then(|n| n.attribute("value"));
         assert_eq!(given, Some(value), "{name}");
     }
+}
+
+#[test]
+fn each_renderer_has_files_of_its_own() {
+    let folder = folder(&SCENE.replace("sphere 0 0 0 1", "box 0 0 0 1 1 1"));
+    for (to, file) in [
+        ("pbrt", "scene.pbrt"),
+        ("gltf", "scene.glb"),
+        ("gltf -o a.gltf", "a.gltf"),
+    ] {
+        let run = words(folder.path(), &format!("export scene.scn --to {to}"));
+        assert_eq!((run.code, run.out.as_str()), (Some(0), ""), "{}", run.err);
+        assert!(folder.path().join(file).exists(), "{file}");
+    }
+    let left = ["a.bin", "a.gltf", "scene.glb", "scene.pbrt", "scene.scn"];
+    assert_eq!(names(folder.path()), left);
+    for file in ["a.gltf", "scene.glb"] {
+        let read = words(folder.path(), &format!("explain {file} --strict"));
+        assert_eq!(read.code, Some(0), "{}", read.err);
+    }
+}
+
+#[test]
+fn what_another_model_makes_of_a_scene_is_warned_of_and_strict_refuses_it() {
+    let folder = folder(&SCENE.replace("light 1 1 1", "light 3 2 1"));
+    let line = "export scene.scn --to pbrt -o -";
+    let warned = words(folder.path(), line);
+    assert_eq!(warned.code, Some(0));
+    let said = "warning: scene.scn:3: a colour: pbrt makes a smooth spectrum";
+    assert!(warned.err.starts_with(said), "{}", warned.err);
+    assert!(warned.out.contains("WorldBegin"));
+    let strict = words(folder.path(), &format!("{line} --strict"));
+    assert_eq!((strict.code, strict.out.as_str()), (Some(3), ""));
+    assert!(strict.err.contains("(--strict)"), "{}", strict.err);
+}
+
+#[test]
+fn a_gltf_file_renders_to_the_bits_of_its_scene() {
+    let mesh = cube();
+    let mesh = mesh.path().display();
+    let scene = |kt: &str| {
+        format!(
+            "screen 16 12\ncamera 0 0 8 .3\nlight 4 3 2\nmesh {mesh} 2 2 0 .5\nbrdf .5 .25 .75 0 0 0 1\n\
+             mesh {mesh} -1 0 0 .5\nbrdf 0 0 0 .0625 .125 .25 .25  {kt} .5 1  1.5\nmesh {mesh} 1 0 1 .5\n"
+        )
+    };
+    let folder = folder(&scene(".75"));
+    fs::write(folder.path().join("other.scn"), scene(".7500001")).expect("a scene");
+    let exported = words(folder.path(), "export scene.scn --to gltf");
+    assert_eq!(exported.code, Some(0));
+    // glTF knows the shape of a picture, and not its size.
+    let said =
+        "note: scene.scn:2: the size in pixels is not in glTF: render the file with --size 16x12";
+    assert_eq!(exported.err.trim_end(), said);
+    let picture = |name: &str| {
+        let flags = "--quiet --size 16x12 --spp 4 --device cpu-f32 -o a.exr";
+        let run = words(folder.path(), &format!("{name} {flags}"));
+        assert_eq!(run.code, Some(0), "{}", run.err);
+        pixels(&folder.path().join("a.exr"))
+    };
+    let bits = picture("scene.scn");
+    assert!(picture("scene.glb") == bits);
+    assert!(
+        picture("other.scn") != bits,
+        "a wrong Kt would go unnoticed"
+    );
+}
+
+fn pixels(path: &Path) -> Vec<[u32; 3]> {
+    let picture = vkpt::image::read(path).expect("a picture");
+    let rgb = picture.film.rgb.iter();
+    rgb.map(|pixel| pixel.map(f32::to_bits)).collect()
 }

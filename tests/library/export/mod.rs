@@ -1,6 +1,9 @@
 //! Scenes in other programs' words.
 
+mod gltf;
 mod mitsuba;
+mod pbrt;
+mod scenes;
 
 use std::path::Path;
 

@@ -1,0 +1,124 @@
+//! What glTF cannot say.
+
+use vkpt::export::gltf::setting;
+use vkpt::settings::{Absorption, Fresnel, Model};
+
+use super::*;
+use crate::common::meshes::ply;
+
+/// Each refused line and why.
+fn refused(text: &str) -> Vec<(usize, Reason)> {
+    let refusals = glb(text, &Settings::default()).err();
+    let refusals = refusals.expect("something is refused").into_iter();
+    refusals.map(|r| (r.line, r.reason)).collect()
+}
+
+/// A scene whose line 6 is this material.
+fn of(words: &str, brdf: &str) -> String {
+    format!(
+        "screen 8 8\ncamera 0 0 9 1\nlight 1 1 1\nbox 0 5 0 1 1 1\n{words}\nbrdf {brdf}\nbox 0 0 0 1 1 1\n"
+    )
+}
+
+#[test]
+fn materials_without_an_equal_are_refused_by_line() {
+    for (words, brdf, reason) in [
+        ("#", ".1 .1 .1 0 0 0 0 .5 .5 .5 1.5", Reason::Sum),
+        ("#", "0 0 0 .5 .5 .5 60", Reason::Phong),
+        ("distribution beckmann", "0 0 0 1 1 1 .3", Reason::Beckmann),
+        (
+            "fresnel exact",
+            "0 0 0 0 0 0 0 .5 .5 .5 1.5",
+            Reason::ExactGlass,
+        ),
+        ("#", "0 0 0 0 0 0 0 .5 .5 .5 .7", Reason::ThinIndex),
+    ] {
+        assert_eq!(refused(&of(words, brdf)), [(6, reason)], "{words}, {brdf}");
+    }
+    let mut settings = Settings::default();
+    settings.model.fresnel = Some(Fresnel::Schlick);
+    let glass = of("fresnel exact", "0 0 0 .04 .04 .04 0 .5 .5 .5 1.5");
+    glb(&glass, &settings).expect("a flag beats the word");
+}
+
+#[test]
+fn shapes_that_are_no_triangles_are_refused() {
+    for (shape, reason) in [
+        ("sphere 0 0 0 1", Reason::Sphere),
+        ("cylinder 0 0 0 0 0 1 1", Reason::Cylinder),
+    ] {
+        let scene = of("#", ".5 .5 .5 0 0 0 1").replace("box 0 0 0 1 1 1", shape);
+        assert_eq!(refused(&scene), [(7, reason)]);
+    }
+    let flat = ply(
+        "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\n\
+         property float nz\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+         0 0 0 0 0 1\n1 0 0 0 0 0\n0 1 0 0 0 1\n3 0 1 2\n",
+    );
+    let mesh = format!("mesh {} 0 0 0 1", flat.path().display());
+    let scene = of("#", ".5 .5 .5 0 0 0 1").replace("box 0 0 0 1 1 1", &mesh);
+    assert_eq!(refused(&scene), [(7, Reason::NoNormal)]);
+    assert_eq!(
+        refused("screen 8 8\ncamera 0 0 9 1\nbackground 1 1 1\n"),
+        [(2, Reason::Nothing)]
+    );
+}
+
+#[test]
+fn what_is_outside_is_white_where_nothing_shines_and_else_black() {
+    let scene = |light: &str, outside: &str| {
+        format!("screen 8 8\ncamera 0 0 9 1\n{outside}\n{light}\nbox 0 0 0 1 1 1\n")
+    };
+    let (lamp, grey) = ("light 1 1 1", "brdf .5 .5 .5 0 0 0 1");
+    for (light, outside, line) in [
+        (lamp, "background .1 .1 .1", 3),
+        (grey, "background .5 .5 .5", 3),
+        (lamp, "background 1 1 1", 3),
+    ] {
+        assert_eq!(
+            refused(&scene(light, outside)),
+            [(line, Reason::Background)]
+        );
+    }
+    assert_eq!(refused(&scene(grey, "#")), [(2, Reason::Dark)]);
+    for (light, outside) in [
+        (lamp, "#"),
+        (lamp, "background 0 0 0"),
+        (grey, "background 1 1 1"),
+    ] {
+        let bytes = glb(&scene(light, outside), &Settings::default()).expect("nothing is refused");
+        let back = read_from(Cursor::new(bytes), Path::new("a.glb"), true, None)
+            .expect("glTF")
+            .scene;
+        let shines = if light == grey { 1.0 } else { 0.0 };
+        assert_eq!(back.background.to_array(), [shines; 3]);
+    }
+    let lens = scene(lamp, "lens .1 5");
+    assert_eq!(refused(&lens), [(3, Reason::Lens)]);
+}
+
+#[test]
+fn settings_without_an_equal_are_named() {
+    let default = Settings::default().model;
+    assert_eq!(setting(&default, None), None);
+    let term = Model {
+        absorption: Absorption::Term,
+        ..default
+    };
+    let unscaled = Model {
+        radiance_scaling: false,
+        ..default
+    };
+    let short = Model {
+        max_depth: Some(3),
+        ..default
+    };
+    for (model, crop, flag) in [
+        (term, None, "--absorption term"),
+        (unscaled, None, "--radiance-scaling off"),
+        (short, None, "--max-depth"),
+        (default, Some([0, 0, 1, 1]), "--crop"),
+    ] {
+        assert!(setting(&model, crop).is_some_and(|said| said.starts_with(flag)));
+    }
+}
