@@ -1,4 +1,4 @@
-"""Renders scenes by vkpt and by Mitsuba in alternation: do they agree, and how fast is each?"""
+"""Renders scenes by vkpt and by Mitsuba or pbrt in alternation: do they agree, and how fast is each?"""
 
 import argparse
 from pathlib import Path
@@ -6,8 +6,9 @@ from pathlib import Path
 import numpy as np
 
 from blocks import bound, z_scores
+from grey import grey
 from planted import errors
-from renderers import Mitsuba, Refused, Vkpt
+from renderers import Mitsuba, Pbrt, Refused, Vkpt
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -21,6 +22,8 @@ def arguments():
     parser.add_argument("--replicates", type=int, default=16, help="pictures by either program")
     parser.add_argument("--spp", type=int, default=64, help="samples per pixel of each")
     parser.add_argument("--shrink", type=int, default=2, help="divide width and height by this")
+    parser.add_argument("--pbrt", type=Path, help="compare with this program, pbrt-v4, in place of Mitsuba")
+    parser.add_argument("--grey", action="store_true", help="take the colours out of the scenes")
     return parser.parse_args()
 
 
@@ -44,16 +47,16 @@ def rel_mse(pictures, truth):
 def compare(scene, options):
     """Prints the scene's row; whether the programs agree and every planted error is noticed."""
     text = scene.read_text()
+    if options.grey:
+        text = grey(text)
     width, height = size_of(text, options.shrink)
     size, samples = f"{width}x{height}", width * height * options.spp
     try:
-        theirs = Mitsuba(options.vkpt, scene, size, options.spp)
+        theirs = (Pbrt if options.pbrt else Mitsuba)(options, scene, text, size)
     except Refused as why:
         print(f"| {scene.stem} | refused: {why} |", flush=True)
         return True
-    # Mitsuba's roulette is right where there are no media (README.md), and then the same as vkpt's.
-    roulette = "off" if theirs.has_media else "throughput"
-    ours = Vkpt(options.vkpt, scene, text, size, roulette)
+    ours = Vkpt(options.vkpt, scene, text, size, theirs.roulette)
     turns = [(ours.render(options.spp, seed), theirs.render(options.spp, seed)) for seed in range(options.replicates)]
     pictures = [[turn[side][0] for turn in turns] for side in (0, 1)]
     seconds = [[turn[side][1] for turn in turns] for side in (0, 1)]
@@ -62,14 +65,14 @@ def compare(scene, options):
     row = [scene.stem, f"{np.abs(z).max():.2f}", f"{z.std():.2f}", "agree" if agrees else "DIFFER"]
     noticed = {}
     for name, wrong in errors(text).items():
-        vkpt = Vkpt(options.vkpt, scene, wrong, size, roulette)
+        vkpt = Vkpt(options.vkpt, scene, wrong, size, theirs.roulette)
         planted = [vkpt.render(options.spp, seed)[0] for seed in range(options.replicates)]
         noticed[name] = np.abs(z_scores(planted, pictures[1])).max()
     row += [", ".join(f"{name}: {worst:.1f}" for name, worst in noticed.items())]
     truth = np.mean(pictures, axis=(0, 1))
     # Both fall as 1/samples, so their product with the seconds is that of any number of samples.
     costs = [rel_mse(pictures[side], truth) * np.median(seconds[side]) for side in (0, 1)]
-    row += [speed(samples, seconds[0]), speed(samples, seconds[1]), f"{costs[1] / costs[0]:.2f}", ours.device, roulette]
+    row += [speed(samples, seconds[0]), speed(samples, seconds[1]), f"{costs[1] / costs[0]:.2f}", ours.device, theirs.roulette]
     print("| " + " | ".join(row) + " |", flush=True)
     return agrees and all(worst > bound() for worst in noticed.values())
 
@@ -77,7 +80,7 @@ def compare(scene, options):
 def main():
     options = arguments()
     print(f"largest |z| of 10×10 blocks in three channels, below {bound():.2f} by chance with probability 0.999\n")
-    print("| scene | largest z | deviation of z | verdict | planted errors | vkpt M samples/s | Mitsuba | its time for vkpt's error | device | roulette |")
+    print("| scene | largest z | deviation of z | verdict | planted errors | vkpt M samples/s | the other | its time for vkpt's error | device | roulette |")
     print("|" + "---|" * 10)
     results = [compare(scene, options) for scene in options.scenes]
     return 0 if all(results) else 1

@@ -29,8 +29,14 @@ def _denser(words):
     return words if float(words[11]) == 1 else [*words[:11], repr(float(words[11]) + 0.05)]
 
 
+def _is_lens(words):
+    return words[:1] == ["lens"]
+
+
 def errors(text):
-    """Each error's name and the scene that has it: of glass, or where there is none, of all else."""
+    """Each error's name and the scene that has it: of a lens, of glass, or where there is neither, of all else."""
+    if any(_is_lens(line.split()) for line in text.splitlines()):
+        return {"lens +10 %": _changed(text, _is_lens, lambda words: [words[0], repr(1.1 * float(words[1])), words[2]])}
     if not any(_is_glass(line.split()) for line in text.splitlines()):
         return {"Kd −1 %": _changed(text, _is_opaque, _scaled(1, 0.99))}
     return {"Kt −5 %": _changed(text, _is_glass, _scaled(8, 0.95)), "n + .05": _changed(text, _is_glass, _denser)}

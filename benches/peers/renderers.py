@@ -1,4 +1,4 @@
-"""vkpt and Mitsuba: each renders a seed and tells the seconds, without those of compiling."""
+"""vkpt, Mitsuba and pbrt: each renders a seed and tells the seconds, of vkpt and Mitsuba without those of compiling."""
 
 import json
 import subprocess
@@ -21,6 +21,16 @@ def read(path):
 
 class Refused(Exception):
     """A scene that the other program cannot have, and why."""
+
+
+def export(program, scene, text, size, to, peer):
+    """Writes the scene's text in the peer's words; what vkpt says of it."""
+    command = [program, "export", "-", "--to", peer, "--size", size, "-o", to]
+    run = subprocess.run([str(word) for word in command], input=text, text=True, cwd=scene.parent, capture_output=True)
+    if run.returncode == 3:
+        raise Refused("; ".join(run.stderr.replace("error: <stdin>:", "line ").split("\n")[:-1]))
+    run.check_returncode()
+    return run.stderr
 
 
 class Vkpt:
@@ -49,17 +59,14 @@ class Vkpt:
 class Mitsuba:
     """The same scene by `vkpt export`; its first picture is spent on compiling."""
 
-    def __init__(self, program, scene, size, spp):
+    def __init__(self, options, scene, text, size):
         with tempfile.TemporaryDirectory() as folder:
             xml = Path(folder, "scene.xml")
-            command = [program, "export", scene, "--to", "mitsuba", "--size", size, "-o", xml]
-            run = subprocess.run([str(word) for word in command], text=True, capture_output=True)
-            if run.returncode == 3:
-                raise Refused("; ".join(run.stderr.replace("error: ", "").split("\n")[:-1]))
-            run.check_returncode()
-            self.has_media = "volpathmis" in xml.read_text()
+            export(options.vkpt, scene, text, size, xml, "mitsuba")
+            # Mitsuba's roulette is right where there are no media (README.md), and then the same as vkpt's.
+            self.roulette = "off" if "volpathmis" in xml.read_text() else "throughput"
             self.scene = mi.load_file(str(xml))
-        self.render(spp, 2**31 - 1)
+        self.render(options.spp, 2**31 - 1)
 
     def render(self, spp, seed):
         start = time.perf_counter()
@@ -68,3 +75,23 @@ class Mitsuba:
         dr.sync_thread()
         seconds = time.perf_counter() - start
         return np.array(picture, dtype=np.float64), seconds
+
+
+class Pbrt:
+    """The same scene by `vkpt export --to pbrt`, each picture by a process of its own."""
+
+    roulette = "throughput"
+
+    def __init__(self, options, scene, text, size):
+        self.program = str(options.pbrt.resolve())
+        self.folder = tempfile.TemporaryDirectory()
+        self.scene = Path(self.folder.name, "scene.pbrt")
+        export(options.vkpt, scene, text, size, self.scene, "pbrt")
+
+    def render(self, spp, seed):
+        with tempfile.TemporaryDirectory() as folder:
+            picture = Path(folder, "a.exr")
+            command = [self.program, "--quiet", "--seed", seed, "--spp", spp, "--outfile", picture, self.scene]
+            start = time.perf_counter()
+            subprocess.run([str(word) for word in command], check=True)
+            return read(picture), time.perf_counter() - start
