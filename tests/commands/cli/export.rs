@@ -118,6 +118,28 @@ fn a_detail_is_a_part_of_the_same_film() {
 }
 
 #[test]
+fn a_detail_is_bounds_of_columns_then_rows_in_pbrt() {
+    let folder = folder(SCENE);
+    let flags = "--size 80x60 --crop 10,20,30,50 -o -";
+    let export = words(
+        folder.path(),
+        &format!("export scene.scn --to pbrt {flags}"),
+    );
+    let bounds = "\"integer pixelbounds\" [ 10 30 20 50 ]";
+    assert!(export.out.contains(bounds), "{}", export.out);
+    let refused = words(
+        folder.path(),
+        &format!("export scene.scn --to gltf {flags}"),
+    );
+    assert_eq!((refused.code, refused.out.as_str()), (Some(2), ""));
+    assert!(
+        refused
+            .err
+            .contains("--crop: glTF's cameras see whole pictures")
+    );
+}
+
+#[test]
 fn each_renderer_has_files_of_its_own() {
     let folder = folder(&SCENE.replace("sphere 0 0 0 1", "box 0 0 0 1 1 1"));
     for (to, file) in [

@@ -174,3 +174,22 @@ fn no_scene_is_left_out() {
     let listed = SCENES.map(|(name, ..)| root.join(format!("{name}.txt")));
     assert_eq!(all, BTreeSet::from(listed));
 }
+
+#[test]
+fn every_command_of_the_language_has_a_row() {
+    let readme = include_str!("../../../README.md");
+    let (_, commands) = readme
+        .split_once("| command | meaning |\n")
+        .expect("a table");
+    let rows = commands.lines().take_while(|line| line.starts_with('|'));
+    let words = rows.filter_map(|row| row.strip_prefix("| `")?.split([' ', '`']).next());
+    let words: BTreeSet<&str> = words.collect();
+    assert!(words.contains("screen") && words.contains("mesh"));
+    let exchange = include_str!("../../../docs/exchange.md");
+    let firsts = exchange.lines().filter_map(|line| line.split(" | ").next());
+    let firsts: Vec<&str> = firsts.filter(|cell| cell.starts_with('|')).collect();
+    for word in words {
+        let named = format!("`{word}");
+        assert!(firsts.iter().any(|cell| cell.contains(&named)), "{word}");
+    }
+}
