@@ -145,3 +145,24 @@ fn the_camera_comes_back() {
         .angle_between(back.camera.orientation);
     assert!(turned < 1e-7, "{turned}");
 }
+
+#[test]
+fn the_first_of_two_faces_in_one_place_is_there() {
+    let covered = |z: &str| {
+        let scene = of("#", "brdf .7 .6 .5 0 0 0 1");
+        // Its upper face is flush with that of the box before it where z is 3.5.
+        let [_, back] = there_and_back(&format!(
+            "{scene}brdf .1 .2 .3 0 0 0 1\nbox -1 2.5 {z} 1 1 .5\n"
+        ));
+        let back = ready(&back);
+        let by = |shape: usize| {
+            let own = &back.shapes[shape];
+            let first = |prim| back.primitives.coincident.of(shape as u32, prim).first();
+            let face = own.faces().find_map(first)?;
+            Some(back.shapes[face.shape as usize].line < own.line)
+        };
+        [1, 2].map(by)
+    };
+    assert_eq!(covered("3.5"), [None, Some(true)]);
+    assert_eq!(covered("3.4"), [None, None]);
+}
