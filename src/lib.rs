@@ -16,6 +16,7 @@ pub mod gpu;
 pub mod image;
 pub mod kernel;
 pub mod layout;
+pub mod live;
 pub mod memory;
 pub mod metrics;
 pub mod part;

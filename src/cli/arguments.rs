@@ -51,7 +51,7 @@ Exit codes:
     5  a file or stdout could not be written
     6  there is not enough memory; a driver that aborts ends so too
     7  the device failed twice; the samples done by then are in the .vkpt file, and in the pictures
-  130  interrupted by ctrl-c; the pictures hold the samples done by then
+  130  interrupted by ctrl-c or the page of --view; the pictures hold the samples done by then
   143  the same by SIGTERM, 129 by SIGHUP
 
 Examples:

@@ -25,6 +25,7 @@ mod job;
 mod keep;
 mod limits;
 mod listing;
+mod live;
 mod memory;
 mod merge;
 mod numbers;

@@ -1,6 +1,7 @@
 //! Every flag of a rendering, with its help.
 
 use std::ops::Range;
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
@@ -10,6 +11,7 @@ use crate::cli::destination::Destination;
 use crate::cli::exit::Failure;
 use crate::cli::job::{Ready, Request};
 use crate::cli::keep::Pause;
+use crate::cli::live::{Doors, LiveArguments};
 use crate::cli::numbers::{self, SamplePath};
 use crate::cli::outputs::OutputArguments;
 use crate::cli::settings::SettingArguments;
@@ -18,6 +20,7 @@ use crate::cli::values::{self, Devices, choice};
 use crate::cli::view::ViewArguments;
 use crate::film::Aov;
 use crate::gpu::Selector;
+use crate::live::Onlookers;
 use crate::path_class::PathClass;
 use crate::render::{
     self, Best, Job, KernelChoice, Outcome, RenderError, Start, Target, Until, Watch,
@@ -99,6 +102,9 @@ pub struct RenderArguments {
     )]
     #[arg(value_parser = choice::<KernelChoice>(), hide_possible_values = true)]
     pub kernel: KernelChoice<'static>,
+
+    #[command(flatten)]
+    pub live: LiveArguments,
 
     #[command(flatten)]
     pub settings: SettingArguments,
@@ -183,6 +189,12 @@ impl RenderArguments {
             }
             _ => render::render_from(job, target, start, stop, watch),
         }
+    }
+
+    /// Those who look on, and may set `stop`.
+    pub fn onlookers(&self, doors: Doors, stop: &Arc<AtomicBool>) -> Result<Onlookers, Failure> {
+        let [left, top, ..] = self.view.crop.unwrap_or_default();
+        doors.open(&self.scene()?.name(), [left, top], stop)
     }
 
     /// What the rendering writes where nobody says.

@@ -1,16 +1,17 @@
 //! Rendering, with a display, and a part on disk now and then.
 
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
 
 use super::arguments::RenderArguments;
 use super::record::{error_of, record};
 use super::split::split;
 use crate::cli::exit::{Failure, note, warn};
-use crate::cli::interrupt::stop_flag;
 use crate::cli::job::Ready;
 use crate::cli::keep::{Checkpoint, hint, resumed};
 use crate::cli::progress::Display;
 use crate::film::Channel;
+use crate::live::Onlookers;
 use crate::render::{
     self, Best, Job, NEAREST, Outcome, Progress, RenderError, Start, State, Watch, freedom,
 };
@@ -45,6 +46,8 @@ pub fn develop(
     ready: &Ready,
     job: &Job,
     goal: Goal,
+    stop: &AtomicBool,
+    onlookers: &mut Onlookers,
 ) -> Result<Option<Made>, Failure> {
     let best = arguments.best(job);
     let labels = Labels {
@@ -59,20 +62,21 @@ pub fn develop(
         note("all samples are there already");
         return Ok(None);
     }
-    let stop = stop_flag();
     let pause = arguments.pause().zip(goal.kept);
     let resumes = matches!(start, Start::After(_));
     let mut watcher = Watcher {
         display: Display::new(arguments.outputs.quiet),
         checkpoint: pause.map(|(pause, path)| Checkpoint::new(path.to_owned(), pause, resumes)),
         labels: &labels,
+        onlookers,
     };
-    let outcome = arguments.develop(job, &best.target, &start, &stop, &mut watcher);
+    let outcome = arguments.develop(job, &best.target, &start, stop, &mut watcher);
     watcher.display.finish();
     let checkpointed = watcher.checkpoint.map_or(resumes, |c| c.written);
     let mut outcome = outcome.map_err(Failure::Render)?;
+    watcher.onlookers.rendered(&outcome);
     let mut channels = render::layers(job, outcome.spp);
-    channels.extend(split(job, &mut outcome, &stop, arguments.outputs.quiet));
+    channels.extend(split(job, &mut outcome, stop, arguments.outputs.quiet));
     let header = labels.header(&outcome);
     Ok(Some(Made {
         freedom: freedom(job.settings.estimator.sampler, outcome.spp),
@@ -151,11 +155,13 @@ struct Watcher<'a> {
     display: Display,
     checkpoint: Option<Checkpoint>,
     labels: &'a Labels<'a>,
+    onlookers: &'a mut Onlookers,
 }
 
 impl Watch for Watcher<'_> {
     fn progress(&mut self, progress: Progress) {
         self.display.update(progress);
+        self.onlookers.progress(progress);
     }
 
     fn reached(&mut self, so_far: &dyn Fn() -> Outcome) {
@@ -165,9 +171,12 @@ impl Watch for Watcher<'_> {
                 (self.labels.header(&outcome), outcome.state.part)
             });
         }
+        self.onlookers.reached(so_far);
     }
 
     fn lost(&mut self, error: &RenderError, then: &str) {
-        warn(&format!("the device failed: {error}; {then}"));
+        let words = format!("the device failed: {error}; {then}");
+        warn(&words);
+        self.onlookers.trouble(&words);
     }
 }

@@ -15,8 +15,10 @@ use crate::cli::denoise::{denoised, load};
 use crate::cli::destination::Destination;
 use crate::cli::exit::{Ending, Failure, note, warn};
 use crate::cli::inputs::{Input, spare};
+use crate::cli::interrupt::stop_flag;
 use crate::cli::job::Loaded;
 use crate::cli::keep::digest;
+use crate::cli::live::Doors;
 use crate::cli::outputs::{Outputs, Written, write};
 use crate::cli::writable;
 use crate::denoise::Denoiser;
@@ -39,6 +41,7 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     let beside = beside.map(Destination::File);
     // What is wrong with what is asked for is said first.
     let _claims = (writable::check(outputs.all())?, writable::check(&beside)?);
+    let doors = Doors::new(&arguments.live)?;
     let request = arguments.request()?;
     let loaded = Loaded::new(&request)?;
     spare(
@@ -67,13 +70,29 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     }
     let asked = arguments.beside();
     let job = arguments.job(&ready, &asked)?;
-    let Some(made) = develop(arguments, &ready, &job, goal)? else {
-        return Ok(Ending::Complete);
-    };
+    let stop = stop_flag();
+    let mut onlookers = arguments.onlookers(doors, &stop)?;
+    let made = develop(arguments, &ready, &job, goal, &stop, &mut onlookers);
+    let ending = made.and_then(|made| match made {
+        None => Ok(Ending::Complete),
+        Some(made) => finish(&outputs, made, kept, denoiser, &job),
+    });
+    onlookers.ended(ending.is_ok());
+    ending
+}
+
+/// Denoises, if that is asked for and can be done, and writes.
+fn finish(
+    outputs: &Outputs,
+    made: Made,
+    kept: Option<PathBuf>,
+    denoiser: Option<Result<Denoiser, String>>,
+    job: &Job,
+) -> Result<Ending, Failure> {
     match denoiser {
-        None => leave(&outputs, made, kept, None),
-        Some(Ok(denoiser)) => leave(&outputs, made, kept, Some((&denoiser, &job))),
-        Some(Err(_)) => match leave(&outputs, made, kept, None)? {
+        None => leave(outputs, made, kept, None),
+        Some(Ok(denoiser)) => leave(outputs, made, kept, Some((&denoiser, job))),
+        Some(Err(_)) => match leave(outputs, made, kept, None)? {
             Ending::Complete => Ok(Ending::Undenoised),
             ending => Ok(ending),
         },

@@ -1,0 +1,51 @@
+//! How often a snapshot is made: so seldom that the rendering does not feel it.
+
+use std::time::{Duration, Instant};
+
+/// The least time between two.
+const PAUSE: Duration = Duration::from_secs(1);
+
+/// Making them takes at most this part of the time: the pause is as much longer as need be.
+const SHARE: u32 = 100;
+
+/// When the last one was made, and what it took.
+#[derive(Debug, Default)]
+pub struct Pace {
+    last: Option<(Instant, Duration)>,
+}
+
+impl Pace {
+    /// Whether there is time for one.
+    pub fn is_due(&self) -> bool {
+        let pause = |took: Duration| PAUSE.max(took * SHARE);
+        self.last
+            .is_none_or(|(end, took)| end.elapsed() >= pause(took))
+    }
+
+    /// One was made, begun at `start`.
+    pub fn made(&mut self, start: Instant) {
+        self.last = Some((Instant::now(), start.elapsed()));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_takes_long_is_made_seldom() {
+        let mut pace = Pace::default();
+        assert!(pace.is_due(), "the first at once");
+        pace.made(Instant::now());
+        assert!(!pace.is_due());
+        let ended = |ago, took| Pace {
+            last: Instant::now()
+                .checked_sub(Duration::from_millis(ago))
+                .map(|end| (end, Duration::from_millis(took))),
+        };
+        assert!(ended(1100, 1).is_due());
+        assert!(!ended(900, 1).is_due());
+        assert!(!ended(1100, 20).is_due(), "20 ms are 1 % of 2 s");
+        assert!(ended(2100, 20).is_due());
+    }
+}

@@ -1,0 +1,134 @@
+//! Pictures sent to tev, a viewer of linear pictures, by a thread of their own.
+
+mod address;
+mod packet;
+
+use std::io::{self, Write};
+use std::net::{TcpStream, ToSocketAddrs};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+use super::snapshot::Snapshot;
+pub use address::Address;
+
+/// A viewer that takes nothing for so long is given up; no end waits longer for one.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// A viewer, as long as it can be reached.
+#[derive(Debug)]
+pub struct Tev(Arc<Slot>);
+
+/// Where the next picture lies: a newer one takes the place of one that was not yet sent.
+#[derive(Debug, Default)]
+struct Slot {
+    next: Mutex<Next>,
+    news: Condvar,
+}
+
+#[derive(Debug, Default)]
+struct Next {
+    snapshot: Option<Arc<Snapshot>>,
+    /// Nothing comes after it.
+    is_last: bool,
+    /// Nothing is sent any more.
+    has_ended: bool,
+}
+
+impl Tev {
+    /// Sends pictures under that name. Once that fails, `complain` is told why, and nothing more is sent.
+    ///
+    /// # Errors
+    /// A thread that the system refuses.
+    pub fn start(
+        address: Address,
+        name: String,
+        complain: impl FnOnce(&str) + Send + 'static,
+    ) -> io::Result<Self> {
+        let slot = Arc::new(Slot::default());
+        let own = slot.clone();
+        thread::Builder::new()
+            .name("tev".to_owned())
+            .spawn(move || {
+                if let Err(error) = send(&own, &address, &name) {
+                    complain(&format!(
+                        "tev at {address} gets no pictures: {error}; the rendering goes on"
+                    ));
+                }
+                own.next().has_ended = true;
+                own.news.notify_all();
+            })?;
+        Ok(Self(slot))
+    }
+
+    /// Whether it has got all that there was.
+    pub fn is_wanted(&self) -> bool {
+        let next = self.0.next();
+        next.snapshot.is_none() && !next.has_ended
+    }
+
+    /// Sends this next.
+    pub fn show(&self, snapshot: Arc<Snapshot>) {
+        self.0.next().snapshot = Some(snapshot);
+        self.0.news.notify_all();
+    }
+
+    /// Waits until the last picture is sent, but not for long.
+    pub fn finish(self) {
+        let mut next = self.0.next();
+        next.is_last = true;
+        self.0.news.notify_all();
+        // However this ends, the program does next.
+        let waited = self
+            .0
+            .news
+            .wait_timeout_while(next, PATIENCE, |next| !next.has_ended);
+        drop(waited);
+    }
+}
+
+impl Slot {
+    fn next(&self) -> MutexGuard<'_, Next> {
+        self.next.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Waits for the next picture; `None` after the last.
+    fn take(&self) -> Option<Arc<Snapshot>> {
+        let is_idle = |next: &mut Next| next.snapshot.is_none() && !next.is_last;
+        let next = self.news.wait_while(self.next(), is_idle);
+        next.unwrap_or_else(PoisonError::into_inner).snapshot.take()
+    }
+}
+
+/// Sends what comes, to the last.
+fn send(slot: &Slot, address: &Address, name: &str) -> io::Result<()> {
+    let mut stream = connect(address)?;
+    let mut is_open = false;
+    while let Some(snapshot) = slot.take() {
+        let film = &snapshot.film;
+        if !is_open {
+            // Of an earlier rendering, whose picture would be taken for this one's.
+            stream.write_all(&packet::close(name))?;
+            stream.write_all(&packet::create(name, film))?;
+            is_open = true;
+        }
+        for update in packet::updates(name, film) {
+            stream.write_all(&update)?;
+        }
+    }
+    Ok(())
+}
+
+fn connect(address: &Address) -> io::Result<TcpStream> {
+    let mut failure = io::ErrorKind::NotFound.into();
+    for place in (address.host.as_str(), address.port).to_socket_addrs()? {
+        match TcpStream::connect_timeout(&place, PATIENCE) {
+            Ok(stream) => {
+                stream.set_write_timeout(Some(PATIENCE))?;
+                return Ok(stream);
+            }
+            Err(error) => failure = error,
+        }
+    }
+    Err(failure)
+}
