@@ -21,6 +21,7 @@ mod integrator;
 mod interrupt;
 mod lamps;
 mod layers;
+mod live;
 mod memory;
 mod models;
 #[cfg(target_os = "linux")]

@@ -7,7 +7,7 @@ use std::io::{BufRead, BufReader};
 use std::net::TcpStream;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -129,7 +129,11 @@ impl Browser {
 
     /// Opens a file and waits until all of it is there.
     pub fn open(&mut self, file: &Path) {
-        let url = format!("file://{}", file.display());
+        self.visit(&format!("file://{}", file.display()));
+    }
+
+    /// Opens an address and waits until all of it is there.
+    pub fn visit(&mut self, url: &str) {
         self.call("Page.navigate", json!({"url": url}));
         // The answer comes when the new document has taken the old one's place.
         while self.value("document.readyState") != "complete" {
@@ -145,13 +149,18 @@ impl Browser {
 
     /// What went wrong in the page, and what it asked the network for.
     pub fn complaints(&self) -> Vec<String> {
+        self.complaints_beside("file:")
+    }
+
+    /// What went wrong in the page, and what it asked the network for beside what begins so.
+    pub fn complaints_beside(&self, own: &str) -> Vec<String> {
         let errors = self.told("Runtime.exceptionThrown").into_iter();
         let logged = self.told("Log.entryAdded").into_iter();
         let printed = self.told("Runtime.consoleAPICalled").into_iter();
         let wrong = errors.chain(logged).chain(printed).map(Value::to_string);
         let requests = self.told("Network.requestWillBeSent").into_iter();
         let asked = requests.filter_map(|r| r["request"]["url"].as_str());
-        let outside = asked.filter(|url| !url.starts_with("file:") && !url.starts_with("data:"));
+        let outside = asked.filter(|url| !url.starts_with(own) && !url.starts_with("data:"));
         wrong.chain(outside.map(str::to_owned)).collect()
     }
 
@@ -192,14 +201,41 @@ impl Browser {
             "(() => {{ const e = {element}; e.scrollIntoView({{block: 'center'}}); \
              const r = e.getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; }})()"
         ));
-        let mut mouse = |kind: &str| {
-            let event = json!({"type": kind, "x": middle[0], "y": middle[1], "button": if kind == "mouseMoved" { "none" } else { "left" }, "clickCount": 1});
-            self.call("Input.dispatchMouseEvent", event);
-        };
-        mouse("mouseMoved");
+        let [x, y] = [0, 1].map(|i| middle[i].as_f64().expect("a place"));
+        self.mouse("mouseMoved", x, y);
         if press {
-            mouse("mousePressed");
-            mouse("mouseReleased");
+            self.mouse("mousePressed", x, y);
+            self.mouse("mouseReleased", x, y);
+        }
+    }
+
+    /// Moves the pointer to a place of the window, or presses or releases its left button there.
+    pub fn mouse(&mut self, kind: &str, x: f64, y: f64) {
+        let button = if kind == "mouseMoved" { "none" } else { "left" };
+        let event = json!({"type": kind, "x": x, "y": y, "button": button, "clickCount": 1});
+        self.call("Input.dispatchMouseEvent", event);
+    }
+
+    /// Moves the pointer with its left button down.
+    pub fn drag(&mut self, [x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) {
+        self.mouse("mousePressed", x0, y0);
+        let event = json!({"type": "mouseMoved", "x": x1, "y": y1, "button": "left", "buttons": 1});
+        self.call("Input.dispatchMouseEvent", event);
+        self.mouse("mouseReleased", x1, y1);
+    }
+
+    /// Turns the wheel at a place of the window; `down` is negative where it is turned up.
+    pub fn wheel(&mut self, x: f64, y: f64, down: f64) {
+        let event = json!({"type": "mouseWheel", "x": x, "y": y, "deltaX": 0, "deltaY": down});
+        self.call("Input.dispatchMouseEvent", event);
+    }
+
+    /// Waits until an expression of JavaScript is true.
+    pub fn wait(&mut self, expression: &str) {
+        let start = Instant::now();
+        while self.value(expression) != true {
+            assert!(start.elapsed() < PATIENCE, "never true: {expression}");
+            std::thread::sleep(Duration::from_millis(10));
         }
     }
 

@@ -3,7 +3,7 @@
 //!
 //! Needs Chromium in PATH. Pictures of the page stand in `target/screenshots/` afterwards.
 
-mod browser;
+pub mod browser;
 mod check;
 
 use std::path::PathBuf;
