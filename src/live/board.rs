@@ -117,7 +117,8 @@ impl Board {
         let is_up_to_date = asked.has == newest;
         shown.wanted |= is_up_to_date;
         if let Some(tab) = asked.tab {
-            let has_all = is_up_to_date && shown.phase.is_last();
+            // What it is told now may be lost with the program's end: it must say that it was told.
+            let has_all = is_up_to_date && asked.knows_end && shown.phase.is_last();
             shown.tabs.asks(tab, has_all);
         }
         self.asked.notify_all();
@@ -169,7 +170,11 @@ mod tests {
     }
 
     fn asked(has: u64) -> Asked {
-        Asked { tab: Some(1), has }
+        Asked {
+            tab: Some(1),
+            has,
+            knows_end: false,
+        }
     }
 
     #[test]
@@ -199,10 +204,27 @@ mod tests {
         board.show(snapshot(1));
         board.enter(Phase::Ended);
         assert!(waited(&board) >= PATIENCE);
+        board.tell(asked(1));
+        assert!(waited(&board) >= PATIENCE, "it may not know");
         std::thread::scope(|scope| {
-            scope.spawn(|| board.tell(asked(1)));
-            assert!(waited(&board) < PATIENCE / 2);
+            let knows_end = true;
+            let last = Asked {
+                knows_end,
+                ..asked(1)
+            };
+            let board = &board;
+            scope.spawn(move || board.tell(last));
+            assert!(waited(board) < PATIENCE / 2);
         });
+    }
+
+    #[test]
+    fn what_became_of_a_device_is_told() {
+        let board = board();
+        assert_eq!(board.tell(asked(0)).trouble, None);
+        board.trouble("the device failed".to_owned());
+        let told = board.tell(asked(0)).trouble;
+        assert_eq!(told.as_deref(), Some("the device failed"));
     }
 
     #[test]

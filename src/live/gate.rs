@@ -22,6 +22,8 @@ pub struct Asked {
     pub tab: Option<u64>,
     /// The number of the snapshot that it has, 0 before the first.
     pub has: u64,
+    /// Whether it was told that nothing more will come.
+    pub knows_end: bool,
 }
 
 const SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
@@ -88,13 +90,14 @@ fn is_same_site(headers: &HeaderMap) -> bool {
     sites.all(|site| site == "same-origin" || site == "none")
 }
 
-/// `tab=7&has=3`; what else there is, is not looked at.
+/// `tab=7&has=3&end=1`; what else there is, is not looked at.
 fn asked(uri: &Uri) -> Asked {
     let mut asked = Asked::default();
     for pair in uri.query().unwrap_or_default().split('&') {
         match pair.split_once('=') {
             Some(("tab", number)) => asked.tab = number.parse().ok(),
             Some(("has", number)) => asked.has = number.parse().unwrap_or(0),
+            Some(("end", number)) => asked.knows_end = number == "1",
             _ => {}
         }
     }
@@ -126,9 +129,10 @@ mod tests {
         let asked = Asked {
             tab: Some(7),
             has: 3,
+            knows_end: true,
         };
         let state = Ok(Route::State(asked));
-        assert_eq!(at("GET /state?tab=7&has=3&x=%41", &[HOST]), state);
+        assert_eq!(at("GET /state?tab=7&has=3&x=%41&end=1", &[HOST]), state);
         let own = ("origin", "http://localhost:8080");
         let same = ("sec-fetch-site", "same-origin");
         let named = ("host", "LocalHost:8080");

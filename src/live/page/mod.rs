@@ -102,7 +102,7 @@ fn picture() -> Markup {
                 }
             }
             canvas #picture tabindex="0" role="img" aria-label="The picture so far. Arrow keys move the pixel that is read." {}
-            p.readout { output #pixel { "Point at a pixel, or move to one by the arrow keys" } }
+            p.readout { output #pixel aria-live="off" { "Point at a pixel, or move to one by the arrow keys" } }
             p.note { (keys()) }
         }
     }
@@ -148,5 +148,33 @@ fn dialog() -> Markup {
                 button value="" { "Go on rendering" }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_scene_s_name_is_a_name() {
+        let page = Page::new("<script>a</script>").expect("a page");
+        let html = String::from_utf8_lossy(&page.html);
+        assert!(html.contains("<h1>&lt;script&gt;a&lt;/script&gt;</h1>"));
+        assert_eq!(html.matches("<script").count(), 1, "its own");
+    }
+
+    #[test]
+    fn the_policy_lets_the_page_s_own_parts_run() {
+        let [page, other] = ["a", "a"].map(|title| Page::new(title).expect("a page"));
+        let policy = page.policy.to_str().expect("a text");
+        let own = policy
+            .split("script-src 'nonce-")
+            .nth(1)
+            .and_then(|rest| rest.split('\'').next())
+            .expect("a nonce");
+        let html = String::from_utf8_lossy(&page.html);
+        assert_eq!(html.matches(&format!("nonce=\"{own}\"")).count(), 2);
+        assert!(!policy.contains("-inline") && !policy.contains("-eval"));
+        assert_ne!(page.policy, other.policy, "nobody can know it before");
     }
 }

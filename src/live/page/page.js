@@ -4,6 +4,7 @@ const find = (id) => document.getElementById(id);
 const tab = crypto.getRandomValues(new BigUint64Array(1))[0];
 let has = 0;
 let run = null;
+const { title } = document;
 
 // `85 ms`, `1.23 s`, `1 min 20 s`, `2 h 05 min`
 function duration(seconds) {
@@ -44,6 +45,7 @@ function tell(state) {
   const time = isLast(phase) ? "" : `, ${duration(seconds)}`;
   write("numbers", `${samples.toLocaleString("en")}${of} samples per pixel${time}${rest}`);
   find("fraction").value = fraction;
+  document.title = (renders ? `${Math.floor(100 * fraction)} % – ` : "") + title;
   find("stop").disabled = !renders || stopping;
   if (!renders || stopping) find("sure").close();
   write("trouble", state.trouble ?? "");
@@ -57,10 +59,11 @@ async function ask(path, how) {
   return answer;
 }
 
+const stateOf = (end) => ask(`/state?tab=${tab}&has=${has}&end=${end}`);
+
 // Asks once; whether all is told.
 async function news() {
-  const had = has;
-  const state = await (await ask(`/state?tab=${tab}&has=${has}`)).json();
+  const state = await (await stateOf(0)).json();
   if (run !== null && run !== state.run) {
     // Another rendering at the same port.
     location.reload();
@@ -77,13 +80,20 @@ async function news() {
     draw();
   }
   pause = phase === "rendering" && !state.stopping && !(state.seconds_left < 3) ? 500 : 80;
-  return isLast(phase) && had === (picture?.number ?? 0);
+  const all = isLast(phase) && has === (picture?.number ?? 0);
+  // The server waits to hear it, and may be gone before it answers.
+  if (all) await stateOf(1).catch(() => {});
+  return all;
 }
 
 let pause = 500;
 let timer = 0;
 let ended = false;
+let asking = false;
 async function follow() {
+  // One question at a time: answers could come in another order.
+  if (asking) return;
+  asking = true;
   clearTimeout(timer);
   try {
     ended = await news() || ended;
@@ -94,6 +104,7 @@ async function follow() {
       find("stop").disabled = true;
     }
   }
+  asking = false;
   // After the end, for another rendering at the same port.
   timer = setTimeout(follow, ended ? 2000 : pause);
 }

@@ -17,6 +17,7 @@ function fit() {
 
 // Zooms by a factor; the place x, y stays where it is.
 function zoomBy(factor, x = canvas.clientWidth / 2, y = canvas.clientHeight / 2) {
+  if (film.width === 0) return;
   const zoom = Math.min(Math.max(view.zoom * factor, SMALLEST), LARGEST);
   view.left = x - (x - view.left) * (zoom / view.zoom);
   view.top = y - (y - view.top) * (zoom / view.zoom);

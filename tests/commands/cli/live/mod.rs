@@ -179,6 +179,7 @@ struct Tab {
     number: u32,
     has: u64,
     picture: Option<Answer>,
+    knows_end: bool,
 }
 
 impl Tab {
@@ -188,19 +189,23 @@ impl Tab {
             number,
             has: 0,
             picture: None,
+            knows_end: false,
         }
     }
 
     /// What it is told; `None` once nobody answers.
     fn ask(&mut self) -> Option<Value> {
         let Self { number, has, .. } = self;
-        let state = get(self.port, &format!("/state?tab={number}&has={has}"))?.json();
+        let end = u8::from(self.knows_end);
+        let path = format!("/state?tab={number}&has={has}&end={end}");
+        let state = get(self.port, &path)?.json();
         let newest = state["picture"]["number"].as_u64().unwrap_or(0);
         if newest != self.has {
             let picture = get(self.port, "/picture")?;
             self.has = picture.number();
             self.picture = Some(picture);
         }
+        self.knows_end = state["phase"] == "ended";
         Some(state)
     }
 

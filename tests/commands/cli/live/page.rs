@@ -110,6 +110,7 @@ fn what_the_server_tells_stands_on_the_page() {
     };
     browser.wait("/^[0-9,]+ samples per pixel, .*, about 1 min [0-9]+ s left$/.test(document.querySelector('#numbers').textContent)");
     assert_eq!(text(&mut browser, "phase"), "Rendering");
+    browser.wait("/^[0-9]+ % – scene.scn – vkpt$/.test(document.title)");
     browser.wait("document.querySelectorAll('#plot .dot').length > 2");
     let latest = text(&mut browser, "latest");
     assert!(latest.starts_with("relMSE "), "{latest}");

@@ -3,13 +3,10 @@
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use super::page::{opened, text};
-use super::{ENDLESS, PATIENCE, Rendering, get};
+use serde_json::json;
 
-/// How many snapshots there were so far.
-fn pictures(port: u16) -> Option<u64> {
-    get(port, "/state")?.json()["picture"]["number"].as_u64()
-}
+use super::page::{opened, text};
+use super::{ENDLESS, PATIENCE, Rendering};
 
 #[test]
 fn a_page_finds_the_next_rendering_at_its_port() {
@@ -30,13 +27,16 @@ fn a_page_finds_the_next_rendering_at_its_port() {
         "100 %",
         "the last picture stays"
     );
+    let loaded = browser.told("Page.loadEventFired").len();
     let second = Rendering::on("cpu-f32", port, ENDLESS);
-    // A page that comes anew asks for a second picture once it has the first; until then it cannot be spoken to.
+    // While it is loaded anew nothing can be asked of it.
     let start = Instant::now();
-    while pictures(port) < Some(2) {
-        assert!(start.elapsed() < PATIENCE, "nobody asks");
+    while browser.told("Page.loadEventFired").len() <= loaded {
+        assert!(start.elapsed() < PATIENCE, "it stays as it is");
         sleep(Duration::from_millis(50));
+        browser.call("Page.getNavigationHistory", json!({}));
     }
+    browser.wait("document.querySelector('#zoom').textContent !== '100 %'");
     assert_eq!(text(&mut browser, "phase"), "Rendering");
     assert_eq!(
         browser.value("document.querySelector('#stop').disabled"),
