@@ -45,7 +45,8 @@ pub struct TestArguments {
     #[arg(long, value_name = "X", value_parser = numbers::target_error, conflicts_with = "bless")]
     pub max_relmse: Option<f64>,
 
-    /// Folder for what differs, made where it is needed: NAME.actual.exr, NAME.difference.png
+    /// Folder for what differs, made where it is needed: NAME.actual.exr, NAME.difference.png,
+    /// and reports that go there
     #[arg(long, value_name = "FOLDER", default_value = "test-results")]
     pub out: PathBuf,
 

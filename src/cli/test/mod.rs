@@ -33,6 +33,7 @@ pub fn test(arguments: &TestArguments) -> Result<Ending, Failure> {
             folder.display()
         )));
     }
+    make_room(arguments)?;
     let _claims = writable::check(arguments.reports())?;
     let console = Console::beside(arguments.reports());
     let stop = stop_flag();
@@ -78,6 +79,25 @@ pub fn test(arguments: &TestArguments) -> Result<Ending, Failure> {
         (Ok(_), 1..) => Err(Failure::Comparison(Vec::new())),
         (ended, _) => ended,
     }
+}
+
+/// Makes the folder for what differs where a report goes there, too.
+fn make_room(arguments: &TestArguments) -> Result<(), Failure> {
+    let mut folders = arguments
+        .reports()
+        .filter_map(|to| to.neighbour()?.parent());
+    match folders.any(|folder| folder == arguments.out) {
+        true => make_folder(&arguments.out),
+        false => Ok(()),
+    }
+}
+
+/// Makes a folder and those that it is in.
+fn make_folder(path: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(path).map_err(|cause| {
+        let path = path.to_owned();
+        Failure::Files(vec![FileError { path, cause }])
+    })
 }
 
 /// Its file, or where that is gone its picture, seen from the folder.
@@ -208,11 +228,7 @@ fn judged(
 
 /// Writes the picture and where it differs, for people to look at; returns the names.
 fn show(stem: &Path, made: &Rendered, heat: Option<&Film>) -> Result<Vec<String>, Failure> {
-    let folder = stem.parent().unwrap_or(Path::new(""));
-    fs::create_dir_all(folder).map_err(|cause| {
-        let path = folder.to_owned();
-        Failure::Files(vec![FileError { path, cause }])
-    })?;
+    make_folder(stem.parent().unwrap_or(Path::new("")))?;
     let actual = beside(stem, ".actual.exr");
     all_written([put(&actual, &made.bytes)])?;
     let mut names = vec![actual.display().to_string()];

@@ -79,7 +79,11 @@ fn a_picture_that_differs_is_shown() {
     let at = folder.path();
     assert_eq!(words(at, "test p --spp 4 --bless").code, Some(0));
     fs::write(at.join("p/in/b.scn"), SCENE.replace("1 1 1", "2 1.001 1")).expect("a scene");
-    let run = words(at, "test p --spp 4 --quiet --junit r.xml");
+    // Of this folder nothing is there yet.
+    let run = words(
+        at,
+        "test p --spp 4 --quiet --junit r.xml --html test-results/index.html",
+    );
     assert_eq!((run.code, run.err.as_str()), (Some(1), ""), "{}", run.out);
     assert!(run.out.starts_with("DIFFERS in/b.scn  "), "{}", run.out);
     for told in [
@@ -103,6 +107,13 @@ fn a_picture_that_differs_is_shown() {
             .contains("pixels differ")
     );
     assert!(failure.text().expect("words").contains("b.actual.exr"));
+    let page = bytes(at, "test-results/index.html");
+    let page = String::from_utf8(page).expect("a page");
+    assert_eq!(page.matches("src=\"data:image/png;base64,").count(), 3);
+    for told in ["the same to the bit", "href=\"#in/b.scn\"", "1 went wrong"] {
+        assert!(page.contains(told), "{told}");
+    }
+    fs::remove_file(at.join("test-results/index.html")).expect("a page");
     // Within what is allowed, and not within less.
     let close = words(at, "test p --spp 4 --max-relmse 1e-3");
     assert_eq!(close.code, Some(0), "{}", close.out);
