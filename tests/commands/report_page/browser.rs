@@ -96,6 +96,12 @@ impl Browser {
 
     /// A method's answer; what the browser says in between is kept.
     pub fn call(&mut self, method: &str, params: Value) -> Value {
+        self.answer(method, params)
+            .unwrap_or_else(|error| panic!("{method}: {error}"))
+    }
+
+    /// The same, or what the browser says is wrong with it.
+    fn answer(&mut self, method: &str, params: Value) -> Result<Value, Value> {
         self.calls += 1;
         let id = self.calls;
         let mut request = json!({"id": id, "method": method, "params": params});
@@ -108,8 +114,10 @@ impl Browser {
         loop {
             let message = self.receive();
             if message["id"] == json!(id) {
-                assert!(message["error"].is_null(), "{method}: {}", message["error"]);
-                return message["result"].clone();
+                return match &message["error"] {
+                    Value::Null => Ok(message["result"].clone()),
+                    error => Err(error.clone()),
+                };
             }
         }
     }
@@ -228,6 +236,20 @@ impl Browser {
     pub fn wheel(&mut self, x: f64, y: f64, down: f64) {
         let event = json!({"type": "mouseWheel", "x": x, "y": y, "deltaX": 0, "deltaY": down});
         self.call("Input.dispatchMouseEvent", event);
+    }
+
+    /// Waits until an expression is true of a page that is loaded anew meanwhile: until it is, there may be nobody to ask.
+    pub fn wait_anew(&mut self, expression: &str) {
+        let start = Instant::now();
+        let params = json!({"expression": expression, "returnByValue": true});
+        let is_true = |answer: Value| answer["result"]["value"] == true;
+        while !self
+            .answer("Runtime.evaluate", params.clone())
+            .is_ok_and(is_true)
+        {
+            assert!(start.elapsed() < PATIENCE, "never true: {expression}");
+            std::thread::sleep(Duration::from_millis(10));
+        }
     }
 
     /// Waits until an expression of JavaScript is true.
