@@ -1,75 +1,12 @@
-//! How the program ends: exit codes, and errors told on stderr.
+//! The end of the program, and what it tells on stderr until then.
 
 use miette::Severity;
 
 use super::caller::caller;
+pub use super::failure::{Ending, Failure, MEMORY};
 use super::interrupt::exit_code;
 use super::streams::tell;
-use crate::converge::ConvergeError;
-use crate::image::file::FileError;
-use crate::prepared::PrepareError;
-use crate::render::RenderError;
-use crate::scene::{Diagnostic, Errors};
-
-/// An end that left what was asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
-    Complete,
-    /// By ctrl-c or another signal.
-    Interrupted,
-    /// All but denoised pictures; why was said.
-    Undenoised,
-}
-
-/// An end that did not.
-#[derive(Debug)]
-pub enum Failure {
-    /// The command line is wrong in a way that clap does not find by itself.
-    Usage(String),
-    /// In a way that clap finds.
-    CommandLine(clap::Error),
-    Scene(Errors),
-    Prepare(PrepareError),
-    /// What a scene says and another renderer cannot.
-    Untranslatable(Vec<String>),
-    /// Warnings that `--strict` makes errors.
-    Strict(Vec<String>),
-    Render(RenderError),
-    /// A scene does not fit into memory, or no threads can be made.
-    Memory(String),
-    /// What was compared is not the same.
-    Comparison(Vec<String>),
-    /// By the Vulkan loader or for want of a device.
-    NoDevice(String),
-    Files(Vec<FileError>),
-    /// The device failed twice; where the samples done by then are.
-    Lost {
-        why: String,
-        part: Option<String>,
-    },
-    /// Pictures that can't be read or compared.
-    Pictures(Vec<String>),
-    /// Jobs that a batch system did not take.
-    Submission(String),
-    /// A device that gets something wrong that pictures depend on.
-    Unhealthy(String),
-}
-
-impl From<ConvergeError> for Failure {
-    fn from(error: ConvergeError) -> Self {
-        match error {
-            ConvergeError::Render(error) => Self::Render(error),
-            ConvergeError::Metrics(error) => Self::Pictures(vec![error.to_string()]),
-            ConvergeError::Finish(why) => Self::Pictures(vec![why]),
-        }
-    }
-}
-
-/// The exit code where memory or threads do not suffice.
-pub const MEMORY: u8 = 6;
-
-/// The exit code where the device failed twice.
-const LOST: u8 = 7;
+use crate::scene::Diagnostic;
 
 /// Tells a failure and gives the program's exit code.
 pub fn exit(ending: Result<Ending, Failure>) -> u8 {
@@ -79,99 +16,27 @@ pub fn exit(ending: Result<Ending, Failure>) -> u8 {
         Ok(Ending::Undenoised) => 1,
         Err(failure) => {
             let code = failure.code();
-            failure.tell();
+            tell_failure(failure);
             code
         }
     }
 }
 
-impl Failure {
-    /// The program's exit code.
-    pub fn code(&self) -> u8 {
-        match self {
-            Self::Render(error) if error.is_no_device() => 4,
-            Self::Render(RenderError::Twice(_)) | Self::Lost { .. } => LOST,
-            Self::Render(RenderError::Memory { .. }) | Self::Memory(_) => MEMORY,
-            Self::Scene(errors) if errors.lacks_memory => MEMORY,
-            Self::Render(_) | Self::Comparison(_) | Self::Submission(_) | Self::Unhealthy(_) => 1,
-            Self::Usage(_) | Self::CommandLine(_) => 2,
-            Self::Scene(_)
-            | Self::Prepare(_)
-            | Self::Untranslatable(_)
-            | Self::Strict(_)
-            | Self::Pictures(_) => 3,
-            Self::NoDevice(_) => 4,
-            Self::Files(_) => 5,
+/// Prints what went wrong.
+fn tell_failure(failure: Failure) {
+    match failure {
+        Failure::Usage(message) => {
+            error(&format!("{message}\n\nFor more information, try '--help'."))
         }
-    }
-
-    /// Whether the scene or a picture is wrong, and not what renders it.
-    pub fn is_of_input(&self) -> bool {
-        match self {
-            Self::Scene(errors) => !errors.lacks_memory,
-            Self::Prepare(_) | Self::Strict(_) | Self::Pictures(_) | Self::Usage(_) => true,
-            _ => false,
+        // Where that fails there is nowhere left to say so.
+        Failure::CommandLine(wrong) => drop(wrong.print()),
+        Failure::Scene(errors) => {
+            let sum = errors.to_string();
+            point_out(errors.diagnostics);
+            error(&sum);
         }
+        other => other.messages().iter().for_each(|message| error(message)),
     }
-
-    /// What it is, a message each, as it is told after `error: `.
-    pub fn messages(&self) -> Vec<String> {
-        match self {
-            Self::Scene(errors) => {
-                let each = errors.diagnostics.iter().map(ToString::to_string);
-                each.chain([errors.to_string()]).collect()
-            }
-            Self::CommandLine(wrong) => vec![sentence(wrong)],
-            Self::Prepare(e) => vec![e.to_string()],
-            Self::Render(e) => vec![e.to_string()],
-            Self::Strict(warnings) => {
-                let each = warnings.iter();
-                each.map(|warning| format!("{warning} (--strict)"))
-                    .collect()
-            }
-            Self::Usage(message)
-            | Self::NoDevice(message)
-            | Self::Memory(message)
-            | Self::Submission(message) => vec![message.clone()],
-            Self::Unhealthy(device) => vec![format!("{device} is not healthy")],
-            Self::Lost { why, part } => {
-                let resume = part.as_ref().map_or(String::new(), |part| {
-                    format!(
-                        "\n{part} has the samples done by then: --resume goes on from it. Of a CPU's driver, \
-                         --resume --device cpu-f32 ends at the same picture, to the bit."
-                    )
-                });
-                vec![format!("the device failed twice: {why}{resume}")]
-            }
-            Self::Comparison(messages)
-            | Self::Untranslatable(messages)
-            | Self::Pictures(messages) => messages.clone(),
-            Self::Files(errors) => errors.iter().map(|e| format!("cannot write {e}")).collect(),
-        }
-    }
-
-    fn tell(self) {
-        match self {
-            Self::Usage(message) => {
-                error(&format!("{message}\n\nFor more information, try '--help'."))
-            }
-            // Where that fails there is nowhere left to say so.
-            Self::CommandLine(wrong) => drop(wrong.print()),
-            Self::Scene(errors) => {
-                let sum = errors.to_string();
-                point_out(errors.diagnostics);
-                error(&sum);
-            }
-            other => other.messages().iter().for_each(|message| error(message)),
-        }
-    }
-}
-
-/// What is wrong with a command line, without the advice that clap adds for those who typed it.
-fn sentence(wrong: &clap::Error) -> String {
-    let text = wrong.to_string();
-    let said = text.split("\n\n").next().unwrap_or(&text);
-    said.trim_start_matches("error: ").trim_end().to_owned()
 }
 
 /// A diagnostic with its place, in one line.

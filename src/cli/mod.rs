@@ -15,6 +15,7 @@ mod doctor;
 mod exit;
 mod explain;
 mod export;
+mod failure;
 mod farm;
 mod identity;
 mod init;
