@@ -13,7 +13,7 @@ use vkpt::report::Tested;
 use crate::arrays::{array, film};
 use crate::caller::call;
 use crate::failure::raise;
-use crate::picture::Picture;
+use crate::picture::{Picture, finite};
 
 /// A picture that a program means.
 #[derive(FromPyObject)]
@@ -49,6 +49,7 @@ pub fn compare<'py>(
     b: Pictured,
     exposure: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
+    finite(py, exposure)?;
     let [a, b] = [a.comparand("a")?, b.comparand("b")?];
     let comparison = call(py, None, move || compared(a, b, exposure))?;
     let comparison = comparison.map_err(|failure| raise(py, failure))?;

@@ -45,7 +45,7 @@ impl Growing {
     fn new(py: Python, scene: Scene, words: Vec<OsString>, pause: f64) -> PyResult<Self> {
         let arguments = arguments(scene, words).map_err(|failure| raise(py, failure))?;
         let pause = Duration::try_from_secs_f64(pause)
-            .map_err(|error| raise(py, Failure::Usage(format!("pause={pause}: {error}"))))?;
+            .map_err(|error| raise(py, Failure::Usage(format!("pause={pause:?}: {error}"))))?;
         let (to, news) = channel();
         let growing = Self {
             news: Mutex::new(Some(news)),
@@ -53,7 +53,8 @@ impl Growing {
             waits: Arc::default(),
         };
         let (stop, waits) = (growing.stop.clone(), growing.waits.clone());
-        std::thread::spawn(move || grow(&arguments, pause, to, stop, &waits));
+        let thread = std::thread::Builder::new().name("vkpt".to_owned());
+        thread.spawn(move || grow(&arguments, pause, to, stop, &waits))?;
         Ok(growing)
     }
 

@@ -6,7 +6,7 @@ use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
-use vkpt::cli::{Comparand, Rendered};
+use vkpt::cli::{Comparand, Failure, Rendered};
 use vkpt::film::{Channel, Film};
 use vkpt::image::Format;
 use vkpt::report;
@@ -143,6 +143,7 @@ impl Picture {
     #[pyo3(signature = (path, exposure = 0.0))]
     fn save(&self, py: Python, path: PathBuf, exposure: f64) -> PyResult<()> {
         let rendered = self.rendered(py)?;
+        finite(py, exposure)?;
         let saved = py.detach(|| rendered.save(&path, exposure));
         saved.map_err(|failure| raise(py, failure))
     }
@@ -151,6 +152,7 @@ impl Picture {
     #[pyo3(signature = (exposure = 0.0))]
     fn png<'py>(&self, py: Python<'py>, exposure: f64) -> PyResult<Bound<'py, PyBytes>> {
         let rendered = self.rendered(py)?;
+        finite(py, exposure)?;
         let bytes = py.detach(|| rendered.encode(Format::Png, exposure));
         let bytes = bytes.map_err(|failure| raise(py, failure))?;
         Ok(PyBytes::new(py, &bytes))
@@ -194,6 +196,17 @@ impl ErrorAt {
             number(self.low),
             number(self.high)
         )
+    }
+}
+
+/// Refuses stops that no picture can be brightened by.
+pub fn finite(py: Python, exposure: f64) -> PyResult<()> {
+    match exposure.is_finite() {
+        true => Ok(()),
+        false => Err(raise(
+            py,
+            Failure::Usage("exposure must be a finite number of stops".to_owned()),
+        )),
     }
 }
 

@@ -35,8 +35,11 @@ def test_pictures_files_and_arrays_compare_alike(scene: Path, tmp_path: Path) ->
         assert pictures[metric] == files[metric] == arrays[metric]
     assert pictures["z_test_passes"]
     assert files["z_test_passes"] is None and "standard errors" in files["z_test_lacks"]
-    with pytest.raises(ValueError, match="shape"):
-        vkpt.compare(a.rgb[..., :2], b)
+    for array in [a.rgb[..., :2], a.rgb[..., 0]]:
+        with pytest.raises(ValueError, match=r"shape \(height, width, 3\)"):
+            vkpt.compare(array, b)
+    with pytest.raises(vkpt.ArgumentError, match="finite"):
+        vkpt.compare(a, b, exposure=float("nan"))
 
 
 def test_an_experiment_is_that_of_json(scene: Path, command: Command) -> None:
@@ -60,3 +63,10 @@ def test_an_experiment_is_that_of_json(scene: Path, command: Command) -> None:
     assert ours_steps[0]["spp"] == theirs_steps[0]["spp"] == 1
     table = pandas.json_normalize(ours_steps)
     assert len(table) == len(ours_steps) and table["spp"].tolist() == [2**k for k in range(len(table))]
+
+
+def test_settings_are_varied_by_their_names_in_python() -> None:
+    vary = {"radiance_scaling": [True, False]}
+    result = vkpt.converge(SCENE, time=0.2, vary=vary, device="cpu-f32", progress=False)
+    names = [variant["name"] for variant in result["variants"]]
+    assert names == ["radiance-scaling=on", "radiance-scaling=off"]

@@ -107,6 +107,13 @@ def test_what_ends_a_rendering(scene: Path) -> None:
     assert picture.error.high < 1e-2
 
 
+def test_what_says_nothing_is_left_out(scene: Path) -> None:
+    plain = vkpt.render(scene, progress=False)
+    nothing = vkpt.render(scene, time=None, aov=[], strict=False, denoise=False, progress=False)  # type: ignore[arg-type]
+    assert np.array_equal(plain.rgb, nothing.rgb)
+    assert nothing.layers == {}
+
+
 def test_progress_is_shown(scene: Path) -> None:
     seen: list[tuple[float, str]] = []
     vkpt.render(scene, time=0.5, progress=lambda part, words: seen.append((part, words)))

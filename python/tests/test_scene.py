@@ -104,6 +104,11 @@ def test_a_scene_is_saved_with_its_meshes(tmp_path: Path) -> None:
     assert np.array_equal(saved.rgb, vkpt.render(scene, progress=False).rgb)
 
 
+def test_a_colour_has_three_channels() -> None:
+    with pytest.raises(ValueError, match="three numbers"):
+        start().diffuse((0.5, 0.5))
+
+
 @pytest.mark.parametrize(
     ("wrong", "message"),
     [

@@ -150,7 +150,10 @@ def read(path: str | os.PathLike[str], layer: str | None = None) -> npt.NDArray[
 def _picture(of: Any) -> Any:
     if isinstance(of, (Picture, str, os.PathLike)):
         return of
-    return np.ascontiguousarray(of, np.float32)
+    array = np.ascontiguousarray(of, np.float32)
+    if array.ndim != 3 or array.shape[2] != 3:
+        raise ValueError(f"a picture has the shape (height, width, 3), not {array.shape}")
+    return array
 
 
 @contextmanager

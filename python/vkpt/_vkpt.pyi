@@ -60,7 +60,8 @@ class Picture:
     def ended(self) -> str | None:
         """`complete`, `time`, `target-error` or `interrupted`; `None` where more samples follow."""
     @property
-    def device(self) -> str: ...
+    def device(self) -> str:
+        """The name of what rendered."""
     @property
     def warnings(self) -> list[str]:
         """What the author of the scene should know."""

@@ -1,7 +1,7 @@
 """Keyword arguments as the words of a command line, whose parser then judges them."""
 
 import difflib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sized
 from typing import Any
 
 from . import _vkpt
@@ -28,7 +28,7 @@ def names(command: str) -> set[str]:
 
 
 def words(command: str, settings: Mapping[str, Any]) -> list[str]:
-    """The flags of a command line that say the same; `None` says nothing."""
+    """The flags of a command line that say the same; `None` and an empty list say nothing."""
     known = names(command)
     line: list[str] = []
     for name, value in settings.items():
@@ -37,14 +37,18 @@ def words(command: str, settings: Mapping[str, Any]) -> list[str]:
         flag = name.replace("_", "-")
         is_switch = _FLAGS[command][flag]
         if name == "vary":
-            line += [f"--vary={key}={_value(name, v)}" for key, v in value.items()]
-        elif value is None or (value is False and (is_switch or name == "denoise")):
+            line += [f"--vary={key.replace('_', '-')}={_value(name, v)}" for key, v in value.items()]
+        elif _says_nothing(value) or (value is False and (is_switch or name == "denoise")):
             pass
         elif value is True and (is_switch or name == "denoise"):
             line.append(f"--{flag}")
         else:
             line.append(f"--{flag}={_value(name, value)}")
     return line
+
+
+def _says_nothing(value: Any) -> bool:
+    return value is None or (isinstance(value, Sized) and not isinstance(value, str) and len(value) == 0)
 
 
 def _value(name: str, value: Any) -> str:

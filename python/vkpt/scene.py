@@ -93,7 +93,7 @@ class Scene:
         scale: float = 1,
         orientation: Orientation = None,
     ) -> Scene:
-        """Radiance of all that is outside: a colour, or a picture in latitude and longitude (HDR, EXR or PNG)."""
+        """Radiance of all that is outside: a colour, or a picture in latitude and longitude (EXR or HDR)."""
         if isinstance(what, (str, os.PathLike)):
             name = os.fspath(what)
             return self._add("background", name, scale, _oriented(orientation))
@@ -154,6 +154,7 @@ class Scene:
     # Shapes.
 
     def sphere(self, center: Vector, radius: float) -> Scene:
+        """A sphere by its centre and radius."""
         return self._add("sphere", center, radius)
 
     def box(self, corner: Vector, diagonal: Vector) -> Scene:
@@ -201,7 +202,10 @@ def _words(part: Any) -> str:
 
 
 def _color(color: Color) -> Sequence[float]:
-    return np.broadcast_to(np.asarray(color, float), 3).tolist()  # type: ignore[no-any-return]
+    channels = np.atleast_1d(np.asarray(color, float))
+    if channels.shape not in [(1,), (3,)]:
+        raise ValueError(f"a colour is three numbers, or one for all of them, not {color}")
+    return np.broadcast_to(channels, 3).tolist()  # type: ignore[no-any-return]
 
 
 def _oriented(orientation: Orientation) -> str:
