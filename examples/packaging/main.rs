@@ -4,39 +4,21 @@
 //! cargo run --example packaging -- target/packaging
 //! ```
 
-use std::fs;
-use std::io;
+mod files;
+
 use std::path::Path;
 use std::process::ExitCode;
-
-use clap_complete::Shell;
-use vkpt::cli::command_line;
-
-const SHELLS: [Shell; 3] = [Shell::Bash, Shell::Zsh, Shell::Fish];
 
 fn main() -> ExitCode {
     let Some(folder) = std::env::args_os().nth(1) else {
         eprintln!("usage: packaging FOLDER");
         return ExitCode::from(2);
     };
-    match write(Path::new(&folder)) {
+    match files::write(Path::new(&folder)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {}: {error}", Path::new(&folder).display());
             ExitCode::FAILURE
         }
     }
-}
-
-/// `man/`: a page for `vkpt` and for each command; `completions/`: a file for each shell, by the name that it looks for.
-fn write(folder: &Path) -> io::Result<()> {
-    let [man, completions] = ["man", "completions"].map(|name| folder.join(name));
-    fs::create_dir_all(&man)?;
-    fs::create_dir_all(&completions)?;
-    clap_mangen::generate_to(command_line(), &man)?;
-    for shell in SHELLS {
-        clap_complete::generate_to(shell, &mut command_line(), "vkpt", &completions)?;
-    }
-    // bash looks for the name of the program.
-    fs::rename(completions.join("vkpt.bash"), completions.join("vkpt"))
 }

@@ -8,5 +8,6 @@ mod documented;
 mod farm;
 #[cfg(target_os = "linux")]
 mod faults;
+mod packaging;
 mod report_page;
 mod scripts;

@@ -22,9 +22,15 @@ Examples:
   vkpt farm slurm scene.txt --tasks 64 --submit        submitted, too
   vkpt farm slurm shots/*.txt --spp 1024               a folder and a task for each scene";
 
+const EXAMPLES: &str = "\
+Examples:
+  vkpt farm slurm scene.txt --spp 65536 --tasks 64     scripts to scene.farm/
+
+`vkpt farm slurm --help` has all options and exit codes.";
+
 /// Which batch system renders.
 #[derive(clap::Args, Debug)]
-#[command(subcommand_value_name = "SYSTEM")]
+#[command(subcommand_value_name = "SYSTEM", after_help = EXAMPLES)]
 pub struct FarmArguments {
     #[command(subcommand)]
     pub system: System,
