@@ -25,6 +25,7 @@ pub use header::{
     denoised_notes, differences, is_noted, layer_note, light_note, noted_digest, noted_freedom,
     notes, stderr_notes,
 };
+pub use page::COLOURS;
 pub use record::{
     Denoised, Dropped, ErrorAt, Job, Kernel, Largest, Machine, Memory, Record, Seconds, Work,
 };

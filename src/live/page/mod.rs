@@ -7,6 +7,8 @@ use hyper::body::Bytes;
 use hyper::header::HeaderValue;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+use crate::report::COLOURS;
+
 /// Parts of the one script, in the order of their needs.
 const SCRIPTS: [&str; 4] = [
     include_str!("picture.js"),
@@ -53,7 +55,7 @@ fn document(title: &str, own: &str) -> Markup {
                 // Or browsers ask for /favicon.ico.
                 link rel="icon" href="data:,";
                 title { (title) " – vkpt" }
-                style nonce=(own) { (PreEscaped(include_str!("page.css"))) }
+                style nonce=(own) { (PreEscaped(COLOURS)) (PreEscaped(include_str!("page.css"))) }
             }
             body {
                 (head(title))

@@ -20,6 +20,9 @@ pub struct Page<'a> {
     pub body: Markup,
 }
 
+/// The colours of a page, by name, in light and dark.
+pub const COLOURS: &str = include_str!("colours.css");
+
 /// What the page may load: nothing from anywhere. The browser itself sees to it (Content Security Policy Level 3, W3C).
 const POLICY: &str = include_str!("policy.txt");
 
@@ -34,6 +37,7 @@ pub fn page(page: &Page) -> String {
                 meta http-equiv="Content-Security-Policy" content=(POLICY.trim_end());
                 meta name="color-scheme" content="light dark";
                 title { (page.title) }
+                style { (PreEscaped(COLOURS)) }
                 style { (PreEscaped(include_str!("style.css"))) }
                 @for style in page.styles {
                     style { (PreEscaped(style)) }

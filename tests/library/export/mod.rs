@@ -7,9 +7,9 @@ mod scenes;
 
 use std::path::Path;
 
-use vkpt::export::{Export, Subject};
+use vkpt::export::{Export, Remark, Subject};
 use vkpt::prepared::prepare;
-use vkpt::settings::Settings;
+use vkpt::settings::{Absorption, Model, Settings};
 
 /// What `by` makes of the scene that a text holds.
 fn exported<E>(
@@ -26,6 +26,29 @@ fn exported<E>(
         crop: None,
         stem: "a & b",
     })
+}
+
+/// Each refused line and why; something must be.
+fn refusals<E, R>(exported: Result<E, Vec<Remark<R>>>) -> Vec<(usize, R)> {
+    let refusals = exported.err().expect("something is refused").into_iter();
+    refusals.map(|r| (r.line, r.reason)).collect()
+}
+
+/// Models that no other program has, and the flag that each is named by.
+fn models_without_an_equal() -> [(Model, &'static str); 2] {
+    let default = Settings::default().model;
+    let term = Model {
+        absorption: Absorption::Term,
+        ..default
+    };
+    let unscaled = Model {
+        radiance_scaling: false,
+        ..default
+    };
+    [
+        (term, "--absorption term"),
+        (unscaled, "--radiance-scaling off"),
+    ]
 }
 
 /// All that an export writes as the scene.

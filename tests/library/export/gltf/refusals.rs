@@ -1,16 +1,15 @@
 //! What glTF cannot say.
 
 use vkpt::export::gltf::setting;
-use vkpt::settings::{Absorption, Fresnel, Model};
+use vkpt::settings::{Fresnel, Model};
 
 use super::*;
 use crate::common::meshes::ply;
+use crate::export::{models_without_an_equal, refusals};
 
 /// Each refused line and why.
 fn refused(text: &str) -> Vec<(usize, Reason)> {
-    let refusals = glb(text, &Settings::default()).err();
-    let refusals = refusals.expect("something is refused").into_iter();
-    refusals.map(|r| (r.line, r.reason)).collect()
+    refusals(glb(text, &Settings::default()))
 }
 
 /// A scene whose line 6 is this material.
@@ -101,24 +100,16 @@ fn what_is_outside_is_white_where_nothing_shines_and_else_black() {
 fn settings_without_an_equal_are_named() {
     let default = Settings::default().model;
     assert_eq!(setting(&default, None), None);
-    let term = Model {
-        absorption: Absorption::Term,
-        ..default
-    };
-    let unscaled = Model {
-        radiance_scaling: false,
-        ..default
-    };
     let short = Model {
         max_depth: Some(3),
         ..default
     };
-    for (model, crop, flag) in [
-        (term, None, "--absorption term"),
-        (unscaled, None, "--radiance-scaling off"),
+    let own = models_without_an_equal().map(|(model, flag)| (model, None, flag));
+    let gltfs = [
         (short, None, "--max-depth"),
         (default, Some([0, 0, 1, 1]), "--crop"),
-    ] {
+    ];
+    for (model, crop, flag) in own.into_iter().chain(gltfs) {
         assert!(setting(&model, crop).is_some_and(|said| said.starts_with(flag)));
     }
 }

@@ -10,7 +10,7 @@ use vkpt::export::mitsuba::{Reason, export as mitsuba};
 use vkpt::export::{Beside, Remark};
 use vkpt::settings::Settings;
 
-use super::{exported, same, written};
+use super::{exported, models_without_an_equal, refusals, same, written};
 
 /// What an export left: the XML and the meshes.
 struct Exported {
@@ -32,9 +32,7 @@ fn export(text: &str) -> Exported {
 
 /// Each refused line and why.
 fn refused(text: &str) -> Vec<(usize, Reason)> {
-    let refusals = export_by(text, &Settings::default()).err();
-    let refusals = refusals.expect("something is refused").into_iter();
-    refusals.map(|r| (r.line, r.reason)).collect()
+    refusals(export_by(text, &Settings::default()))
 }
 
 fn document(exported: &Exported) -> Document<'_> {

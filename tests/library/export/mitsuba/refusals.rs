@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use vkpt::export::mitsuba::setting;
-use vkpt::settings::{Absorption, Model};
 
 use super::*;
 use crate::common::meshes::{cube, ply, square};
@@ -117,18 +116,7 @@ fn places_that_rounding_decides_are_refused() {
 fn settings_without_an_equal_are_named() {
     let default = Settings::default().model;
     assert_eq!(setting(&default), None);
-    let term = Model {
-        absorption: Absorption::Term,
-        ..default
-    };
-    let unscaled = Model {
-        radiance_scaling: false,
-        ..default
-    };
-    for (model, flag) in [
-        (term, "--absorption term"),
-        (unscaled, "--radiance-scaling off"),
-    ] {
+    for (model, flag) in models_without_an_equal() {
         assert!(setting(&model).is_some_and(|said| said.starts_with(flag)));
     }
 }

@@ -11,7 +11,7 @@ use vkpt::export::pbrt::{Reason, export as pbrt};
 use vkpt::export::{Beside, Remark};
 use vkpt::settings::Settings;
 
-use super::{exported, same, written};
+use super::{exported, models_without_an_equal, refusals, same, written};
 
 /// What an export left.
 struct Exported {
@@ -36,9 +36,7 @@ fn export(text: &str) -> Exported {
 
 /// Each refused line and why.
 fn refused(text: &str) -> Vec<(usize, Reason)> {
-    let refusals = export_by(text, &Settings::default()).err();
-    let refusals = refusals.expect("something is refused").into_iter();
-    refusals.map(|r| (r.line, r.reason)).collect()
+    refusals(export_by(text, &Settings::default()))
 }
 
 impl Exported {
