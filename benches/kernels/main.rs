@@ -1,7 +1,7 @@
 //! Every scene with the full kernel and with the composed one, in alternation.
 //!
 //! ```sh
-//! cargo bench --bench kernels -- --out benches/2026-01-31-kernels
+//! cargo bench --bench kernels -- --out docs/records/2026-01-31-kernels
 //! ```
 //!
 //! writes `raw.jsonl`, a line a run (vkpt's own report, with the seconds of the whole process), and `tables.md`. What is

@@ -16,7 +16,7 @@ pub struct Chosen {
 const SMALL: f64 = 0.01;
 
 /// Paths from both ends where small lights shine on what gathers light, and from the eye elsewhere
-/// (`benches/2026-11-29-auto.md`).
+/// (`docs/records/2026-11-29-auto.md`).
 pub fn chosen(prepared: &Prepared, settings: &Settings) -> Chosen {
     let path = |why| Chosen {
         integrator: Integrator::Path,

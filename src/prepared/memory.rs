@@ -5,7 +5,7 @@ use crate::film::Film;
 use crate::scene::{Geometry, Scene};
 
 /// Bytes a triangle at the peak, which comes while faces that coincide are looked for or while the hierarchy is built
-/// (benches/2026-11-29-scale.md).
+/// (docs/records/2026-11-29-scale.md).
 const FLAT: u64 = 450;
 /// Where a mesh has normals.
 const SMOOTH: u64 = 550;

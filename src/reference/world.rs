@@ -49,7 +49,7 @@ pub struct World<F> {
 }
 
 /// Up to so many primitives are searched one by one; from there on the hierarchy is faster, whatever their kind
-/// (`benches/2026-11-22-reference-search.md`).
+/// (`docs/records/2026-11-22-reference-search.md`).
 const LINEAR_PRIMITIVES: usize = 16;
 
 impl<F: Real> World<F> {

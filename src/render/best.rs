@@ -35,7 +35,7 @@ const LIGHT: Measured = Measured {
 };
 
 /// The best of this machine. A GPU where there is one; elsewhere the bits are the same on a CPU driver and on the reference, and a rule says which is
-/// faster (`benches/2026-11-29-best-device.md`).
+/// faster (`docs/records/2026-11-29-best-device.md`).
 pub fn best(job: &Job) -> Best {
     let usable = |d: DeviceInfo| d.unusable.is_none().then_some(d.kind);
     let kinds = gpu::devices().map(|all| all.into_iter().filter_map(usable).collect());
