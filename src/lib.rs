@@ -1,14 +1,7 @@
 //! vkpt: a headless path tracer on Vulkan compute, with a CPU reference that it equals bit for bit.
 
 pub mod cache;
-pub mod check;
-pub mod cli;
-pub mod converge;
 pub mod denoise;
-pub mod doctor;
-pub mod explain;
-pub mod export;
-pub mod farm;
 pub mod features;
 pub mod film;
 pub mod flat;
@@ -16,7 +9,6 @@ pub mod gpu;
 pub mod image;
 pub mod kernel;
 pub mod layout;
-pub mod live;
 pub mod memory;
 pub mod metrics;
 pub mod part;

@@ -44,6 +44,8 @@ struct Arguments {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = Arguments::parse();
+    // Cargo runs benchmarks in their package's folder, `cli/`.
+    std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))?;
     // The program itself may take cpu-f32, which has no kernel.
     if arguments.device.is_none() {
         let best = Device::open(&Selector::Best)?;

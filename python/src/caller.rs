@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
-use vkpt::cli::{Called, Caller, called};
+use vkpt_lab::cli::caller::{Called, Caller, called};
 
 /// Time between two looks at Python: the GIL is not free.
 const PAUSE: Duration = Duration::from_millis(50);

@@ -5,10 +5,11 @@ use std::path::PathBuf;
 use numpy::{PyArray3, PyReadonlyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use vkpt::cli::{Comparand, Failure, compared};
 use vkpt::image;
 use vkpt::metrics::Trimmed;
-use vkpt::report::Tested;
+use vkpt_lab::cli::exit::Failure;
+use vkpt_lab::compare::command::{Comparand, compared};
+use vkpt_lab::compare::report::Tested;
 
 use crate::arrays::{array, film};
 use crate::caller::call;

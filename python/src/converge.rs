@@ -4,7 +4,8 @@ use std::ffi::OsString;
 
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
-use vkpt::cli::{ConvergeArguments, converged, parsed};
+use vkpt_cli::parsed;
+use vkpt_lab::converge::command::{ConvergeArguments, converged};
 
 use crate::caller::call;
 use crate::failure::raise;

@@ -2,8 +2,8 @@
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use vkpt::cli::Failure;
 use vkpt::scene::Diagnostic;
+use vkpt_lab::cli::exit::Failure;
 
 /// The exception: its text is what the command line says, its attributes are parts of that.
 pub fn raise(py: Python, failure: Failure) -> PyErr {

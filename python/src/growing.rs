@@ -10,7 +10,9 @@ use std::time::{Duration, Instant};
 
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
-use vkpt::cli::{Called, Caller, Failure, RenderArguments, Rendered, called, rendered};
+use vkpt_cli::{RenderArguments, Rendered, rendered};
+use vkpt_lab::cli::caller::{Called, Caller, called};
+use vkpt_lab::cli::exit::Failure;
 
 use crate::caller::warn;
 use crate::failure::raise;

@@ -23,7 +23,9 @@ mod _vkpt {
     use std::collections::HashMap;
 
     use super::*;
-    use vkpt::cli::{ConvergeArguments, RenderArguments, flags};
+    use vkpt_cli::RenderArguments;
+    use vkpt_cli::flags;
+    use vkpt_lab::converge::command::ConvergeArguments;
 
     #[pymodule_export]
     use super::{
@@ -37,7 +39,7 @@ mod _vkpt {
     /// Runs a command line, the program's name first; returns its exit code.
     #[pyfunction]
     fn run(py: Python, words: Vec<OsString>) -> u8 {
-        py.detach(|| vkpt::cli::run(words.into_iter()))
+        py.detach(|| vkpt_cli::run(words.into_iter()))
     }
 
     /// The flags of `vkpt SCENE` and of `vkpt converge`, and whether each is a switch.

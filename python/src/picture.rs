@@ -6,10 +6,12 @@ use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
-use vkpt::cli::{Comparand, Failure, Rendered};
 use vkpt::film::{Channel, Film};
 use vkpt::image::Format;
 use vkpt::report;
+use vkpt_cli::Rendered;
+use vkpt_lab::cli::exit::Failure;
+use vkpt_lab::compare::command::Comparand;
 
 use crate::arrays::{array, film, read_only};
 use crate::failure::raise;

@@ -4,7 +4,8 @@ use std::ffi::OsString;
 
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
-use vkpt::cli::{RenderArguments, parsed, rendered};
+use vkpt_cli::parsed;
+use vkpt_cli::{RenderArguments, rendered};
 
 use crate::caller::call;
 use crate::failure::raise;
@@ -31,7 +32,7 @@ pub fn render(
 pub fn arguments(
     scene: Scene,
     mut words: Vec<OsString>,
-) -> Result<RenderArguments, vkpt::cli::Failure> {
+) -> Result<RenderArguments, vkpt_lab::cli::exit::Failure> {
     words.push("-".into());
     let mut arguments = parsed::<RenderArguments>(words)?;
     arguments.scene = Some(scene.into());

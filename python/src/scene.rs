@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
-use vkpt::cli::Source;
+use vkpt_lab::cli::source::Source;
 
 /// A path, or a text.
 #[derive(FromPyObject)]

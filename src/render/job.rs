@@ -32,7 +32,7 @@ pub enum KernelChoice<'a> {
     /// These features, which must hold what scene and settings need.
     Given(&'a Features),
     /// What scene and settings need, with files of one's own in place of some of `shaders/`: another estimator, say,
-    /// to be measured beside vkpt's by [`converge`](crate::converge). [`file`](crate::kernel::file) has vkpt's text. A
+    /// to be measured beside vkpt's by [`converge`](vkpt_lab::converge). [`file`](crate::kernel::file) has vkpt's text. A
     /// file that the kernel does not use is an error.
     Own(&'a [OwnFile<'a>]),
 }

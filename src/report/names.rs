@@ -1,6 +1,8 @@
 //! The settings' names, as the command line and every record spell them.
 
 use crate::film::Aov;
+use crate::image::Format;
+use crate::render::KernelChoice;
 use crate::settings::{
     Absorption, Connect, Distribution, Fresnel, Integrator, Lights, LobeChoice, Normals, Sampler,
 };
@@ -17,6 +19,16 @@ pub trait Named: Copy + PartialEq + Send + Sync + 'static {
             .find(|(value, _)| *value == self)
             .map_or("unnamed", |(_, name)| name)
     }
+}
+
+impl Named for KernelChoice<'static> {
+    const ALL: &'static [(Self, &'static str)] =
+        &[(Self::Composed, "composed"), (Self::Full, "full")];
+}
+
+impl Named for Format {
+    const ALL: &'static [(Self, &'static str)] =
+        &[(Self::Png, "png"), (Self::Hdr, "hdr"), (Self::Exr, "exr")];
 }
 
 impl Named for Fresnel {

@@ -6,7 +6,7 @@ use std::process::Command;
 
 use crate::cli::program::{finish, names};
 
-#[path = "../../examples/packaging/files.rs"]
+#[path = "../../cli/examples/packaging/files.rs"]
 mod files;
 
 const MANIFEST: &str = include_str!("../../Cargo.toml");
@@ -82,7 +82,7 @@ fn bash_completes_commands_and_options() {
 /// Each file that the .deb is made of is one that is there, or that `scripts/package` writes.
 #[test]
 fn the_deb_is_made_of_files_that_there_are() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = crate::common::root();
     let folder = written();
     let (_, assets) = MANIFEST.split_once("assets = [\n").expect("assets");
     let (assets, _) = assets.split_once("\n]").expect("an end");

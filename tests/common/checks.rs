@@ -3,8 +3,8 @@
 use vkpt::film::Film;
 use vkpt::metrics::difference_map;
 use vkpt::report::SettingsRecord;
-use vkpt::report::check::{CaseRecord, Check, Held, Shown};
 use vkpt::settings::Settings;
+use vkpt_lab::check::report::{CaseRecord, Check, Held, Shown};
 
 /// A case that is held against `held`.
 pub fn case(name: &str, held: Vec<Held>) -> CaseRecord {

@@ -23,10 +23,18 @@ pub mod stats;
 pub mod surroundings;
 pub mod table;
 
+use std::path::Path;
 use std::sync::OnceLock;
 
 use needs::Need;
 use vkpt::gpu::{Device, DeviceKind, GpuError, Options, Selector};
+
+/// The repository. Tests of vkpt-cli begin in `cli/`, others here.
+pub fn root() -> &'static Path {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let is_root = |folder: &&Path| folder.join("ARCHITECTURE.md").exists();
+    package.ancestors().find(is_root).expect("the repository")
+}
 
 /// One device for all tests of a crate, under the validation layer. `None`: the run goes without.
 pub fn device() -> Option<&'static Device> {

@@ -1,9 +1,9 @@
 //! `vkpt doctor` on the device of the tests, and with mistakes planted in its kernels.
 
-use vkpt::doctor::Examiner;
 use vkpt::gpu::{Device, DeviceKind};
 use vkpt::kernel::{OwnFile, file};
-use vkpt::report::doctor::{Examination, Outcome, page};
+use vkpt_lab::doctor::Examiner;
+use vkpt_lab::doctor::report::{Examination, Outcome, page};
 
 use crate::common;
 

@@ -1,11 +1,11 @@
 //! What a kernel holds and who brought it in: held against scenes whose lines are known, and against the kernels.
 
-use vkpt::explain::{Preset, Subject, parts};
 use vkpt::film::Aov;
 use vkpt::prepared::Prepared;
 use vkpt::render::{Job, KernelChoice, Plan, PlanLimits};
-use vkpt::report::explanation::Part;
 use vkpt::settings::{Connect, Distribution, DistributionRule, Sampler, Settings};
+use vkpt_lab::explain::report::Part;
+use vkpt_lab::explain::{Preset, Subject, parts};
 
 use crate::common;
 use crate::common::render::{job, on_device, prepared_file};

@@ -79,7 +79,7 @@ fn denoised_pictures_stand_beside_noisy_ones() {
 
 /// The stand-in, built.
 fn stand_in(folder: &Path) {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/commands/oidn/oidn.c");
+    let source = crate::common::root().join("tests/commands/oidn/oidn.c");
     let ran = Command::new("cc")
         .args(["-shared", "-fPIC", "-Wall", "-Wextra", "-Werror", "-o"])
         .arg(folder.join("libOpenImageDenoise.so.2"))

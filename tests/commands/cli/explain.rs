@@ -1,7 +1,6 @@
 //! `vkpt explain`: what it prints and writes, and how it ends.
 
 use std::fs;
-use std::path::Path;
 
 use vkpt::settings::Settings;
 
@@ -9,11 +8,12 @@ use super::program::{SCENE, command, finish, folder, names, run, without_vulkan}
 use crate::common;
 use crate::common::needs::radv;
 use crate::common::render::job;
+use crate::common::root;
 use crate::common::spirv_tools::tool;
 
 #[test]
 fn the_page_is_narrow_and_names_lines_buffers_and_memory() {
-    let run = run(Path::new("."), &["explain", "scenes/glass-table.txt"]);
+    let run = run(root(), &["explain", "scenes/glass-table.txt"]);
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""));
     for line in run.out.lines() {
         assert!(line.chars().count() <= 100, "{line}");
@@ -37,7 +37,7 @@ fn the_page_is_narrow_and_names_lines_buffers_and_memory() {
 
 #[test]
 fn a_mesh_brings_a_hierarchy_and_its_cost() {
-    let run = run(Path::new("."), &["explain", "scenes/glass-mesh.txt"]);
+    let run = run(root(), &["explain", "scenes/glass-mesh.txt"]);
     for words in [
         "CWBVH",
         "nodes",

@@ -9,6 +9,7 @@ use vkpt::scene::parse;
 
 use super::program::{folder, run};
 use crate::common::icosphere::mesh::{Icosphere, ply};
+use crate::common::root;
 
 const SCENE: &str = "screen 8 6\ncamera 0 0 5 .3\nlight 1 1 1\nmesh blob.ply 0 0 0 1\n";
 
@@ -50,7 +51,7 @@ fn the_peak_is_about_what_is_said_beforehand() {
 
 #[test]
 fn a_small_scene_takes_too_little_to_be_spoken_of() {
-    let page = run(Path::new("."), &["explain", "scenes/room.txt"]).out;
+    let page = run(root(), &["explain", "scenes/room.txt"]).out;
     assert!(!page.contains("at most"), "{page}");
 }
 

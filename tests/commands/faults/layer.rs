@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+
 use std::process::Command;
 
 use tempfile::TempDir;
@@ -53,7 +53,7 @@ impl Layer {
 
 fn build() -> Result<TempDir, String> {
     let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/commands/faults");
+    let source = crate::common::root().join("tests/commands/faults");
     let ran = Command::new("cc")
         .args(["-shared", "-fPIC", "-Wall", "-Wextra", "-Werror"])
         .args(["-Wl,-z,nodelete", "-o"])

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 use tempfile::TempDir;
-use vkpt::report::check::{Check, Held, Sheet, page};
+use vkpt_lab::check::report::{Check, Held, Sheet, page};
 
 use super::browser::Browser;
 use super::{number, quiet};

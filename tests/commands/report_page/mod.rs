@@ -13,6 +13,8 @@ use std::sync::OnceLock;
 use serde_json::Value;
 use tempfile::TempDir;
 
+use crate::common::root;
+
 use browser::Browser;
 
 /// A finished experiment.
@@ -42,7 +44,7 @@ fn report() -> &'static Report {
     static REPORT: OnceLock<Report> = OnceLock::new();
     REPORT.get_or_init(|| {
         let folder = tempfile::tempdir().expect("a folder");
-        std::fs::copy("scenes/room.txt", folder.path().join("room.txt")).expect("a scene");
+        std::fs::copy(root().join("scenes/room.txt"), folder.path().join("room.txt")).expect("a scene");
         let arguments = "converge room.txt --device cpu-f32 --size 60x60 --time 3 --spp 16 --replicates 4 --quiet \
              --vary connect=mis,bsdf --html r.html --json r.json";
         let done = Command::new(env!("CARGO_BIN_EXE_vkpt"))

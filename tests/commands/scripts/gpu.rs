@@ -19,6 +19,7 @@ const PARTS: [&str; 7] = [
 fn gpu(vkpt: &Path, arguments: &[&str]) -> Run {
     finish(
         Command::new("scripts/gpu")
+            .current_dir(common::root())
             .args(arguments)
             .env("VKPT", vkpt),
     )

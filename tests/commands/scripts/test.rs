@@ -50,6 +50,7 @@ impl Machine {
         let calls = self.folder.path().join("calls");
         fs::write(&calls, "").expect("a file");
         let output = Command::new("scripts/test")
+            .current_dir(crate::common::root())
             .args(arguments)
             .env_clear()
             .env("PATH", self.folder.path())

@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
-use vkpt::check::{Expectation, battery};
 use vkpt::prepared::prepare;
+use vkpt_lab::check::{Expectation, battery};
 
 use super::{fails_by, ran};
 

@@ -1,6 +1,6 @@
 //! The battery's closed forms, held against tables that vkpt did not compute.
 
-use vkpt::check::closed::interface::dielectric;
+use vkpt_lab::check::closed::interface::dielectric;
 
 use crate::common::table::{Row, Table};
 

@@ -8,11 +8,11 @@ mod told;
 
 use std::sync::atomic::AtomicBool;
 
-use vkpt::check::run::{Bench, Ran, run};
-use vkpt::check::{Case, battery};
 use vkpt::kernel::OwnFile;
 use vkpt::render::KernelChoice;
-use vkpt::report::check::Check;
+use vkpt_lab::check::report::Check;
+use vkpt_lab::check::run::{Bench, Ran, run};
+use vkpt_lab::check::{Case, battery};
 
 use crate::common;
 

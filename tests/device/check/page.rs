@@ -5,7 +5,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use vkpt::metrics::{difference_colour, difference_map};
-use vkpt::report::check::{Check, Held, Sheet, Shown, page};
+use vkpt_lab::check::report::{Check, Held, Sheet, Shown, page};
 
 use crate::common::checks::{PLANTED, case, check, run, shown};
 use crate::common::pages::{MARKUP, no_markup, outside};

@@ -1,9 +1,9 @@
 //! Faults planted in the kernel: each must be found by what is there to find it, beside the bits of a CPU driver.
 
-use vkpt::check::run::Ran;
 use vkpt::film::Film;
 use vkpt::kernel::{OwnFile, file};
 use vkpt::metrics::difference_map;
+use vkpt_lab::check::run::Ran;
 
 use super::{fails_by, ran, ran_with_pictures};
 

@@ -1,6 +1,6 @@
 //! What is told of a run: the table, the failures, the JSON.
 
-use vkpt::report::check::{Held, failures, table};
+use vkpt_lab::check::report::{Held, failures, table};
 
 use crate::common::checks::run;
 

@@ -6,11 +6,11 @@ mod sobol;
 
 use std::sync::atomic::AtomicBool;
 
-use vkpt::converge::{Measured, Plan, Variant, measure};
 use vkpt::metrics::convergence::{Metric, Reference};
 use vkpt::metrics::flip::Viewing;
 use vkpt::render::{DispatchLimits, Engine, Job, Replicates, Target};
 use vkpt::settings::Settings;
+use vkpt_lab::converge::{Measured, Plan, Variant, measure};
 
 use crate::common;
 use crate::common::render::{difference, job, on_device, outcome, prepared};

@@ -1,13 +1,13 @@
 //! An estimator that is wrong, in the kernel itself: one cosine too many in the connection to lights.
 
-use vkpt::converge::halves;
 use vkpt::film::Film;
 use vkpt::kernel::{OwnFile, file};
 use vkpt::metrics::convergence::{LEVEL, Reference};
 use vkpt::metrics::flip::Viewing;
 use vkpt::render::{DispatchLimits, Engine, Job, KernelChoice, Replicates};
-use vkpt::report::convergence::{Convergence, Subject, VariantRecord, table};
 use vkpt::settings::Settings;
+use vkpt_lab::converge::halves;
+use vkpt_lab::converge::report::{Convergence, Subject, VariantRecord, table};
 
 use super::{LIT, RUNNING, measured, plan};
 use crate::common::device;

@@ -11,7 +11,8 @@ const TABLE: &str = "\
 | `src/kernel/` | kernels | `film` |
 | `src/render/` | rendering | `gpu::Device`, `scene`, `render::tiles` |
 | `src/render/tiles/` | a room in a room | `scene` |
-| `src/cli/` | commands | everything |
+| `lab/src/cli/` | commands | everything |
+| `lab/src/check/` | a tool | `scene`, `lab::cli` |
 ";
 
 #[test]
@@ -25,8 +26,8 @@ fn a_planted_violation_is_found() {
         ),
         ("kernel/compile.rs", "use naga::Module;"),
         (
-            "cli/render.rs",
-            "println!(\"done\"); use crate::{gpu, scene};",
+            "lab/cli/render.rs",
+            "println!(\"done\"); use vkpt::{gpu, scene};",
         ),
         (
             "scene/mod.rs",
@@ -42,6 +43,11 @@ fn a_planted_violation_is_found() {
         ),
         ("render/tiles/mod.rs", "use crate::scene::Scene;"),
         ("lib.rs", "pub mod scene;"),
+        ("lab/lib.rs", "pub mod check;"),
+        (
+            "lab/check/mod.rs",
+            "use vkpt::scene::Scene; use crate::cli; use crate::check::x;",
+        ),
     ];
     for (path, text) in ok {
         assert_eq!(found(path, text), Vec::<String>::new());
@@ -63,6 +69,10 @@ fn a_planted_violation_is_found() {
         ("kernel/mod.rs", "use ash::vk;"),
         ("kernel/mod.rs", "use unaudited::compile;"),
         ("render/cpu.rs", "    eprintln!(\"slow\");"),
+        ("lab/check/mod.rs", "use vkpt::film::Film;"),
+        ("lab/check/mod.rs", "use vkpt::{film, scene};"),
+        ("lab/check/mod.rs", "println!();"),
+        ("scene/mod.rs", "use vkpt_lab::check;"),
         ("shelf/mod.rs", "use std::fs;"),
         ("shelf.rs", ""),
     ];
@@ -83,7 +93,8 @@ fn a_table_that_says_too_much_is_found() {
             "use crate::gpu::Device; use crate::scene; mod tiles; use self::tiles::Tile;",
         ),
         ("render/tiles/mod.rs", ""),
-        ("cli/mod.rs", ""),
+        ("lab/cli/mod.rs", ""),
+        ("lab/check/mod.rs", "use vkpt::scene; use crate::cli;"),
     ];
     let sources = sources.map(|(path, text)| Source::new(path, text));
     let expected = [

@@ -41,9 +41,15 @@ impl fmt::Display for Path {
     }
 }
 
-/// A file of `src/`.
+/// The folders of the crates' sources: that of vkpt, then those of the others, each below its own name.
+pub const FOLDERS: [&str; 3] = ["src", "lab/src", "cli/src"];
+
+/// The crates beside vkpt.
+const MEMBERS: [&str; 2] = ["lab", "cli"];
+
+/// A source file of one of the crates.
 pub struct Source {
-    /// Below `src/`.
+    /// Without `src/`, as `scene/mod.rs` and `lab/check/mod.rs`.
     pub path: String,
     /// Without comments.
     code: String,
@@ -58,7 +64,7 @@ impl Source {
         }
     }
 
-    /// All files below a folder of `src/`, or of `src/` itself.
+    /// All files below a folder of [`FOLDERS`], or of one of these.
     pub fn all(folder: &path::Path) -> Vec<Self> {
         let mut all = Vec::new();
         for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
@@ -66,12 +72,9 @@ impl Source {
             if path.is_dir() {
                 all.extend(Self::all(&path));
             } else if path.extension().is_some_and(|e| e == "rs") {
-                let below = path.strip_prefix("src").expect("a file of src");
                 let text = std::fs::read_to_string(&path).expect("a text");
-                all.push(Self::new(
-                    &below.to_string_lossy().replace('\\', "/"),
-                    &text,
-                ));
+                let path = path.to_string_lossy().replace('\\', "/");
+                all.push(Self::new(&path.replacen("src/", "", 1), &text));
             }
         }
         all
@@ -89,8 +92,14 @@ impl Source {
         (1..).zip(self.code.lines())
     }
 
-    /// All paths that begin with `crate::`, `super::` or `self::`, with the number of their line; a `use` of several names
-    /// is as many paths.
+    /// The root of its crate: `lab`, `cli`, or nothing for vkpt.
+    fn root(&self) -> Path {
+        let first = self.path.split('/').take(1);
+        first.filter(|name| MEMBERS.contains(name)).collect()
+    }
+
+    /// All paths that begin with `crate::`, `super::`, `self::` or the name of a crate of vkpt's, with the number of their line; a
+    /// `use` of several names is as many paths.
     pub fn names(&self) -> Vec<(usize, Path)> {
         // A file ends with the module of its tests, where it has one.
         let tests = self.code.find("mod tests {").unwrap_or(usize::MAX);
@@ -106,7 +115,10 @@ impl Source {
             let before = &self.code[..start];
             let word = before.rfind(|c: char| !is_of_name(c)).map_or(0, |i| i + 1);
             let base = match &before[word..] {
-                "crate" => Path(Vec::new()),
+                "crate" => self.root(),
+                "vkpt" => Path(Vec::new()),
+                "vkpt_lab" => ["lab"].into_iter().collect(),
+                "vkpt_cli" => ["cli"].into_iter().collect(),
                 "self" => module,
                 "super" if !before[..word].ends_with("::") => module.above(),
                 _ => continue,

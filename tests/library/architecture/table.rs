@@ -1,11 +1,11 @@
 //! The table of rooms in ARCHITECTURE.md: where a room is, and what it may know.
 
-use super::source::Path;
+use super::source::{FOLDERS, Path};
 
 /// A row of the table.
 #[derive(Debug)]
 pub struct Row {
-    /// The room: a folder or a file of `src/`, with all that is below it.
+    /// The room: a folder or a file of a crate, with all that is below it; those of vkpt-lab and vkpt-cli are below `lab` and `cli`.
     pub room: Path,
     pub may_know: Known,
 }
@@ -27,9 +27,14 @@ impl Known {
     }
 }
 
-/// The rows of all rooms of `src/` in the text of ARCHITECTURE.md, or what is wrong with the first that cannot be read.
+/// The rows of all rooms in the text of ARCHITECTURE.md, or what is wrong with the first that cannot be read.
 pub fn rows(markdown: &str) -> Result<Vec<Row>, String> {
-    let lines = markdown.lines().filter(|line| line.starts_with("| `src/"));
+    let is_room = |line: &&str| {
+        FOLDERS
+            .iter()
+            .any(|folder| line.starts_with(&format!("| `{folder}/")))
+    };
+    let lines = markdown.lines().filter(is_room);
     let row = |line: &str| row(line).map_err(|why| format!("{why}: {line}"));
     lines.map(row).collect()
 }
@@ -39,8 +44,8 @@ fn row(line: &str) -> Result<Row, String> {
     let &["", room, _, may_know, ""] = &cells[..] else {
         return Err("three columns are expected".to_owned());
     };
-    let place = quoted(room).and_then(|place| place.strip_prefix("src/"));
-    let place = place.ok_or("the first column must be one path of `src/`")?;
+    let place = quoted(room).map(|place| place.replacen("src/", "", 1));
+    let place = place.ok_or("the first column must be one path")?;
     let place = place.trim_end_matches('/').trim_end_matches(".rs");
     Ok(Row {
         room: place.split('/').collect(),
@@ -94,11 +99,12 @@ fn the_third_column_is_read_to_the_letter() {
     }
     assert!(rows("| `src/scene/` | two columns |").is_err());
     assert!(rows("| `src/a/`, `src/b/` | two rooms | nothing |").is_err());
-    let rows = rows("| room | – | – |\n| `src/a/b.rs` | x | nothing |\n| `shaders/` | y | – |");
+    let text = "| room | – | – |\n| `src/a/b.rs` | x | nothing |\n| `lab/src/c/` | y | `a` |\n| `shaders/` | z | – |";
+    let rows = rows(text);
     let rooms: Vec<String> = rows
         .expect("a row")
         .iter()
         .map(|r| r.room.to_string())
         .collect();
-    assert_eq!(rooms, ["a::b"]);
+    assert_eq!(rooms, ["a::b", "lab::c"]);
 }

@@ -1,12 +1,12 @@
 //! The battery of stiff and extreme cases with bidirectional paths: no sample is lost, and the mean is the closed form's, or that of
 //! paths from the eye.
 
-use vkpt::check::both::both_ends;
-use vkpt::check::{Case, Expectation, battery};
 use vkpt::film::Film;
 use vkpt::prepared::{Prepared, prepare};
 use vkpt::render::{Job, Outcome, Target};
 use vkpt::settings::Settings;
+use vkpt_lab::check::both::both_ends;
+use vkpt_lab::check::{Case, Expectation, battery};
 
 use crate::common::render::{job, outcome};
 use crate::common::stats::{p_of_difference, p_of_mean, sidak};

@@ -2,8 +2,8 @@
 //! told by `tests/commands/report_page`.
 
 use vkpt::metrics::convergence::{Curve, Reference};
-use vkpt::report::convergence::plot::palette::Colour;
-use vkpt::report::convergence::{Convergence, Sheet, Shown, page};
+use vkpt_lab::converge::report::plot::palette::Colour;
+use vkpt_lab::converge::report::{Convergence, Sheet, Shown, page};
 
 use super::records::{curve, experiment, film, reference};
 use crate::common::pages::{MARKUP, no_markup, outside};

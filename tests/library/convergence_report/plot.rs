@@ -1,9 +1,9 @@
 //! Points lie where logarithms between the labels of the ticks say.
 
 use roxmltree::{Document, Node};
-use vkpt::report::convergence::plot::palette::{Colour, GUIDE, OWN, PAPER, SERIES};
-use vkpt::report::convergence::plot::{Form, plot};
-use vkpt::report::convergence::svg;
+use vkpt_lab::converge::report::plot::palette::{Colour, GUIDE, OWN, PAPER, SERIES};
+use vkpt_lab::converge::report::plot::{Form, plot};
+use vkpt_lab::converge::report::svg;
 
 use super::records::{curve, experiment};
 

@@ -3,8 +3,8 @@
 use vkpt::film::Film;
 use vkpt::metrics::Trimmed;
 use vkpt::metrics::convergence::{Curve, Figures, LEVEL, Reference, Step};
-use vkpt::report::convergence::{Convergence, Subject, VariantRecord};
 use vkpt::settings::Settings;
+use vkpt_lab::converge::report::{Convergence, Subject, VariantRecord};
 
 /// 4×3 pixels, each of its own brightness times `scale`.
 pub fn film(scale: f32) -> Film {

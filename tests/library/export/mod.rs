@@ -7,9 +7,9 @@ mod scenes;
 
 use std::path::Path;
 
-use vkpt::export::{Export, Remark, Subject};
 use vkpt::prepared::prepare;
 use vkpt::settings::{Absorption, Model, Settings};
+use vkpt_cli::export::{Export, Remark, Subject};
 
 /// What `by` makes of the scene that a text holds.
 fn exported<E>(

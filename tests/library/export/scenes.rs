@@ -6,10 +6,10 @@ use std::fmt::Debug;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use vkpt::export::gltf::Container;
-use vkpt::export::{Export, Remark, Subject, gltf, mitsuba, pbrt};
 use vkpt::prepared::prepare;
 use vkpt::settings::Settings;
+use vkpt_cli::export::gltf::Container;
+use vkpt_cli::export::{Export, Remark, Subject, gltf, mitsuba, pbrt};
 
 /// Each scene, and the reasons for which Mitsuba, pbrt and glTF refuse it.
 const SCENES: [(&str, &str, &str, &str); 22] = [

@@ -4,7 +4,7 @@ use std::fs;
 use std::process::Command;
 
 use tempfile::TempDir;
-use vkpt::farm::{Farm, Script, rounds, shares, slurm};
+use vkpt_cli::farm::{Farm, Script, rounds, shares, slurm};
 
 use crate::common::needs::Need;
 

@@ -1,7 +1,7 @@
 //! Every sample is in one part, and parts are about the same.
 
 use proptest::prelude::*;
-use vkpt::farm::{Share, rounds, shares};
+use vkpt_cli::farm::{Share, rounds, shares};
 
 /// Whether the shares, one after the other, are those samples.
 fn covers(shares: &[Share], samples: Share) -> bool {

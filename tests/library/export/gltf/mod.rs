@@ -6,11 +6,11 @@ mod round_trip;
 use std::io::Cursor;
 use std::path::Path;
 
-use vkpt::export::Remark;
-use vkpt::export::gltf::{Container, Reason, export as gltf};
 use vkpt::prepared::{Prepared, prepare};
 use vkpt::scene::{Scene, parse, read_from};
 use vkpt::settings::Settings;
+use vkpt_cli::export::Remark;
+use vkpt_cli::export::gltf::{Container, Reason, export as gltf};
 
 use super::{exported, written};
 

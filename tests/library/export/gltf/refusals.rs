@@ -1,7 +1,7 @@
 //! What glTF cannot say.
 
-use vkpt::export::gltf::setting;
 use vkpt::settings::{Fresnel, Model};
+use vkpt_cli::export::gltf::setting;
 
 use super::*;
 use crate::common::meshes::ply;

@@ -6,9 +6,9 @@ mod shapes;
 mod surfaces;
 
 use roxmltree::{Document, Node};
-use vkpt::export::mitsuba::{Reason, export as mitsuba};
-use vkpt::export::{Beside, Remark};
 use vkpt::settings::Settings;
+use vkpt_cli::export::mitsuba::{Reason, export as mitsuba};
+use vkpt_cli::export::{Beside, Remark};
 
 use super::{exported, models_without_an_equal, refusals, same, written};
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use vkpt::export::mitsuba::setting;
+use vkpt_cli::export::mitsuba::setting;
 
 use super::*;
 use crate::common::meshes::{cube, ply, square};

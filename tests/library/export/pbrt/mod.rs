@@ -7,9 +7,9 @@ mod shapes;
 mod surfaces;
 
 use format::{Statement, read};
-use vkpt::export::pbrt::{Reason, export as pbrt};
-use vkpt::export::{Beside, Remark};
 use vkpt::settings::Settings;
+use vkpt_cli::export::pbrt::{Reason, export as pbrt};
+use vkpt_cli::export::{Beside, Remark};
 
 use super::{exported, models_without_an_equal, refusals, same, written};
 

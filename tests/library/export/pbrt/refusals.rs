@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use vkpt::export::pbrt::setting;
+use vkpt_cli::export::pbrt::setting;
 
 use super::*;
 use crate::common::meshes::{ply, square};

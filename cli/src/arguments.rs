@@ -1,0 +1,220 @@
+//! The command line: all commands, and which of them was typed.
+
+use std::ffi::OsString;
+
+use clap::{Arg, ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
+
+use super::init::InitArguments;
+use super::merge::MergeArguments;
+use super::render::RenderArguments;
+use crate::export::command::ExportArguments;
+use crate::farm::command::FarmArguments;
+use vkpt_lab::check::command::CheckArguments;
+use vkpt_lab::cli::destination::all_written;
+use vkpt_lab::cli::exit::{Ending, Failure};
+use vkpt_lab::cli::numbers::negative;
+use vkpt_lab::cli::streams::print_help;
+use vkpt_lab::compare::command::CompareArguments;
+use vkpt_lab::converge::command::ConvergeArguments;
+use vkpt_lab::doctor::command::DoctorArguments;
+use vkpt_lab::explain::command::ExplainArguments;
+use vkpt_lab::suite::command::TestArguments;
+
+const DEVICES_HELP: &str = "\
+Exit codes:
+    0  there is a Vulkan device that can render
+    4  there is none; the reference renderer is always there
+    5  stdout could not be written
+
+Examples:
+  vkpt devices     the first column is what --device takes";
+
+/// What most people need to know; the rest is where it points to.
+const AFTER_HELP: &str = "\
+Examples:
+  vkpt init                             write scene.txt, a first scene
+  vkpt scene.txt                        render it to scene.png and scene.exr
+  vkpt scene.txt --time 60 -o a.png     as good as a minute makes it
+  vkpt scene.txt --target-error 1e-3    as long as that takes
+
+`vkpt render --help` has all options and exit codes, `vkpt COMMAND --help` those
+of a command.";
+
+const AFTER_RENDER_HELP: &str = "\
+Exit codes:
+    0  the pictures are written
+    1  rendering failed, by an error of the device or in a check of the samples; or denoising did:
+       the noisy pictures are written
+    2  the command line is wrong
+    3  the scene or one of its meshes is wrong; nothing was written
+    4  there is no such Vulkan device, or none at all
+    5  a file or stdout could not be written
+    6  there is not enough memory; a driver that aborts ends so too
+    7  the device failed twice; the samples done by then are in the .vkpt file, and in the pictures
+  130  interrupted by ctrl-c or the page of --view; the pictures hold the samples done by then
+  143  the same by SIGTERM, 129 by SIGHUP
+
+Examples:
+  vkpt scene.txt --spp 256 -o a.png -o a.exr       both of 256 samples per pixel
+  vkpt scene.txt --crop 100,100,164,164            a detail, the same pixels as in the full picture
+  vkpt scene.txt --spp 4096 --resume               go on where an earlier run was interrupted
+  vkpt scene.txt --device cpu-f64                  the reference renderer; needs no Vulkan
+  vkpt scene.txt --aov albedo,depth,stderr         what else is known of the pixels
+  vkpt scene.txt --json report.json --quiet        for scripts";
+
+/// The options that `vkpt --help` shows, as briefly as it can.
+const SHOWN: [(&str, &str); 6] = [
+    ("scene", "The scene file, text or glTF, or - for stdin"),
+    ("output", ".png, .hdr or .exr; may be repeated"),
+    ("spp", "Samples per pixel [default: 64]"),
+    ("time", "End after so many seconds"),
+    ("target_error", "End once the relMSE is below this"),
+    ("device", "A Vulkan device, cpu-f32 or cpu-f64"),
+];
+
+/// A headless path tracer on Vulkan: a scene file goes in, pictures come out
+#[derive(Parser, Debug)]
+#[command(
+    version,
+    args_conflicts_with_subcommands = true,
+    subcommand_negates_reqs = true
+)]
+#[command(subcommand_value_name = "COMMAND", disable_help_subcommand = true)]
+pub struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    render: RenderArguments,
+}
+
+#[derive(Subcommand, Debug)]
+enum Command {
+    /// Write a first scene, whose comments explain the language
+    Init(InitArguments),
+    /// Render a scene to pictures; the word may be left out
+    Render(Box<RenderArguments>),
+    /// List what can render here, and what can't and why
+    #[command(after_help = DEVICES_HELP)]
+    Devices,
+    /// Join parts of a picture, rendered apart by --samples
+    Merge(Box<MergeArguments>),
+    /// Measure how fast a scene converges, and by which settings faster
+    Converge(Box<ConvergeArguments>),
+    /// Compare pictures, or several renderers of a scene path by path
+    Compare(Box<CompareArguments>),
+    /// Render the scenes of a folder and compare with kept pictures
+    Test(Box<TestArguments>),
+    /// Render stiff and extreme cases and compare with their bounds
+    Check(Box<CheckArguments>),
+    /// Examine a Vulkan device: can its pictures be trusted?
+    Doctor(DoctorArguments),
+    /// Print which parts the kernel of a scene has, and why
+    Explain(Box<ExplainArguments>),
+    /// Write a scene for another renderer
+    Export(Box<ExportArguments>),
+    /// Write scripts that render on many machines, for Slurm
+    Farm(Box<FarmArguments>),
+}
+
+/// What the command line asks for.
+#[derive(Debug)]
+pub enum Task {
+    Render(Box<RenderArguments>),
+    Merge(Box<MergeArguments>),
+    Compare(Box<CompareArguments>),
+    Converge(Box<ConvergeArguments>),
+    Check(Box<CheckArguments>),
+    Test(Box<TestArguments>),
+    Explain(Box<ExplainArguments>),
+    Export(Box<ExportArguments>),
+    Farm(Box<FarmArguments>),
+    Doctor(DoctorArguments),
+    Devices,
+    Init(InitArguments),
+    /// Help or version, as clap has it.
+    Help(clap::Error),
+}
+
+/// Reads a command line, the program's name first.
+pub fn task(words: &[OsString]) -> Result<Task, Failure> {
+    let first_page = command_line().mut_args(shown);
+    let matches = match first_page.try_get_matches_from(words) {
+        Ok(matches) => matches,
+        Err(wrong) if wrong.use_stderr() => return Err(Failure::CommandLine(wrong)),
+        Err(help) => return Ok(Task::Help(help)),
+    };
+    if let Some(("compare", matches)) = matches.subcommand()
+        && let Some(message) = CompareArguments::misplaced(matches)
+    {
+        return Err(Failure::Usage(message));
+    }
+    let Arguments { command, render } =
+        Arguments::from_arg_matches(&matches).map_err(Failure::CommandLine)?;
+    Ok(match command {
+        None => Task::Render(Box::new(render)),
+        Some(Command::Render(arguments)) => Task::Render(arguments),
+        Some(Command::Devices) => Task::Devices,
+        Some(Command::Init(arguments)) => Task::Init(arguments),
+        Some(Command::Converge(arguments)) => Task::Converge(arguments),
+        Some(Command::Merge(arguments)) => Task::Merge(arguments),
+        Some(Command::Compare(arguments)) => Task::Compare(arguments),
+        Some(Command::Check(arguments)) => Task::Check(arguments),
+        Some(Command::Test(arguments)) => Task::Test(arguments),
+        Some(Command::Doctor(arguments)) => Task::Doctor(arguments),
+        Some(Command::Explain(arguments)) => Task::Explain(arguments),
+        Some(Command::Export(arguments)) => Task::Export(arguments),
+        Some(Command::Farm(arguments)) => Task::Farm(arguments),
+    })
+}
+
+/// The arguments `A` of a command from words for them, for a program that calls.
+pub fn parsed<A: Args>(words: impl IntoIterator<Item = OsString>) -> Result<A, Failure> {
+    let matches = of::<A>().try_get_matches_from(words);
+    let parsed = matches.and_then(|matches| A::from_arg_matches(&matches));
+    parsed.map_err(Failure::CommandLine)
+}
+
+/// The flags of a command by their long names, and whether each is a switch, which takes no value.
+pub fn flags<A: Args>() -> Vec<(String, bool)> {
+    let command = of::<A>();
+    let flags = command.get_arguments().filter_map(|flag| {
+        let is_switch = matches!(flag.get_action(), ArgAction::SetTrue);
+        Some((flag.get_long()?.to_owned(), is_switch))
+    });
+    flags.collect()
+}
+
+fn of<A: Args>() -> clap::Command {
+    let none = clap::Command::new("vkpt").no_binary_name(true);
+    finished(A::augment_args(none.disable_help_flag(true)))
+}
+
+/// Prints what was asked for in place of a task.
+pub fn help(text: &clap::Error) -> Result<Ending, Failure> {
+    all_written([print_help(text)])?;
+    Ok(Ending::Complete)
+}
+
+/// All commands with all flags.
+pub fn command_line() -> clap::Command {
+    let command = Arguments::command()
+        .after_help(AFTER_HELP)
+        .mut_subcommand("render", |render| render.after_help(AFTER_RENDER_HELP));
+    finished(command)
+}
+
+/// An option of the first page of help: brief, or hidden.
+fn shown(arg: Arg) -> Arg {
+    match SHOWN.iter().find(|(id, _)| arg.get_id() == id) {
+        Some((_, help)) => arg.help(*help).help_heading(None),
+        None => arg.hide(true),
+    }
+}
+
+/// The command, and those in it, with flags that take negative numbers, and lines that can be read.
+fn finished(command: clap::Command) -> clap::Command {
+    command
+        .mut_args(negative)
+        .max_term_width(100)
+        .mut_subcommands(finished)
+}

@@ -1,0 +1,87 @@
+//! `vkpt export SCENE`: a scene as another renderer reads it.
+
+mod arguments;
+mod peer;
+
+use std::path::Path;
+
+use crate::export::{Remark, Subject};
+pub use arguments::ExportArguments;
+use vkpt_lab::cli::destination::{Destination, all_written};
+use vkpt_lab::cli::exit::{Ending, Failure, note, warn};
+use vkpt_lab::cli::inputs::{Input, spare};
+use vkpt_lab::cli::job::Loaded;
+use vkpt_lab::cli::writable;
+
+/// Writes the scene and what stands beside it, all that is said of it or nothing.
+pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
+    let to = output(arguments)?;
+    // What cannot be written is told before the work; it is claimed below, with the files beside it.
+    drop(writable::check([&to])?);
+    let request = arguments.request();
+    let model = &request.settings.model;
+    if let Some(message) = peer::setting(arguments.to, model, request.crop) {
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    let loaded = Loaded::new(&request)?;
+    let ready = loaded.prepare(&request)?;
+    let stem = to.path().and_then(Path::file_stem).unwrap_or_default();
+    let subject = Subject {
+        scene: &loaded.scene,
+        prepared: &ready.prepared,
+        model: &ready.settings.model,
+        crop: ready.job(&request)?.crop,
+        stem: &stem.to_string_lossy(),
+    };
+    let file = arguments.scene.name();
+    let told = |remarks: &[Remark<String>]| {
+        let told = |r: &Remark<String>| format!("{}: {r}", loaded.place(&file, r.line));
+        remarks.iter().map(told).collect::<Vec<_>>()
+    };
+    let export = peer::export(arguments.to, &subject, to.path())
+        .map_err(|refusals| Failure::Untranslatable(told(&refusals)))?;
+    let warnings = told(&export.warnings);
+    if request.strict && !warnings.is_empty() {
+        return Err(Failure::Strict(warnings));
+    }
+    warnings.iter().for_each(|what| warn(what));
+    let notes = told(export.note.as_slice());
+    notes.iter().for_each(|what| note(what));
+    let places = (export.beside.iter())
+        .map(|file| beside(&to, &file.name))
+        .collect::<Result<Vec<_>, _>>()?;
+    let _claims = writable::check(places.iter().chain([&to]))?;
+    let inputs = Input::of_scene(request.scene, &loaded.scene);
+    spare(&inputs, places.iter().chain([&to]))?;
+    let written = (places.iter().zip(&export.beside))
+        .map(|(to, file)| to.write(|out| out.write_all(&file.bytes)));
+    // The scene last: where it is, what it names is.
+    all_written(written)?;
+    all_written([to.write(|out| export.write(out))])?;
+    Ok(Ending::Complete)
+}
+
+/// The file of `-o`, else one named after the scene.
+fn output(arguments: &ExportArguments) -> Result<Destination, Failure> {
+    if let Some(to) = &arguments.output {
+        return Ok(to.clone());
+    }
+    let Some(stem) = arguments.scene.stem() else {
+        return Err(Failure::Usage(
+            "the scene has no file name to call the export by: use -o".to_owned(),
+        ));
+    };
+    let mut name = stem.to_os_string();
+    name.push(peer::ending(arguments.to));
+    Ok(Destination::File(name.into()))
+}
+
+/// Where a file beside the scene goes.
+fn beside(to: &Destination, name: &str) -> Result<Destination, Failure> {
+    match to.neighbour() {
+        Some(path) => Ok(Destination::File(path.with_file_name(name))),
+        None => Err(Failure::Usage(format!(
+            "files are written beside the scene, and {to} has no place beside it: use -o FILE"
+        ))),
+    }
+}

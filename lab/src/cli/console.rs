@@ -1,0 +1,34 @@
+//! Text for people.
+
+use super::destination::Destination;
+use super::streams::{put, tell};
+use vkpt::image::file::FileError;
+
+/// Where text for people goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Console {
+    Stdout,
+    /// Where stdout has something else on it.
+    Stderr,
+}
+
+impl Console {
+    /// Stdout, if none of the files goes there.
+    pub fn beside<'a>(files: impl IntoIterator<Item = &'a Destination>) -> Self {
+        match files.into_iter().any(Destination::is_stdout) {
+            true => Self::Stderr,
+            false => Self::Stdout,
+        }
+    }
+
+    /// Prints a text that ends with a line.
+    pub fn print(self, text: &str) -> Result<(), FileError> {
+        match self {
+            Self::Stdout => put(text.as_bytes()),
+            Self::Stderr => {
+                tell(text.trim_end_matches('\n'));
+                Ok(())
+            }
+        }
+    }
+}

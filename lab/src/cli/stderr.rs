@@ -1,0 +1,50 @@
+//! Standard errors from a file.
+
+use std::path::Path;
+
+use super::exit::warn;
+use vkpt::image::{Picture, Precision};
+use vkpt::metrics::StandardErrors;
+use vkpt::report::{differences, digest, is_noted, noted_digest, noted_freedom};
+
+/// The standard errors of a file, with the degrees of freedom that it notes; those of other programs are taken for exact.
+pub fn standard_errors(picture: &Picture) -> StandardErrors<'_> {
+    StandardErrors {
+        film: &picture.film,
+        freedom: noted_freedom(&picture.notes).unwrap_or(f64::INFINITY),
+    }
+}
+
+/// Refuses standard errors that were made with another picture, as both files note it; `advice` says what else helps.
+///
+/// Of two files by other programs nothing is known. Where the picture alone is silent, somebody should look.
+pub fn belongs(
+    (errors, theirs): (&Path, &Picture),
+    (picture, its): (&Path, &Picture),
+    advice: &str,
+) -> Result<(), String> {
+    let (errors, picture) = (errors.display(), picture.display());
+    let mut differences = differences(&theirs.notes, &its.notes);
+    // Other formats round: what is read from them is not what was digested.
+    let exact = its.precision == Precision::Single;
+    if let Some(theirs) = noted_digest(&theirs.notes).filter(|_| exact) {
+        let all = differences.get_or_insert_default();
+        if all.is_empty() && theirs != digest(&its.film) {
+            all.push("it was made with a picture of other values, from another version of the scene perhaps".into());
+        }
+    }
+    match differences.as_deref() {
+        Some([]) => {}
+        Some(all) => {
+            let all = all.join(", ");
+            return Err(format!(
+                "{errors} does not belong to {picture}: {all}; render again with --aov stderr, or {advice}"
+            ));
+        }
+        None if is_noted(&theirs.notes) => warn(&format!(
+            "{picture} does not say what it was made from: nobody knows whether {errors} belongs to it"
+        )),
+        None => {}
+    }
+    Ok(())
+}

@@ -1,0 +1,13 @@
+//! A comparison for a program that calls, of pictures in files or in memory.
+
+use super::comparand::Comparand;
+use super::known::Known;
+use super::pictures::compare;
+use crate::cli::exit::Failure;
+use crate::compare::report::Comparison;
+
+/// How far `a` is from `b`, by which it is judged; FLIP brightens both by `exposure` stops.
+pub fn compared(a: Comparand, b: Comparand, exposure: f64) -> Result<Comparison, Failure> {
+    let [a, b] = [a, b].map(Known::new);
+    compare(exposure, &[a?], &b?).map_err(Failure::Pictures)
+}

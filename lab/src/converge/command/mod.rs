@@ -1,0 +1,76 @@
+//! `vkpt converge`: how fast a scene converges, and by which settings faster.
+
+mod arguments;
+mod experiment;
+mod finish;
+mod kept;
+mod outputs;
+mod page;
+mod progress;
+mod record;
+mod reference;
+mod variants;
+mod vary;
+
+use self::experiment::Experiment;
+use self::variants::Variants;
+use crate::cli::console::Console;
+use crate::cli::destination::all_written;
+use crate::cli::exit::{Ending, Failure, note, warn};
+use crate::cli::inputs::spare;
+use crate::cli::writable;
+use crate::converge::ConvergeError;
+use crate::converge::report::{Convergence, concerns, table};
+pub use arguments::ConvergeArguments;
+
+/// Renders replicates of every variant, judges them and tells what came out.
+pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
+    let _claims = writable::check(outputs::files(arguments))?;
+    let variants = Variants::new(arguments)?;
+    spare(&variants.inputs, outputs::files(arguments))?;
+    spare(&reference::inputs(arguments), outputs::files(arguments))?;
+    let Some(experiment) = Experiment::run(arguments, &variants)? else {
+        warn("interrupted while the reference was rendered: nothing is told");
+        return Ok(Ending::Interrupted);
+    };
+    let record = experiment.record(arguments, &variants);
+    let told = match arguments.quiet {
+        true => Ok(()),
+        false => Console::beside(outputs::files(arguments)).print(&table(&record)),
+    };
+    concerns(&record).iter().for_each(|concern| warn(concern));
+    if experiment.denoises && !arguments.quiet {
+        note(
+            "denoised pictures converge elsewhere: they keep an error that samples take away but slowly, and no noise tells of",
+        );
+    }
+    let (references, measured) = (&experiment.references, &experiment.measured);
+    let parts = page::parts(arguments, &variants, references, measured);
+    let written = outputs::write(arguments, &parts.sheet(&record));
+    all_written(written.into_iter().chain([told]))?;
+    if measured.interrupted {
+        warn("interrupted: the step under way is not told");
+        return Ok(Ending::Interrupted);
+    }
+    Ok(Ending::Complete)
+}
+
+/// The same for a program that calls, without files: `None` if it was interrupted before the references were there.
+pub fn converged(arguments: &ConvergeArguments) -> Result<Option<Convergence>, Failure> {
+    let variants = Variants::new(arguments)?;
+    let experiment = Experiment::run(arguments, &variants)?;
+    let record = experiment.map(|experiment| experiment.record(arguments, &variants));
+    let concerns = record.as_ref().map(concerns).unwrap_or_default();
+    concerns.iter().for_each(|concern| warn(concern));
+    Ok(record)
+}
+
+impl From<ConvergeError> for Failure {
+    fn from(error: ConvergeError) -> Self {
+        match error {
+            ConvergeError::Render(error) => Self::Render(error),
+            ConvergeError::Metrics(error) => Self::Pictures(vec![error.to_string()]),
+            ConvergeError::Finish(why) => Self::Pictures(vec![why]),
+        }
+    }
+}

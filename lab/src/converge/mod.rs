@@ -1,0 +1,27 @@
+//! An experiment: independent replicates of one or several renderings after 1, 2, 4, … samples per pixel, each held
+//! against a reference. What the figures mean is told by `metrics::convergence`.
+
+pub mod command;
+mod halves;
+mod progress;
+pub mod report;
+mod schedule;
+
+pub use halves::{HALVES, Halves, halves};
+pub use progress::{Part, Progress};
+pub use schedule::{Finish, Measured, Plan, Variant, measure};
+
+use vkpt::metrics::MetricsError;
+use vkpt::render::RenderError;
+
+/// Why there is no curve.
+#[derive(Debug, thiserror::Error)]
+pub enum ConvergeError {
+    #[error(transparent)]
+    Render(#[from] RenderError),
+    #[error(transparent)]
+    Metrics(#[from] MetricsError),
+    /// A picture could not be finished.
+    #[error("{0}")]
+    Finish(String),
+}

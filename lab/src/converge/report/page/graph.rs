@@ -1,0 +1,97 @@
+//! The plot in the page: it follows the reader's theme, and each of its points tells its figures.
+
+use maud::{Markup, PreEscaped, html};
+
+use super::super::Convergence;
+use super::super::plot::palette::Colour;
+use super::super::plot::{Form, Plot, PlotError, Point, UNITS, plot};
+use super::super::words::{between, number, with_half_width};
+use vkpt::report::human::duration;
+
+/// Two layouts, of which a page shows the one that fits: in a wide plot scaled to a phone no label could be read.
+const FORMS: [(&str, f64); 2] = [("wide", 960.0), ("narrow", 340.0)];
+
+/// The section with the plot.
+pub fn graph(e: &Convergence) -> Result<Markup, PlotError> {
+    let mut drawn = Vec::new();
+    for (class, width) in FORMS {
+        let title = false;
+        let plot = plot(e, Form { width, title })?;
+        drawn.push(html! { div class=(class) { (with_targets(e, &plot)) } });
+    }
+    Ok(html! {
+        section #plot {
+            h2 { "Error over seconds" }
+            figure.graph {
+                @for plot in drawn { (plot) }
+                div.tip role="status" hidden {}
+                figcaption {
+                    "Mean of the replicates with its 95 % interval (Student’s t), against the seconds of sampling of one \
+                     replicate; compiling is in none of them. Along a dashed line, of slope −½, efficiency is the same: \
+                     independent samples run in parallel to it, a biased estimator flattens."
+                }
+            }
+        }
+    })
+}
+
+/// The SVG with a target over each point, large enough for a finger, that names what is there.
+fn with_targets(e: &Convergence, plot: &Plot) -> Markup {
+    let targets = html! {
+        g transform=(format!("scale({UNITS})")) {
+            @for point in &plot.points {
+                @let told = told(e, point);
+                @let [x, y] = point.at;
+                g.target tabindex="0" role="img" aria-label=(told)
+                    data-variant=(point.variant) data-step=(point.step) {
+                    circle cx=(x) cy=(y) r="11" {}
+                    title { (told) }
+                }
+            }
+        }
+    };
+    // No picture any more, whose parts no screen reader would look at.
+    let svg = plot.svg.replacen("role=\"img\"", "role=\"group\"", 1);
+    let content = svg.trim_end().strip_suffix("</svg>").unwrap_or_default();
+    PreEscaped(content.to_owned() + &targets.into_string() + "</svg>")
+}
+
+/// A line for each figure of a step.
+fn told(e: &Convergence, point: &Point) -> String {
+    let variant = &e.variants[point.variant];
+    let step = &variant.steps[point.step];
+    let error = &step.errors.rel_mse;
+    let mean = error.summary.mean;
+    let mut lines = Vec::new();
+    if !variant.name.is_empty() {
+        lines.push(variant.name.clone());
+    }
+    lines.push(format!(
+        "{} spp · {}",
+        step.spp,
+        duration(step.wall_s.value)
+    ));
+    lines.push(format!(
+        "relMSE {} ({})",
+        number(mean.value),
+        between(&mean)
+    ));
+    lines.push(format!("√relMSE {}", number(mean.value.max(0.0).sqrt())));
+    lines.extend(step.slope.map(|s| format!("slope {}", with_half_width(&s))));
+    if error.below_reference {
+        lines.push("no larger than the reference’s own error".to_owned());
+    }
+    lines.join("\n")
+}
+
+/// CSS that gives the plot's colours their counterparts on a dark page: a rule beats an attribute of SVG.
+pub fn colours() -> String {
+    let rule = |c: Colour| {
+        let (light, dark) = (c.hex(), c.dark_hex());
+        format!(
+            ".plot [fill=\"{light}\"] {{ fill: {dark}; }}\n.plot [stroke=\"{light}\"] {{ stroke: {dark}; }}\n"
+        )
+    };
+    let rules: String = Colour::all().map(rule).collect();
+    format!("@media screen and (prefers-color-scheme: dark) {{\n{rules}}}\n")
+}

@@ -1,0 +1,154 @@
+//! What all findings come to.
+
+use serde::Serialize;
+
+use super::{Operation, Outcome, OwnFunction, SelfTest};
+use vkpt::report::human::thousands;
+
+/// What may be expected of pictures.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Verdict {
+    /// Nothing failed that pictures depend on.
+    pub healthy: bool,
+    /// Pictures equal those of the reference in f32, bit for bit.
+    pub equal_bits: bool,
+    /// What failed, and what it means.
+    pub failures: Vec<String>,
+    /// What is done otherwise than in the reference, as Vulkan allows.
+    pub differences: Vec<String>,
+}
+
+/// A pure function of the three kinds of findings that decide.
+pub fn verdict(tests: &[SelfTest], operations: &[Operation], own: &[OwnFunction]) -> Verdict {
+    let (mut failures, mut differences) = (Vec::new(), kinds(operations));
+    let normal = |o: &&Operation| o.outcome == Outcome::Fails || o.unequal > 0;
+    let tests = tests.iter().map(|t| (t.outcome, test(t)));
+    let operations = operations.iter().filter(normal);
+    let operations = operations.map(|o| (o.outcome, operation(o)));
+    let own = own.iter().map(|f| (f.outcome, function(f)));
+    for (outcome, text) in tests.chain(operations).chain(own) {
+        match outcome {
+            Outcome::Fails => failures.push(text),
+            Outcome::Differs => differences.push(text),
+            Outcome::Passes | Outcome::Avoided => {}
+        }
+    }
+    Verdict {
+        healthy: failures.is_empty(),
+        equal_bits: failures.is_empty() && differences.is_empty(),
+        failures,
+        differences,
+    }
+}
+
+/// What several operations have in common: a device that flushes denormals does so in all of them.
+fn kinds(operations: &[Operation]) -> Vec<String> {
+    let named = |what: &str, count: fn(&Operation) -> usize| {
+        let differ = operations.iter().filter(|o| count(o) > 0);
+        let names: Vec<&str> = differ.map(|o| o.name).collect();
+        (!names.is_empty())
+            .then(|| format!("{what} otherwise, as Vulkan allows: {}", names.join(", ")))
+    };
+    let denormal = named("denormals come out", |o| o.unequal_denormal);
+    let special = named("NaN, ∞ or −0 come out", |o| o.unequal_special);
+    denormal.into_iter().chain(special).collect()
+}
+
+fn test(t: &SelfTest) -> String {
+    format!(
+        "self-test \"{}\": {} of {} results are wrong; pictures cannot be trusted",
+        t.name,
+        thousands(t.wrong.into()),
+        thousands(t.invocations.into())
+    )
+}
+
+fn operation(o: &Operation) -> String {
+    let (unequal, compared) = (thousands(o.unequal as u64), thousands(o.compared as u64));
+    let end = match (o.outcome, o.worst_ulps) {
+        (Outcome::Fails, _) => "Vulkan does not allow it, and every picture is off".to_owned(),
+        (_, Some(worst)) => format!("up to {worst:.2} ulp, which Vulkan allows"),
+        _ => "which Vulkan allows".to_owned(),
+    };
+    format!(
+        "{}: {unequal} of {compared} results of normal numbers are not the host's; {end}",
+        o.name
+    )
+}
+
+fn function(f: &OwnFunction) -> String {
+    let bits = format!(
+        "{}: {} of {} results are not the reference's",
+        f.name,
+        thousands(f.unequal),
+        thousands(f.compared)
+    );
+    match f.outcome {
+        Outcome::Fails if f.worst_ulps > f.bound_ulps => format!(
+            "{bits}, and {:.3e} ulp from the truth at {:e}; every picture with it is off",
+            f.worst_ulps, f.worst_at
+        ),
+        Outcome::Fails => {
+            format!(
+                "{bits} though all arithmetic is: the driver computes it otherwise than it is written"
+            )
+        }
+        _ => format!("{bits}, within {} ulp of the truth", f.bound_ulps),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tested(outcome: Outcome) -> SelfTest {
+        SelfTest {
+            name: "loop",
+            outcome,
+            invocations: 4096,
+            wrong: 3,
+            stands_for: "paths",
+        }
+    }
+
+    fn flushing(name: &'static str) -> Operation {
+        Operation {
+            name,
+            outcome: Outcome::Differs,
+            compared: 10,
+            unequal: 0,
+            unequal_denormal: 2,
+            unequal_special: 0,
+            worst_ulps: Some(0.5),
+            allowed_ulps: Some(0.5),
+            example: None,
+        }
+    }
+
+    #[test]
+    fn what_no_picture_depends_on_leaves_equal_bits() {
+        let found = verdict(
+            &[tested(Outcome::Passes), tested(Outcome::Avoided)],
+            &[],
+            &[],
+        );
+        assert!(found.healthy && found.equal_bits, "{found:?}");
+    }
+
+    #[test]
+    fn flushed_denormals_are_one_difference_and_no_failure() {
+        let found = verdict(&[], &[flushing("x + y"), flushing("x × y")], &[]);
+        assert!(found.healthy && !found.equal_bits);
+        let [difference] = &found.differences[..] else {
+            panic!("{found:?}");
+        };
+        assert!(difference.ends_with("x + y, x × y"), "{difference}");
+    }
+
+    #[test]
+    fn one_failure_is_enough() {
+        let found = verdict(&[tested(Outcome::Fails)], &[flushing("x + y")], &[]);
+        assert!(!found.healthy && !found.equal_bits);
+        assert!(found.failures[0].contains("3 of 4,096"), "{found:?}");
+    }
+}

@@ -1,0 +1,123 @@
+//! `vkpt explain SCENE`: what a rendering would bring to a device and why, without rendering.
+
+mod arguments;
+mod outputs;
+
+use crate::cli::beside::parted;
+use crate::cli::console::Console;
+use crate::cli::destination::{Destination, all_written};
+use crate::cli::exit::{Ending, Failure};
+use crate::cli::inputs::Input;
+use crate::cli::job::Loaded;
+use crate::cli::writable;
+use crate::explain::report::{Count, page};
+use crate::explain::{Preset, Subject, explain as explanation};
+pub use arguments::ExplainArguments;
+use vkpt::gpu::{Device, Options, Selector, Statistic};
+use vkpt::kernel::{Composed, Spirv};
+use vkpt::render::{Job, KernelChoice, Plan, PlanLimits, statistics};
+use vkpt::settings::Integrator;
+
+/// Prints the page, or the kernel's GLSL; writes its SPIR-V where it is asked for.
+pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
+    // What cannot be written is told before the work; it is claimed below, with what goes beside it.
+    drop(writable::check(&arguments.spirv)?);
+    let spirv_on_stdout = arguments.spirv.as_ref().is_some_and(Destination::is_stdout);
+    if arguments.glsl && spirv_on_stdout {
+        return Err(Failure::Usage(
+            "--glsl and --spirv - would both be written to stdout".to_owned(),
+        ));
+    }
+    let request = arguments.request();
+    let loaded = Loaded::new(&request)?;
+    let ready = loaded.prepare(&request)?;
+    let (aovs, classes) = parted(&arguments.aov);
+    let job = Job {
+        aovs: &aovs,
+        classes: &classes,
+        kernel: arguments.kernel,
+        ..ready.job(&request)?
+    };
+    let device = device(arguments)?;
+    let limits = device
+        .as_ref()
+        .map_or(PlanLimits::default(), PlanLimits::of);
+    let plan = Plan::new(&job, limits).map_err(Failure::Render)?;
+    let inputs = Input::of_scene(request.scene, &loaded.scene);
+    let (files, _claims) = outputs::check(arguments, plan.kernels.len(), &inputs)?;
+    let spirv = plan.compile().map_err(Failure::Render)?;
+    let text = if arguments.glsl {
+        plan.kernels.iter().map(Composed::by_file).collect()
+    } else {
+        let full = Job {
+            kernel: KernelChoice::Full,
+            ..job
+        };
+        let full = Plan::new(&full, limits).map_err(Failure::Render)?;
+        let full_spirv = full.compile().map_err(Failure::Render)?;
+        let counting = device.as_ref().filter(|_| arguments.statistics);
+        let counts = counting
+            .map(|device| counts(&plan, &spirv, device))
+            .transpose()?;
+        let name = device.as_ref().map_or(NO_DEVICE, |d| &d.info().name);
+        let subject = Subject {
+            job: &job,
+            plan: &plan,
+            scene: &arguments.scene.name(),
+            text: &loaded.text,
+            preset: preset(arguments),
+            auto: ready.why,
+            device: name,
+        };
+        page(&explanation(&subject, &spirv, (&full, &full_spirv), counts))
+    };
+    let written = outputs::write(&files, &spirv);
+    let told = Console::beside(&files).print(&text);
+    all_written(written.into_iter().chain([told]))?;
+    Ok(Ending::Complete)
+}
+
+/// Whose limits hold where there is no device.
+const NO_DEVICE: &str = "those of most GPUs (there is no Vulkan device here)";
+
+/// The device that is asked for, else the best there is; where there is none, a kernel is explained all the same.
+fn device(arguments: &ExplainArguments) -> Result<Option<Device>, Failure> {
+    let options = Options {
+        statistics: arguments.statistics,
+        ..Options::from_env()
+    };
+    let selector = arguments.device.as_ref().unwrap_or(&Selector::Best);
+    match Device::open_with(selector, options) {
+        Ok(device) => Ok(Some(device)),
+        Err(_) if arguments.device.is_none() && !arguments.statistics => Ok(None),
+        Err(error) => Err(Failure::Render(error.into())),
+    }
+}
+
+/// What the driver counts of the kernels.
+fn counts(plan: &Plan, spirv: &[Spirv], device: &Device) -> Result<Vec<Count>, Failure> {
+    let names: &[&str] = match plan.features.integrator {
+        Integrator::Bidirectional => &["light paths", "eye paths"],
+        Integrator::Path | Integrator::Light => &[""],
+    };
+    let told = statistics(plan, spirv, device).map_err(|e| Failure::Render(e.into()))?;
+    let count = |kernel: &'static str, s: Statistic| Count {
+        kernel,
+        executable: s.executable,
+        name: s.name,
+        value: s.value.to_string(),
+    };
+    let told = names.iter().zip(told).flat_map(|(kernel, told)| {
+        // A hash only tells one kernel from another.
+        let told = told
+            .into_iter()
+            .filter(|s| !s.name.to_lowercase().contains("hash"));
+        told.map(move |s| count(kernel, s))
+    });
+    Ok(told.collect())
+}
+
+fn preset(arguments: &ExplainArguments) -> Preset {
+    let (name, settings) = arguments.settings.preset();
+    Preset { name, settings }
+}

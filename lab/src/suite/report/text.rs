@@ -1,0 +1,39 @@
+//! Lines to read: one a scene, and the sum of all.
+
+use super::{Case, Suite, Verdict};
+use vkpt::report::human::{duration, plural};
+
+/// A line, and others below it where something is wrong.
+pub fn line(case: &Case) -> String {
+    let (word, more) = match &case.verdict {
+        Verdict::Same => ("same", String::new()),
+        Verdict::Close { rel_mse } => ("close", format!(", relMSE {rel_mse:.1e}")),
+        Verdict::Kept { instead: true } => ("kept", ", in place of another".to_owned()),
+        Verdict::Kept { instead: false } => ("kept", ", for the first time".to_owned()),
+        Verdict::Differs(_) => ("DIFFERS", String::new()),
+        Verdict::Failed(_) => ("FAILED", String::new()),
+    };
+    let mut text = format!("{word:<8}{}  {}{more}\n", case.name, duration(case.seconds));
+    if let Some(why) = case.verdict.wrong() {
+        text += &format!("        {}\n", why.replace('\n', "\n        "));
+    }
+    if !case.files.is_empty() {
+        text += &format!("        wrote {}\n", case.files.join(", "));
+    }
+    text
+}
+
+/// `12 scenes in 3.4 s: all as kept`
+pub fn sum(suite: &Suite) -> String {
+    let all = suite.cases.len() as u64;
+    let seconds = suite.cases.iter().map(|case| case.seconds).sum();
+    let what = match suite.wrong() {
+        0 => "nothing is wrong".to_owned(),
+        wrong => format!("{wrong} went wrong"),
+    };
+    format!(
+        "{} in {}: {what}\n",
+        plural(all, "scene"),
+        duration(seconds)
+    )
+}
