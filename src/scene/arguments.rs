@@ -6,17 +6,17 @@ use super::log::Log;
 use super::number;
 use super::text::{Token, shorten};
 
-/// What is left of a line.
+/// The unread rest of a line.
 pub(super) struct Arguments<'t> {
     /// The command and all its arguments.
     tokens: Vec<Token<'t>>,
     next: usize,
-    /// How the command is written, for messages.
+    /// The command's syntax, for messages.
     pub usage: &'static str,
 }
 
 impl<'t> Arguments<'t> {
-    /// The arguments of the line `tokens`, which begins with its command.
+    /// The arguments of the line `tokens`, whose first token is its command.
     pub fn new(tokens: Vec<Token<'t>>, usage: &'static str) -> Self {
         Self {
             tokens,
@@ -25,7 +25,7 @@ impl<'t> Arguments<'t> {
         }
     }
 
-    /// Where the command itself stands.
+    /// The command itself.
     pub fn command(&self) -> Token<'t> {
         self.tokens[0]
     }
@@ -50,7 +50,7 @@ impl<'t> Arguments<'t> {
         token
     }
 
-    /// The next arguments, a legal number for each field; all that are wrong are told.
+    /// The next arguments, one legal number per field. Reports every wrong one.
     pub fn numbers<const N: usize>(
         &mut self,
         log: &mut Log,
@@ -76,17 +76,17 @@ impl<'t> Arguments<'t> {
         good.then_some(numbers)
     }
 
-    /// Takes the next argument, which the caller knows.
+    /// Skips the next argument, which the caller already knows.
     pub fn skip_one(&mut self) {
         self.next = (self.next + 1).min(self.tokens.len());
     }
 
-    /// Takes all that is left.
+    /// Skips all remaining arguments.
     pub fn skip(&mut self) {
         self.next = self.tokens.len();
     }
 
-    /// Ends the line: warns of arguments that nothing took.
+    /// Ends the line: warns about unread arguments.
     pub fn finish(self, log: &mut Log) {
         if let (Some(first), Some(last)) = (self.rest().first(), self.rest().last()) {
             let message = format!("`{}` has more arguments than it takes", self.command().text);
@@ -95,7 +95,7 @@ impl<'t> Arguments<'t> {
         }
     }
 
-    /// An error: the line ends before the argument `what`.
+    /// Reports that the line ends before the argument `what`.
     fn too_few(&self, log: &mut Log, what: &str) {
         let Token { text, place: last } = self.last();
         let gap = Place {
@@ -112,7 +112,7 @@ impl<'t> Arguments<'t> {
     fn parse_number(&self, log: &mut Log, token: Token<'_>, field: Field) -> Option<Number> {
         let (text, place) = (token.text, token.place);
         let is_not_finite = number::is_not_finite(text);
-        // `1.#QNAN` begins with a number.
+        // The prefix of `1.#QNAN` is a number.
         let length = if is_not_finite {
             0
         } else {
@@ -127,7 +127,7 @@ impl<'t> Arguments<'t> {
                 .help(format!("usage: {}", self.usage));
             return None;
         };
-        // The renderer's own numbers are single: what overflows there is infinite in the picture.
+        // The renderer computes in single precision: a value that overflows there would be infinite in the picture.
         if value.abs() > f64::from(f32::MAX) {
             let message = format!(
                 "`{}` is beyond the range of single precision",

@@ -1,4 +1,4 @@
-//! The scene under way: what the lines read so far have set.
+//! The scene under construction: the state set by the lines read so far.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ use super::{
 };
 use crate::settings::{Distribution, Fresnel};
 
-/// A command that counts once: unseen, seen on a line but wrong, or set there.
+/// A command that counts only once: unseen, seen but malformed, or set.
 #[derive(Clone, Debug)]
 pub(super) enum Once<T> {
     Unseen,
@@ -22,7 +22,7 @@ pub(super) enum Once<T> {
 }
 
 impl<T> Once<T> {
-    /// Takes what `command` says, which could not be read where it is `None`; warns if it is not the first.
+    /// Sets the value of `command`, `None` if it could not be read. Warns if the command was seen before.
     pub fn set(&mut self, value: Option<T>, command: Token<'_>, log: &mut Log) {
         if !self.is_unseen() {
             let message = format!("`{}` stands here once more", command.text);
@@ -36,36 +36,36 @@ impl<T> Once<T> {
     }
 }
 
-/// What has been read, and what is wrong with it.
+/// The scene and the diagnostics so far.
 pub(super) struct Builder {
     pub log: Log,
     path: PathBuf,
     pub screen: Once<Screen>,
-    /// With its line.
+    /// With its line number.
     pub camera: Once<(Camera, usize)>,
     pub lens: Once<Lens>,
-    /// With its line.
+    /// With its line number.
     pub background: Once<(Outside, usize)>,
-    /// For the materials that follow.
+    /// For materials that follow.
     pub distribution: Option<Distribution>,
-    /// For the materials that follow.
+    /// For materials that follow.
     pub fresnel: Option<Fresnel>,
-    /// Of these two words.
+    /// Lines of the words `distribution` and `fresnel`.
     pub words: WordLines,
-    /// For the shapes that follow.
+    /// For shapes that follow.
     material: Material,
-    /// The index of `material`, once a shape has taken it.
+    /// Index of `material`, once a shape uses it.
     taken: Option<usize>,
     materials: Vec<Material>,
     shapes: Vec<Shape>,
-    /// The shapes that follow may carry surroundings.
+    /// Spheres that follow may carry surroundings.
     expects_carrier: bool,
-    /// Spheres that do if the eye is in them: indices of shapes.
+    /// Indices of those spheres. Each carries surroundings if it contains the eye.
     carriers: Vec<usize>,
 }
 
 impl Builder {
-    /// Nothing read yet.
+    /// An empty scene.
     pub fn new(path: &Path, log: Log) -> Self {
         Self {
             log,
@@ -102,12 +102,12 @@ impl Builder {
         self.expects_carrier = false;
     }
 
-    /// Until the next material a sphere about the eye carries surroundings, and is no shape.
+    /// Until the next material, a sphere around the eye carries surroundings and is no shape.
     pub fn expect_carrier(&mut self) {
         self.expects_carrier = true;
     }
 
-    /// Adds a shape of the current material. Materials that no shape takes are not kept.
+    /// Adds a shape with the current material. Materials that no shape uses are dropped.
     pub fn add_shape(&mut self, line: usize, geometry: Geometry) {
         let material = *self.taken.get_or_insert_with(|| {
             self.materials.push(self.material.clone());
@@ -123,7 +123,7 @@ impl Builder {
         });
     }
 
-    /// The scene, if nothing is wrong; with `strict` a warning is.
+    /// The scene, if there are no errors; with `strict`, warnings count as errors.
     pub fn finish(mut self, text: String, strict: bool) -> Result<Read, Errors> {
         self.required(self.screen.is_unseen(), "screen W H");
         self.required(self.camera.is_unseen(), "camera ex ey ez  ry  ORIENTATION");
@@ -163,7 +163,7 @@ impl Builder {
         })
     }
 
-    /// Takes away the spheres that carry surroundings about `eye`.
+    /// Removes the spheres around `eye` that carry surroundings.
     fn take_carriers(&mut self, eye: DVec3) {
         let holds_eye = |shape: &Shape| matches!(shape.geometry, Geometry::Sphere { centre, radius } if eye.distance(centre) < radius);
         for index in std::mem::take(&mut self.carriers).into_iter().rev() {
@@ -173,7 +173,7 @@ impl Builder {
         }
     }
 
-    /// An error if the command that `usage` begins with is not there.
+    /// Reports an error if the command that `usage` begins with is missing.
     fn required(&mut self, missing: bool, usage: &str) {
         if missing {
             let word = usage.split(' ').next().unwrap_or(usage);
@@ -185,7 +185,7 @@ impl Builder {
     }
 }
 
-/// What the course's framework gives a shape that no material precedes.
+/// The course framework's material for shapes that no material precedes.
 fn default_material() -> Material {
     let brdf = Brdf {
         kd: DVec3::new(1.0, 0.5, 0.0),

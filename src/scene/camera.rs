@@ -1,8 +1,8 @@
-//! `camera ex ey ez  ry  ORIENTATION`, and the same line as other programs of the course have it.
+//! `camera ex ey ez  ry  ORIENTATION`, and the same line as other programs of the course write it.
 //!
-//! Student programs have had the quaternion before `ry`, a quaternion without its `q`, and the aperture and focus of a
-//! lens before or after the orientation. What cannot be mistaken is read, with a warning; the rest is refused, for a
-//! number in the wrong place is another view.
+//! Student programs have put the quaternion before `ry`, written a quaternion without its `q`, and put the aperture and
+//! focus of a lens before or after the orientation. Unambiguous lines are read with a warning; the rest are refused,
+//! because a number in the wrong place gives another view.
 
 use glam::{DQuat, DVec4};
 
@@ -15,7 +15,7 @@ use super::number::prefix_length;
 use super::orientation::{begins_rotation, orientation, quaternion, rotations};
 use super::text::Token;
 
-/// The order of what follows the eye.
+/// The order of the arguments after the eye.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Order {
     /// `ry  ORIENTATION`
@@ -24,7 +24,7 @@ enum Order {
     RotationsFirst,
     /// `w x y z  ry`
     QuaternionFirst,
-    /// `ry  w x y z`, with so many numbers between them.
+    /// `ry  w x y z`, with this many numbers between them.
     RyThenQuaternion(usize),
 }
 
@@ -49,22 +49,22 @@ pub(super) fn camera(builder: &mut Builder, arguments: &mut Arguments) {
     builder.camera.set(camera, arguments.command(), log);
 }
 
-/// The order that can be meant; `None` where it is none or several.
+/// The intended order; `None` where no order fits, or several do.
 fn order(rest: &[Token]) -> Option<Order> {
     let is_number = |token: &Token| prefix_length(token.text) > 0;
     let numbers = rest.iter().take_while(|token| is_number(token)).count();
     let rotations = rest.iter().any(|token| begins_rotation(token.text));
     match (numbers, rotations) {
         (0, true) if begins_rotation(rest[0].text) => Some(Order::RotationsFirst),
-        // ry, and aperture and focus at the most.
+        // ry, and aperture and focus at most.
         (..=3, _) => Some(Order::RyFirst),
         (5..=7, false) if numbers == rest.len() => bare_quaternion(rest),
         _ => None,
     }
 }
 
-/// The one place where four of the numbers are a quaternion: those that programs write have the norm 1, the course's own
-/// .99964.
+/// The one position where four of the numbers form a quaternion: those that programs write have norm 1, the course's
+/// own .99964.
 fn bare_quaternion(numbers: &[Token]) -> Option<Order> {
     let values: Vec<f64> = numbers.iter().filter_map(|token| value(token)).collect();
     let is_unit = |at: usize| {
@@ -87,7 +87,7 @@ fn value(token: &Token) -> Option<f64> {
     token.text[..prefix_length(token.text)].parse().ok()
 }
 
-/// ry and the orientation.
+/// Reads ry and the orientation.
 fn seen(order: Order, arguments: &mut Arguments, log: &mut Log) -> Option<(Number, DQuat)> {
     let start = arguments.rest().first().map(|token| token.place);
     let (ry, rotation) = match order {
@@ -119,7 +119,7 @@ fn seen(order: Order, arguments: &mut Arguments, log: &mut Log) -> Option<(Numbe
     let message = "`camera` is written as another program has it".to_owned();
     log.warning(place, message, read)
         .help(format!("usage: {}", arguments.usage));
-    // Aperture and focus, perhaps.
+    // Perhaps aperture and focus.
     orientation(arguments, log)?;
     Some(seen)
 }
@@ -130,7 +130,7 @@ fn ry(arguments: &mut Arguments, log: &mut Log) -> Option<Number> {
         .map(|[ry]| ry)
 }
 
-/// An error: which of the numbers is which cannot be known.
+/// Reports that the meaning of the numbers is ambiguous.
 fn refuse(arguments: &mut Arguments, log: &mut Log) {
     let rest = arguments.rest();
     if let (Some(first), Some(last)) = (rest.first(), rest.last()) {

@@ -1,4 +1,4 @@
-//! The commands: a row each, with the function that reads it.
+//! The commands: one row each, with the function that reads it.
 
 use super::arguments::Arguments;
 use super::builder::Builder;
@@ -84,7 +84,7 @@ const COMMANDS: [Command; 14] = [
     },
 ];
 
-/// Reads one line into the scene that `builder` builds.
+/// Reads one line into the scene under construction in `builder`.
 pub(super) fn read_line(builder: &mut Builder, line: Line<'_>) {
     let Some(command) = COMMANDS.iter().find(|command| command.word == line[0].text) else {
         unknown(builder, line[0]);
@@ -93,13 +93,14 @@ pub(super) fn read_line(builder: &mut Builder, line: Line<'_>) {
     let mut arguments = Arguments::new(line, command.usage);
     let errors = builder.log.errors();
     (command.read)(builder, &mut arguments);
-    // What is left of a line that could not be read says nothing.
+    // After an error, unread arguments say nothing.
     if builder.log.errors() == errors {
         arguments.finish(&mut builder.log);
     }
 }
 
-/// Warns of a line whose command is none: what the picture lacks by it, where another program of the course has it.
+/// Warns about an unknown command. For a command of another program of the course, the message says how the picture
+/// differs without it.
 fn unknown(builder: &mut Builder, command: Token<'_>) {
     let (message, help) = match foreign::lacking(command.text) {
         Some(lacking) => (
@@ -121,9 +122,9 @@ fn unknown(builder: &mut Builder, command: Token<'_>) {
     }
 }
 
-/// The word of `words` that `word` looks like: at most a third of its letters wrong, case aside.
+/// The entry of `words` that resembles `word`: at most a third of its letters differ, ignoring case.
 pub(super) fn closest<'w>(word: &str, words: &[&'w str]) -> Option<&'w str> {
-    // A long token is no misspelling, and the distance takes time quadratic in its length.
+    // A long token is no misspelling, and computing the distance takes quadratic time.
     if word.len() > 40 {
         return None;
     }

@@ -1,4 +1,4 @@
-//! What is wrong with a file, and where: drawn by miette with the line shown and the culprit underlined.
+//! Diagnostics of a file. miette draws them, with the line shown and the culprit underlined.
 
 use std::fmt;
 use std::sync::Arc;
@@ -7,21 +7,21 @@ use miette::{
     GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, Severity, SourceCode,
 };
 
-/// A stretch of one line.
+/// A range within one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// From 1.
+    /// Counted from 1.
     pub line: usize,
-    /// From 1, in characters; a tab is one.
+    /// Counted from 1, in characters; a tab is one.
     pub column: usize,
-    /// First byte in the text as it is shown.
+    /// First byte in the text as displayed.
     pub start: usize,
-    /// In bytes; 0: the gap before `start`.
+    /// In bytes; 0 means the gap before `start`.
     pub length: usize,
 }
 
 impl Place {
-    /// From the start of `self` to the end of `last`, which stands on the same line.
+    /// From the start of `self` to the end of `last`, which is on the same line.
     pub(super) fn to(self, last: Place) -> Place {
         Place {
             length: last.start + last.length - self.start,
@@ -30,17 +30,17 @@ impl Place {
     }
 }
 
-/// An error, a warning, or what is good to know.
+/// An error, a warning or a note.
 #[derive(Clone, Debug)]
 pub struct Diagnostic {
     pub severity: Severity,
-    /// What is wrong.
+    /// The problem.
     pub message: String,
-    /// Said under the culprit.
+    /// Shown under the culprit.
     pub label: String,
-    /// What to do about it.
+    /// How to fix it.
     pub help: Option<String>,
-    /// The culprit; `None` where it is the whole file.
+    /// The culprit; `None` if it is the whole file.
     pub place: Option<Place>,
     pub(super) source: Arc<NamedSource<String>>,
 }
@@ -52,7 +52,7 @@ impl Diagnostic {
         self.source.inner().get(start..start + length)
     }
 
-    /// The name of the file.
+    /// The file's name.
     pub fn file(&self) -> &str {
         self.source.name()
     }
@@ -68,7 +68,7 @@ impl Diagnostic {
         }
     }
 
-    /// Adds what to do about it.
+    /// Adds advice on how to fix it.
     pub(super) fn help(&mut self, help: impl Into<String>) {
         self.help = Some(help.into());
     }
@@ -106,14 +106,14 @@ impl miette::Diagnostic for Diagnostic {
     }
 }
 
-/// All that is wrong with one file, in file order; at least one of them is an error.
+/// All diagnostics of one file, in file order; at least one is an error.
 #[derive(Clone, Debug)]
 pub struct Errors {
     pub diagnostics: Vec<Diagnostic>,
     pub(super) name: String,
-    /// Warnings that became errors because the caller asked for it.
+    /// Number of warnings that became errors at the caller's request.
     pub(super) promoted: usize,
-    /// Memory does not suffice, rather than that something is wrong.
+    /// The cause is a lack of memory, not a fault of the file.
     pub lacks_memory: bool,
 }
 

@@ -1,45 +1,45 @@
-//! The numbers that commands take: what each is called, and which values are legal.
+//! The numbers that commands take: their names and legal values.
 
 use glam::DVec3;
 
 use super::diagnostic::Place;
 use super::log::Log;
 
-/// A finite number, and where it stands.
+/// A finite number and its place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Number {
     pub value: f64,
     pub place: Place,
 }
 
-/// The vector of three numbers.
+/// Three numbers as a vector.
 pub(super) fn vector(numbers: &[Number]) -> DVec3 {
     DVec3::new(numbers[0].value, numbers[1].value, numbers[2].value)
 }
 
-/// Which values of a finite number are legal.
+/// The legal values of a finite number.
 #[derive(Clone, Copy, Debug)]
 enum Legal {
     Any,
     NotZero,
     NotNegative,
-    /// In single precision too: the renderer divides by it.
+    /// Positive in single precision too, because the renderer divides by it.
     Positive,
-    /// Not negative; above 1 it is taken as 1.
+    /// Not negative; above 1 it counts as 1.
     Share,
 }
 
-/// A number that a command takes.
+/// A numeric argument of a command.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Field {
-    /// As the command's usage has it.
+    /// The name in the command's usage.
     pub name: &'static str,
-    /// As a sentence has it.
+    /// The name within a sentence.
     noun: &'static str,
     legal: Legal,
 }
 
-/// A number of any finite value.
+/// Any finite number.
 pub(super) const fn any(name: &'static str) -> Field {
     Field {
         name,
@@ -48,7 +48,7 @@ pub(super) const fn any(name: &'static str) -> Field {
     }
 }
 
-/// A number other than 0.
+/// Any number other than 0.
 pub(super) const fn not_zero(name: &'static str, noun: &'static str) -> Field {
     Field {
         name,
@@ -75,7 +75,7 @@ pub(super) const fn positive(name: &'static str, noun: &'static str) -> Field {
     }
 }
 
-/// The three channels of a colour of 0 to 1, clamped where they are above it.
+/// The three channels of a colour from 0 to 1; larger values are clamped.
 pub(super) fn share(names: [&'static str; 3], noun: &'static str) -> [Field; 3] {
     names.map(|name| Field {
         name,
@@ -92,10 +92,10 @@ pub(super) const RADIANCE: [Field; 3] = [
 ];
 
 impl Field {
-    /// The number as it counts; an error where it is not legal.
+    /// The number as it counts, clamped where necessary; an error if it is not legal.
     pub fn check(self, log: &mut Log, number: Number) -> Option<Number> {
         let (value, noun) = (number.value, self.noun);
-        // The renderer's own numbers are single.
+        // The renderer computes in single precision.
         let single = value as f32;
         let wrong = match self.legal {
             Legal::NotZero if value == 0.0 => format!("{noun} is zero"),

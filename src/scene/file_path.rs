@@ -1,4 +1,4 @@
-//! Which file a line means: as it is written, or as a machine with other rules for names would have it.
+//! Resolves the file name on a line, either as written or as a machine with other rules for names would spell it.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -9,14 +9,14 @@ use super::diagnostic::Place;
 use super::log::Log;
 use super::text::{Token, shorten};
 
-/// The file that a line names.
+/// A file named on a line.
 pub(super) struct FilePath {
     pub(super) path: PathBuf,
     pub(super) place: Place,
 }
 
-/// Takes FILE off the line. A file that is there under another spelling is read with a warning: with back slashes, in
-/// another case, in quotes, with blanks. `folder` is that of the scene file; `is_name` knows the endings of such files.
+/// Takes FILE off the line. A file that exists under another spelling is read with a warning: back slashes, another
+/// case, quotes, blanks. `folder` is the scene file's; `is_name` recognises the extensions of such files.
 pub(super) fn file_path(
     folder: &Path,
     arguments: &mut Arguments,
@@ -58,8 +58,8 @@ pub(super) fn file_path(
     }
 }
 
-/// The words of a name that begins with `first`: up to the closing quote, or to the first one that ends as such a name
-/// does; `first` alone where there is none such.
+/// The words of a name that begins with `first`: up to the closing quote, or to the first word with a recognised
+/// extension. Only `first` if there is neither.
 fn words<'t>(first: Token<'t>, rest: &[Token<'t>], is_name: fn(&Path) -> bool) -> Vec<Token<'t>> {
     let all = || std::iter::once(first).chain(rest.iter().copied());
     let is_last = |token: &Token| match first.text.chars().next() {
@@ -72,7 +72,7 @@ fn words<'t>(first: Token<'t>, rest: &[Token<'t>], is_name: fn(&Path) -> bool) -
     all().take(length).collect()
 }
 
-/// `name` beside the scene file, or else in the working directory.
+/// `name` relative to the scene file, or else to the working directory.
 fn resolve(folder: &Path, name: &str) -> PathBuf {
     let beside = folder.join(name);
     match !beside.exists() && Path::new(name).exists() {
@@ -81,7 +81,7 @@ fn resolve(folder: &Path, name: &str) -> PathBuf {
     }
 }
 
-/// The file that is there under this name with slashes either way, in any case.
+/// An existing file with this name but for the direction of slashes and the case of letters.
 fn spelled_otherwise(folder: &Path, name: &str) -> Option<PathBuf> {
     let slashed = name.replace('\\', "/");
     let beside = |name: &str| Some(resolve(folder, name)).filter(|path| path.is_file());
@@ -93,7 +93,7 @@ fn spelled_otherwise(folder: &Path, name: &str) -> Option<PathBuf> {
     })
 }
 
-/// The only file in `folder` that has this path but for the case of its letters.
+/// The only file in `folder` that matches this path when case is ignored.
 fn in_any_case(folder: &Path, path: &Path) -> Option<PathBuf> {
     let mut found = folder.to_owned();
     for part in path.components() {
@@ -119,7 +119,7 @@ fn in_any_case(folder: &Path, path: &Path) -> Option<PathBuf> {
     found.is_file().then_some(found)
 }
 
-/// A file in the folder of one that is missing, or beside the scene file, whose name looks like it.
+/// A file with a similar name, in the folder of the missing one or next to the scene file.
 pub(super) fn similar(folder: &Path, missing: &Path, is_name: fn(&Path) -> bool) -> Option<String> {
     let name = missing.file_name()?.to_string_lossy().replace('\\', "/");
     let name = name.rsplit('/').next()?;
@@ -134,7 +134,7 @@ pub(super) fn similar(folder: &Path, missing: &Path, is_name: fn(&Path) -> bool)
     })
 }
 
-/// The names in a folder, the working directory where `folder` is empty.
+/// The names in a folder; an empty `folder` is the working directory.
 fn entries(folder: &Path) -> Vec<String> {
     let folder = if folder == Path::new("") {
         Path::new(".")

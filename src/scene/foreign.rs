@@ -1,12 +1,12 @@
-//! Commands of other programs of the course, by the names that their scene files have.
+//! Commands of other programs of the course, by their names in those programs' scene files.
 
-/// What a picture lacks where a command is skipped.
+/// The effect of a skipped command on the picture.
 pub(super) struct Lacking {
     pub(super) what: &'static str,
     pub(super) help: Option<String>,
 }
 
-/// Words, what the picture lacks, and what to do about it.
+/// Words, the effect of skipping them, and how to replace them.
 type Row = (&'static [&'static str], &'static str, &'static str);
 
 const ROWS: [Row; 8] = [
@@ -123,7 +123,7 @@ const ROWS: [Row; 8] = [
     ),
 ];
 
-/// What the picture lacks without the command `word`, if it is one of another program.
+/// The effect of skipping the command `word`, if another program has that command.
 pub(super) fn lacking(word: &str) -> Option<Lacking> {
     let word = word.to_ascii_lowercase();
     let row = ROWS.iter().find(|(words, ..)| words.contains(&&*word));

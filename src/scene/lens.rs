@@ -1,4 +1,4 @@
-//! `lens RADIUS FOCUS`: what is sharp, and how much is not.
+//! `lens RADIUS FOCUS`: depth of field.
 
 use super::Lens;
 use super::arguments::Arguments;

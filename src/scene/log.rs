@@ -1,4 +1,4 @@
-//! Gathers what is wrong with a file while it is read.
+//! Collects the diagnostics of a file while it is read.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -7,18 +7,18 @@ use miette::{NamedSource, Severity};
 
 use super::diagnostic::{Diagnostic, Errors, Place};
 
-/// Gathers the diagnostics of a file.
+/// The diagnostics of a file.
 pub(super) struct Log {
     name: String,
     source: Arc<NamedSource<String>>,
     diagnostics: Vec<Diagnostic>,
     errors: usize,
-    /// One of them is that memory does not suffice.
+    /// One of the errors is a lack of memory.
     pub lacks_memory: bool,
 }
 
 impl Log {
-    /// For the file `path` that holds `text`.
+    /// An empty log of the file `path` with the content `text`.
     pub fn new(path: &Path, text: String) -> Self {
         let name = path.display().to_string();
         let source = Arc::new(NamedSource::new(&name, text));
@@ -31,32 +31,32 @@ impl Log {
         }
     }
 
-    /// Notes an error; `label` is said under the culprit.
+    /// Adds an error; `label` is shown under the culprit.
     pub fn error(&mut self, place: Place, message: String, label: &str) -> &mut Diagnostic {
         self.push(Severity::Error, Some(place), message, label)
     }
 
-    /// Notes a warning; `label` is said under the culprit.
+    /// Adds a warning; `label` is shown under the culprit.
     pub fn warning(&mut self, place: Place, message: String, label: &str) -> &mut Diagnostic {
         self.push(Severity::Warning, Some(place), message, label)
     }
 
-    /// Notes an error of the whole file, which `message` names.
+    /// Adds an error about the whole file, which `message` names.
     pub fn file_error(&mut self, message: String) -> &mut Diagnostic {
         self.push(Severity::Error, None, message, "")
     }
 
-    /// Notes a warning about the whole file, which `message` names.
+    /// Adds a warning about the whole file, which `message` names.
     pub fn file_warning(&mut self, message: String) -> &mut Diagnostic {
         self.push(Severity::Warning, None, message, "")
     }
 
-    /// Notes what is good to know of the whole file, which `message` names: no warning, by any setting.
+    /// Adds a note about the whole file, which `message` names. No setting turns it into a warning.
     pub fn file_note(&mut self, message: String) -> &mut Diagnostic {
         self.push(Severity::Advice, None, message, "")
     }
 
-    /// An error of the whole file that ends its reading.
+    /// Adds an error about the whole file that ends its reading.
     pub fn fail(mut self, message: String) -> Errors {
         self.file_error(message);
         Errors {
@@ -67,18 +67,18 @@ impl Log {
         }
     }
 
-    /// The file's name as messages have it.
+    /// The file's name in messages.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// How many errors there are so far.
+    /// The number of errors so far.
     pub fn errors(&self) -> usize {
         self.errors
     }
 
-    /// `whole` and the warnings, if there is no error; with `strict` a warning is one. `whole` is `None` only
-    /// where an error was noted.
+    /// `whole` and the warnings, if there are no errors; with `strict`, warnings count as errors. `whole` is `None`
+    /// only where an error was logged.
     pub fn finish<T>(
         mut self,
         whole: Option<T>,
@@ -94,7 +94,7 @@ impl Log {
             self.errors += 1;
             promoted += 1;
         }
-        // What concerns the whole file comes last.
+        // Diagnostics of the whole file come last.
         self.diagnostics
             .sort_by_key(|d| d.place.map_or(usize::MAX, |place| place.start));
         match whole {

@@ -49,10 +49,10 @@ pub(super) fn brdf(builder: &mut Builder, arguments: &mut Arguments) {
     builder.set_material(command.line, MaterialKind::Brdf(brdf));
 }
 
-/// An error was noted.
+/// An error was already logged.
 struct Wrong;
 
-/// Kt and ior, if they follow the opaque material's seven numbers and Kt is not 0.
+/// Kt and ior, if they follow the seven numbers of an opaque material and Kt is not 0.
 fn transmission(arguments: &mut Arguments, log: &mut Log) -> Result<Option<[Number; 4]>, Wrong> {
     let rest = arguments.rest();
     let is_number = |text| prefix_length(text) > 0;
@@ -63,7 +63,7 @@ fn transmission(arguments: &mut Arguments, log: &mut Log) -> Result<Option<[Numb
     if given == 0 {
         return Ok(None);
     }
-    // With four arguments there the count is right, and one of them is no number.
+    // With four arguments left the count is right, so one of them is not a number.
     if rest.len() < 4 {
         let place = rest[0].place.to(rest[given - 1].place);
         let message = format!("`brdf` takes 7 numbers or 11, not {}", 7 + given);
@@ -74,7 +74,7 @@ fn transmission(arguments: &mut Arguments, log: &mut Log) -> Result<Option<[Numb
     let kt = arguments.numbers(log, share(["Kt.r", "Kt.g", "Kt.b"], "Kt"));
     let is_opaque = kt.is_some_and(|kt| vector(&kt) == DVec3::ZERO);
     let ior = match is_opaque {
-        // Files of the course have 0 where there is nothing to refract.
+        // Files of the course have 0 where nothing is refracted.
         true => any("ior"),
         false => positive("ior", "the index of refraction"),
     };
@@ -120,7 +120,7 @@ pub(super) fn fresnel(builder: &mut Builder, arguments: &mut Arguments) {
     }
 }
 
-/// What the next argument stands for; an error if it is none of `choices`.
+/// The meaning of the next argument; an error if it is none of `choices`.
 fn choice<T: Copy>(arguments: &mut Arguments, log: &mut Log, choices: &[(&str, T)]) -> Option<T> {
     let words: Vec<_> = choices.iter().map(|(word, _)| *word).collect();
     let token = arguments.word(log, &words.join(" or "))?;

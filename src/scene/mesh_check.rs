@@ -1,4 +1,4 @@
-//! Whether a mesh bounds a solid: what a transmissive material asks of it (model.md, "Media").
+//! Checks whether a mesh bounds a solid, which transmissive materials require (model.md, "Media").
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -8,20 +8,20 @@ use super::Mesh;
 /// Edges that keep a mesh from bounding a solid.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Edges {
-    /// Used by one triangle only: the mesh has a hole there.
+    /// Used by only one triangle: the mesh has a hole there.
     pub open: usize,
-    /// Used by more, but not as often in one direction as in the other: neighbours are wound differently.
+    /// Used by more, but not equally often in both directions: neighbours are wound differently.
     pub torn: usize,
 }
 
 /// Counts the edges that keep the mesh from bounding a solid.
 ///
-/// Vertices at exactly the same place are one (files repeat a vertex that has several normals), and triangles
-/// with two corners at one place have no inside and are left out. With no open and no torn edge the triangles'
-/// boundary is zero as a chain, so a ray that comes from outside enters as often as it leaves.
+/// Vertices at exactly the same position count as one (files repeat a vertex that has several normals). Triangles with
+/// two corners at one position have no inside and are ignored. If no edge is open or torn, the triangles' boundary is
+/// zero as a chain, so a ray that comes from outside enters as often as it leaves.
 pub fn edges(mesh: &Mesh) -> Edges {
     let places = places(&mesh.positions);
-    // Lower place, higher place, whether it is used upwards: sorted, the uses of an edge stand side by side.
+    // (lower place, higher place, whether it is used upwards): sorting puts the uses of an edge next to each other.
     let uses_of = |triangle: &[u32; 3]| {
         let [a, b, c] = triangle.map(|i| places[i as usize]);
         let flat = a == b || b == c || c == a;
@@ -45,7 +45,7 @@ pub fn edges(mesh: &Mesh) -> Edges {
     edges
 }
 
-/// Of each vertex the number of its place: vertices at exactly the same place have the same.
+/// The place number of each vertex: vertices at exactly the same position share one.
 fn places(positions: &[DVec3]) -> Vec<u32> {
     // Adding 0 turns −0 into +0.
     let key = |i: u32| {
@@ -62,16 +62,16 @@ fn places(positions: &[DVec3]) -> Vec<u32> {
     places
 }
 
-/// The number of edges that one triangle only uses: 0 for a closed mesh. See [`edges`].
+/// The number of edges used by only one triangle: 0 for a closed mesh. See [`edges`].
 pub fn open_edges(mesh: &Mesh) -> usize {
     edges(mesh).open
 }
 
-/// Volume in the file's units, negative where the triangles are wound inside out: Σ v₀·(v₁ × v₂)/6, by the
-/// divergence theorem.
+/// Volume in the file's units, negative if the triangles are wound inside out: Σ v₀·(v₁ × v₂)/6, by the divergence
+/// theorem.
 ///
-/// Taken about the vertices' mean, which only matters to rounding in a closed mesh; an open one has no volume,
-/// and its sign tells what most of its surface faces, seen from there.
+/// It is computed about the mean of the vertices, which only affects rounding in a closed mesh. An open mesh has no
+/// volume; the sign then says which way most of its surface faces, seen from there.
 pub fn signed_volume(mesh: &Mesh) -> f64 {
     let middle = mesh.positions.iter().sum::<DVec3>() / mesh.positions.len().max(1) as f64;
     let volume = |triangle: &[u32; 3]| {
@@ -81,8 +81,8 @@ pub fn signed_volume(mesh: &Mesh) -> f64 {
     mesh.triangles.iter().map(volume).sum()
 }
 
-/// Turns the mesh inside out: every triangle is wound the other way. Shading normals stay as they are: they
-/// make a frame only, turned to the side of the geometric normal that the ray comes from.
+/// Turns the mesh inside out by reversing the winding of every triangle. Shading normals stay unchanged: they only
+/// define a frame, which is turned to the side of the geometric normal that the ray comes from.
 pub fn flip(mesh: &mut Mesh) {
     for triangle in &mut mesh.triangles {
         triangle.swap(1, 2);

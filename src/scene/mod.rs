@@ -1,9 +1,9 @@
-//! Text → [`Scene`]: the course's scene format and the words that vkpt adds to it; and glTF files, by [`model`]. Knows no
+//! Text → [`Scene`]: the course's scene format with vkpt's extensions, and glTF files through [`model`]. Knows no
 //! buffers and no Vulkan.
 //!
-//! A file is read to its end whatever is wrong with it, so that all its errors are told in one go.
-//! [`text`] cuts it into lines and tokens, [`commands`] has a row for each command, [`arguments`] takes
-//! numbers off a line and checks them, and what is wrong becomes a [`Diagnostic`].
+//! A file is read to its end whatever its errors, so that all of them are reported at once. [`text`] splits it into
+//! lines and tokens, [`commands`] has a row for each command, [`arguments`] takes numbers off a line and checks them,
+//! and each problem becomes a [`Diagnostic`].
 
 mod arguments;
 mod builder;
@@ -39,34 +39,33 @@ pub use view::LARGEST_SIDE;
 
 use log::Log;
 
-/// A scene and what its author should know.
+/// A scene and its warnings.
 #[derive(Clone, Debug)]
 pub struct Read {
     pub scene: Scene,
-    /// In file order; notes are among them.
+    /// In file order; includes notes.
     pub warnings: Vec<Diagnostic>,
-    /// What was read, line by line.
+    /// The text that was read, line by line.
     pub text: String,
-    /// The file has other lines than `text`, or none.
+    /// `text` was generated: the file has other lines, or none.
     pub is_listing: bool,
 }
 
-/// A scene file longer than this, in bytes, is taken for something else.
+/// Maximum length in bytes of a scene file.
 const LONGEST_FILE: u64 = 256 << 20;
 
 /// Reads a scene file and the meshes that it names, or a glTF file.
 ///
 /// # Errors
-/// Everything that is wrong with the file, in file order, its warnings among them; with `strict` a warning is
-/// an error too.
+/// All errors and warnings of the file, in file order; with `strict`, warnings count as errors.
 pub fn read(path: &Path, strict: bool) -> Result<Read, Errors> {
     read_seen(path, strict, None)
 }
 
-/// The same, seen by the camera of a glTF file that is called `camera`, by default by the first.
+/// Like [`read`], with the view of the glTF camera named `camera`, by default the first.
 ///
 /// # Errors
-/// As [`read`]; there may be no such camera.
+/// As [`read`]; also if there is no such camera.
 pub fn read_seen(path: &Path, strict: bool, camera: Option<&str>) -> Result<Read, Errors> {
     match File::open(path) {
         Ok(file) => read_from(file, path, strict, camera),
@@ -87,7 +86,7 @@ pub fn read_from(
     let mut bytes = Vec::new();
     let name = path.display();
     let refused = |why: String| Log::new(path, String::new()).fail(why);
-    // A glTF file holds its meshes.
+    // A glTF file contains its meshes.
     let longest = match model::is_name(path) && path.is_file() {
         true => u64::MAX - 1,
         false => LONGEST_FILE,
@@ -115,11 +114,11 @@ pub fn read_from(
             "{name} is no glTF file: a camera by name is of those only, the command `camera` says how a scene file is seen"
         )));
     }
-    // Old files have comments in Latin-1: a byte that is not UTF-8 is no reason to refuse them.
+    // Old files have comments in Latin-1: they are not refused for bytes that are not UTF-8.
     parse(&String::from_utf8_lossy(&bytes), path, strict)
 }
 
-/// Reads the scene of the glTF file that `bytes` hold, as [`read_seen`] does; its buffers are looked for beside `path`.
+/// Reads the scene of a glTF file from its `bytes`, like [`read_seen`]; external buffers are relative to `path`.
 ///
 /// # Errors
 /// As [`read_seen`].
@@ -139,7 +138,7 @@ fn unreadable(path: &Path, reason: &io::Error) -> Errors {
     log.fail(message)
 }
 
-/// Reads a scene from `text`; `path` gives the name in messages and the folder that meshes are looked for in.
+/// Reads a scene from `text`; `path` gives the name in messages and the folder of meshes.
 ///
 /// # Errors
 /// As [`read`].

@@ -1,7 +1,7 @@
-//! Numbers as a C++ stream reads them: the longest prefix of the token that is one.
+//! Numbers as a C++ stream reads them: the longest numeric prefix of the token.
 
-/// Length in bytes of the longest prefix of `token` that is a decimal number: sign, digits with a point among
-/// them, exponent. 0 where the token does not begin with a number.
+/// Length in bytes of the longest prefix of `token` that is a decimal number: sign, digits with an optional point,
+/// exponent. 0 if the token does not begin with a number.
 pub(super) fn prefix_length(token: &str) -> usize {
     let bytes = token.as_bytes();
     let digits = |from: usize| {
@@ -34,7 +34,7 @@ pub(super) fn prefix_length(token: &str) -> usize {
     end
 }
 
-/// Whether `token` is a way to write NaN or infinity, which a stream does not read but a person may mean.
+/// Whether `token` spells NaN or infinity, which a stream does not read but a person may mean.
 pub(super) fn is_not_finite(token: &str) -> bool {
     let word = token.trim_start_matches(['+', '-']).to_ascii_lowercase();
     matches!(word.as_str(), "nan" | "inf" | "infinity")

@@ -1,4 +1,4 @@
-//! ORIENTATION: a sequence of rotations, the rightmost of which acts first.
+//! ORIENTATION: a sequence of rotations; the rightmost acts first.
 
 use glam::{DQuat, DVec3};
 
@@ -12,13 +12,13 @@ use super::text::{Token, shorten};
 const USAGE: &str =
     "an ORIENTATION is a sequence of x DEG, y DEG, z DEG, a DEG ax ay az and q w x y z";
 
-/// Whether a rotation begins with this word.
+/// Whether `word` begins a rotation.
 pub(super) fn begins_rotation(word: &str) -> bool {
     ["x", "y", "z", "a", "q"].contains(&word)
 }
 
-/// The rotation that the rest of the line spells, of unit norm; the identity where it spells none. Words that begin no
-/// rotation are left unread, each by itself, as the course's framework does.
+/// The rotation given by the rest of the line, of unit norm; the identity if there is none. Words that begin no
+/// rotation are skipped one by one, as in the course's framework.
 pub(super) fn orientation(arguments: &mut Arguments, log: &mut Log) -> Option<DQuat> {
     let mut q = rotations(arguments, log);
     while !arguments.rest().is_empty() {
@@ -30,7 +30,7 @@ pub(super) fn orientation(arguments: &mut Arguments, log: &mut Log) -> Option<DQ
     q
 }
 
-/// The rotations that come next on the line, as one. Each post-multiplies: q := q·r.
+/// The next rotations on the line, as one. Each post-multiplies: q := q·r.
 pub(super) fn rotations(arguments: &mut Arguments, log: &mut Log) -> Option<DQuat> {
     let mut q = Some(DQuat::IDENTITY);
     while let Some(token) = arguments.rest().first().copied() {
@@ -71,7 +71,7 @@ fn about_any_axis(arguments: &mut Arguments, log: &mut Log, command: Token<'_>) 
     }
 }
 
-/// The numbers w x y z of a quaternion, which begins at `start`.
+/// The numbers w x y z of a quaternion; `start` is where it begins.
 pub(super) fn quaternion(arguments: &mut Arguments, log: &mut Log, start: Place) -> Option<DQuat> {
     let numbers = arguments.numbers(log, ["w", "x", "y", "z"].map(any))?;
     let [w, x, y, z] = numbers.map(|n| n.value);
@@ -86,7 +86,7 @@ fn no_direction(log: &mut Log, place: Place, what: &str) -> Option<DQuat> {
     None
 }
 
-/// Goes past the words up to the next rotation, with a warning.
+/// Skips to the next rotation, with a warning.
 fn strays(arguments: &mut Arguments, log: &mut Log) {
     let rest = arguments.rest();
     let strays = rest.iter().take_while(|token| !begins_rotation(token.text));

@@ -1,4 +1,4 @@
-//! Everything outside: `background`, of constant radiance or as a picture shows it, and `ibl`.
+//! Everything outside: `background`, a constant radiance or a picture, and `ibl`.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -17,14 +17,14 @@ use super::orientation::orientation;
 use crate::film::Film;
 use crate::image::{DecodeError, Format, Picture, Precision, read};
 
-/// What `background` says.
+/// The value of `background`.
 #[derive(Clone, Debug)]
 pub(super) enum Outside {
     Constant(DVec3),
     Picture(Surroundings),
 }
 
-/// `background r g b`, or as `ibl`
+/// `background r g b`, or with the arguments of `ibl`
 pub(super) fn background(builder: &mut Builder, arguments: &mut Arguments) {
     if names_a_file(arguments) {
         return picture(builder, arguments);
@@ -34,8 +34,8 @@ pub(super) fn background(builder: &mut Builder, arguments: &mut Arguments) {
     set(builder, arguments, outside);
 }
 
-/// `ibl FILE [SCALE] ORIENTATION`, as other programs of the course have it: a sphere about the eye that follows has the
-/// picture on it there, and is none here.
+/// `ibl FILE [SCALE] ORIENTATION`, as other programs of the course have it. In their scene files a sphere around the
+/// eye follows, which carries the picture; here it is not a shape.
 pub(super) fn ibl(builder: &mut Builder, arguments: &mut Arguments) {
     picture(builder, arguments);
     builder.expect_carrier();
@@ -47,7 +47,7 @@ fn set(builder: &mut Builder, arguments: &Arguments, outside: Option<Outside>) {
     builder.background.set(outside, command, &mut builder.log);
 }
 
-/// Whether a word ends as pictures' names do, or the first one has another ending.
+/// Whether any word ends like the name of a picture, or the first one has any other extension.
 fn names_a_file(arguments: &Arguments) -> bool {
     let rest = arguments.rest();
     let named = |text: &str| {
@@ -90,7 +90,7 @@ fn picture(builder: &mut Builder, arguments: &mut Arguments) {
     set(builder, arguments, surroundings);
 }
 
-/// The number that may come next, 1 where there is none.
+/// The optional next number, by default 1.
 fn scale(arguments: &mut Arguments, log: &mut Log) -> Option<f64> {
     match arguments.rest().first() {
         Some(token) if prefix_length(token.text) > 0 => {
@@ -101,7 +101,7 @@ fn scale(arguments: &mut Arguments, log: &mut Log) -> Option<f64> {
     }
 }
 
-/// Reads the picture. Negative values, which filters of other programs leave, count as 0.
+/// Reads the picture. Negative values, left by filters of other programs, count as 0.
 fn radiances(folder: &Path, file: &FilePath, log: &mut Log) -> Option<Film> {
     let FilePath { path, place } = file;
     let mut film = match read(path) {
@@ -134,7 +134,7 @@ fn radiances(folder: &Path, file: &FilePath, log: &mut Log) -> Option<Film> {
     Some(film)
 }
 
-/// A picture that shows all directions; an error where it cannot.
+/// A picture that covers all directions; otherwise an error.
 fn whole(picture: Picture, path: &Path, place: Place, log: &mut Log) -> Option<Film> {
     let Film { width, height, .. } = picture.film;
     let wrong = match picture {

@@ -1,4 +1,4 @@
-//! Lines and tokens of a text, and where they stand in it.
+//! Lines and tokens of a text, with their places.
 
 use super::diagnostic::Place;
 
@@ -9,11 +9,11 @@ pub(super) struct Token<'t> {
     pub place: Place,
 }
 
-/// The tokens of one line; never none.
+/// The tokens of one line; at least one.
 pub(super) type Line<'t> = Vec<Token<'t>>;
 
-/// `text` as it is read, and shown in messages: every line ends in `\n`, no byte order mark, and no control
-/// character that could do something to a terminal.
+/// `text` as read and shown in messages: every line ends in `\n`, without a byte order mark or control characters
+/// that a terminal might interpret.
 pub(super) fn clean(text: &str) -> String {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     text.replace("\r\n", "\n")
@@ -28,7 +28,7 @@ pub(super) fn clean(text: &str) -> String {
         .collect()
 }
 
-/// The lines of a [`clean`] text that hold a command: blank ones and comments are left out.
+/// The lines of a [`clean`] text that contain a command: not blank, not a comment.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
     let mut start = 0;
     text.split('\n')
@@ -41,7 +41,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
         })
 }
 
-/// The tokens of the line `number` whose first byte is byte `start` of the text.
+/// The tokens of the line `number`, whose first byte is byte `start` of the text.
 fn tokens(line: &str, number: usize, start: usize) -> Line<'_> {
     let (mut told, mut column) = (0, 1);
     line.split_whitespace()
@@ -60,13 +60,12 @@ fn tokens(line: &str, number: usize, start: usize) -> Line<'_> {
         .collect()
 }
 
-/// Text of another file as a message quotes it: [`clean`], and without the tabs and line ends that would tear the
-/// message apart.
+/// Text of another file for a message: [`clean`], with tabs and line ends replaced, which would break up the message.
 pub(super) fn quote(text: &str) -> String {
     shorten(clean(text).replace(['\t', '\n'], " ").trim())
 }
 
-/// `text` as a message quotes it: all of it, or its beginning if it is long.
+/// `text` for a message: all of it, or its beginning if it is long.
 pub(super) fn shorten(text: &str) -> String {
     const LONGEST: usize = 40;
     match text.char_indices().nth(LONGEST) {

@@ -1,4 +1,4 @@
-//! A scene as its file has it: names and units of the file, in f64.
+//! A scene as in its file: the file's names and units, in f64.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -14,29 +14,29 @@ pub struct Scene {
     pub path: PathBuf,
     pub screen: Screen,
     pub camera: Camera,
-    /// The line that says so.
+    /// The line of `camera`.
     pub camera_line: usize,
-    /// `None`: the camera is a pinhole.
+    /// `None`: a pinhole camera.
     pub lens: Option<Lens>,
-    /// Radiance of everything outside; black beside surroundings.
+    /// Radiance of everything outside; black if there are `surroundings`.
     pub background: DVec3,
-    /// A picture of it.
+    /// A picture of everything outside.
     pub surroundings: Option<Surroundings>,
-    /// The line that says so, 0 where none does.
+    /// The line of the background, 0 if there is none.
     pub background_line: usize,
     pub materials: Vec<Material>,
     /// In file order.
     pub shapes: Vec<Shape>,
 }
 
-/// Everything outside as a picture shows it, in equal steps of both angles: its upper edge is seen along the +Z of its frame,
-/// its middle along +X, and +Y a quarter of its width to the left.
+/// A picture of everything outside, in equal steps of both angles: its upper edge is seen along +Z of its frame, its
+/// middle along +X, and +Y lies a quarter of its width to the left.
 #[derive(Clone, Debug)]
 pub struct Surroundings {
     pub path: PathBuf,
     /// Radiances, none negative.
     pub picture: Arc<Film>,
-    /// They are multiplied by it.
+    /// A factor on the radiances.
     pub scale: f64,
     /// The frame in the world.
     pub rotate: DQuat,
@@ -49,7 +49,7 @@ pub struct Screen {
     pub height: u32,
 }
 
-/// Looks down −Z of its rotated frame, X right, Y up; a pinhole, if there is no [`Lens`].
+/// Looks down −Z of its rotated frame, X right, Y up; a pinhole if there is no [`Lens`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     pub eye: DVec3,
@@ -58,18 +58,18 @@ pub struct Camera {
     pub orientation: DQuat,
 }
 
-/// A thin lens about the eye: a disc in the plane through it that is normal to the direction of view.
+/// A thin lens around the eye: a disc in the plane through the eye normal to the direction of view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lens {
-    /// The line that says so.
+    /// The line of `lens`.
     pub line: usize,
-    /// Of its aperture; 0 is a pinhole.
+    /// Radius of the aperture; 0 is a pinhole.
     pub radius: f64,
-    /// Of the plane that is sharp, along the direction of view.
+    /// Distance of the plane in focus, along the direction of view.
     pub focus: f64,
 }
 
-/// A material and the line that brought it in (from 1; 0: the default material).
+/// A material and the line that introduced it (from 1; 0: the default material).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     pub line: usize,
@@ -77,7 +77,7 @@ pub struct Material {
     pub kind: MaterialKind,
 }
 
-/// The lines whose words a material goes by, 0 where there is none.
+/// The lines of the words that apply to a material, 0 where there is none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct WordLines {
     pub distribution: usize,
@@ -91,7 +91,7 @@ pub enum MaterialKind {
     Light(DVec3),
 }
 
-/// The hand-out's material. Kt = 0 is opaque whatever the ior says.
+/// The hand-out's material. It is opaque if Kt = 0, at any ior.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Brdf {
     pub kd: DVec3,
@@ -99,12 +99,12 @@ pub struct Brdf {
     /// > 1: a Phong exponent; ≤ 1: a Beckmann or GGX width.
     pub alpha: f64,
     pub kt: DVec3,
-    /// Kt is what this length lets through: 1 in scene files.
+    /// The length over which the transmittance is Kt: 1 in scene files.
     pub kt_length: f64,
     pub ior: f64,
     /// `None`: `auto`, Phong for an exponent and GGX for a width.
     pub distribution: Option<Distribution>,
-    /// `None`: no word in the scene.
+    /// `None`: the scene does not set it.
     pub fresnel: Option<Fresnel>,
 }
 
@@ -123,12 +123,12 @@ pub enum Geometry {
         centre: DVec3,
         radius: f64,
     },
-    /// A corner and the diagonal from it; components may be negative.
+    /// One corner and the diagonal from it; components may be negative.
     Box {
         corner: DVec3,
         diagonal: DVec3,
     },
-    /// Base centre, axis whose length is the height, radius; with both caps.
+    /// Centre of the base, axis whose length is the height, radius; with both caps.
     Cylinder {
         base: DVec3,
         axis: DVec3,
@@ -137,14 +137,14 @@ pub enum Geometry {
     Mesh(Mesh),
 }
 
-/// Triangles as the file has them; p' = translate + scale · rotate · p.
+/// The file's triangles; p' = translate + scale · rotate · p.
 #[derive(Clone, Debug)]
 pub struct Mesh {
     pub path: PathBuf,
-    /// Files that it was read from besides its own.
+    /// Further files that it was read from.
     pub files: Vec<PathBuf>,
     pub positions: Vec<DVec3>,
-    /// One a vertex, only where the file gives them: unit length, or zero where the file's has no direction.
+    /// One per vertex, only if the file gives them: unit length, or zero where the file's normal has no direction.
     pub normals: Option<Vec<DVec3>>,
     pub triangles: Vec<[u32; 3]>,
     pub translate: DVec3,

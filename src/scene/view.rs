@@ -24,7 +24,7 @@ pub(super) fn screen(builder: &mut Builder, arguments: &mut Arguments) {
     builder.screen.set(screen, arguments.command(), log);
 }
 
-/// A number of pixels; an error if it is none. `what` names it.
+/// A number of pixels; an error if it is not one. `what` names it.
 fn side(log: &mut Log, number: Number, what: &str) -> Option<u32> {
     let value = number.value;
     let wrong = if value.fract() != 0.0 || value < 1.0 {

@@ -1,7 +1,7 @@
-//! Files that are no mesh and no scene at all, as people meet them: told by name rather than by what a reader stumbles
-//! over.
+//! Recognises common files that are neither meshes nor scenes, so that messages name the kind of file instead of the
+//! first parse error.
 
-/// How a file of another kind begins, and what is said of it.
+/// How a file of another kind begins, and the message about it.
 const BEGINNINGS: [(&[u8], &str); 6] = [
     (
         b"version https://git-lfs",
@@ -17,7 +17,7 @@ const BEGINNINGS: [(&[u8], &str); 6] = [
     (b"\x28\xb5\x2f\xfd", "it is compressed by zstd: unpack it"),
 ];
 
-/// What `bytes` are, if they are nothing that is read.
+/// A message about `bytes` if they belong to no supported kind of file.
 pub fn foreign(bytes: &[u8]) -> Option<&'static str> {
     if bytes.is_empty() {
         return Some("it is empty");
@@ -35,7 +35,7 @@ pub fn foreign(bytes: &[u8]) -> Option<&'static str> {
     found.map(|(_, what)| *what)
 }
 
-/// By its byte order mark, or by the zeros beside the letters that a text begins with.
+/// Recognised by the byte order mark, or by the zero bytes among the first letters.
 fn is_utf_16(bytes: &[u8]) -> bool {
     match bytes {
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,

@@ -1,21 +1,21 @@
-//! What a reader leaves out of a file, counted for its warnings.
+//! Counts the parts of a file that a reader omits, for its warnings.
 
 use glam::DVec3;
 
 use crate::scene::text::quote;
 
-/// What was left out so far.
+/// Counts of omitted parts.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LeftOut {
-    /// Faces of fewer than three corners.
+    /// Faces with fewer than three corners.
     pub(super) faces: usize,
     /// Normals without a direction.
     pub(super) normals: usize,
-    /// Corners that name a normal which is not there.
+    /// Corners that name a missing normal.
     pub(super) references: usize,
-    /// Curves and surfaces of free form.
+    /// Free-form curves and surfaces.
     pub(super) surfaces: usize,
-    /// Lines that begin with no word of the format, and the first of them with its word.
+    /// Number of lines that begin with an unknown word, and the first of them with its word.
     unknown: usize,
     first_unknown: Option<(usize, String)>,
 }
@@ -28,7 +28,7 @@ impl LeftOut {
             .get_or_insert_with(|| (number, quote(word)));
     }
 
-    /// The normals of vertices, by [`unit_or_zero`]; those without a direction are counted where a triangle has them.
+    /// The normals of vertices, by [`unit_or_zero`]; counts those without a direction that triangles use.
     pub(super) fn directions(
         &mut self,
         normals: impl Iterator<Item = DVec3>,
@@ -49,7 +49,7 @@ impl LeftOut {
         units
     }
 
-    /// A sentence for each kind of thing that was left out.
+    /// One sentence for each kind.
     pub(super) fn warnings(&self) -> Vec<String> {
         let count = |n: usize, one: &str, more: &str| match n {
             0 => None,
@@ -85,8 +85,8 @@ impl LeftOut {
     }
 }
 
-/// A normal as the scene has it: of unit length, or zero where the file's has no direction. Exporters write NaN or zero for
-/// vertices of faces without an area.
+/// A normal in the scene's form: of unit length, or zero if the file's normal has no direction. Exporters write NaN or
+/// zero for vertices of faces without area.
 pub(super) fn unit_or_zero(normal: DVec3) -> DVec3 {
     match normal.is_finite() {
         true => normal.normalize_or_zero(),

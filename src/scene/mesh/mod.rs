@@ -1,4 +1,4 @@
-//! Mesh files: which formats are read, and what may be wrong with one.
+//! Mesh files: supported formats and errors.
 
 mod foreign;
 pub(super) mod gltf;
@@ -16,24 +16,24 @@ use glam::DVec3;
 
 pub use foreign::foreign;
 
-/// The formats that [`read_mesh`] reads, as messages name them.
+/// The formats that [`read_mesh`] reads, as listed in messages.
 pub const MESH_FORMATS: &str = "PLY (.ply), OBJ (.obj), glTF (.gltf, .glb)";
 
-/// What a mesh file holds; in its own coordinates, at least one triangle, all numbers finite.
+/// The content of a mesh file: in its own coordinates, at least one triangle, all numbers finite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshFile {
-    /// Files that it was read from besides its own.
+    /// Further files that it was read from.
     pub files: Vec<PathBuf>,
     pub positions: Vec<DVec3>,
-    /// One a vertex, only where the file gives them: unit length, or zero where the file's has no direction.
+    /// One per vertex, only if the file gives them: unit length, or zero where the file's normal has no direction.
     pub normals: Option<Vec<DVec3>>,
     /// Indices into `positions`.
     pub triangles: Vec<[u32; 3]>,
-    /// What the file asks for that is not done.
+    /// Requests of the file that are not fulfilled.
     pub warnings: Vec<String>,
 }
 
-/// What is wrong with a mesh file.
+/// An error in a mesh file.
 #[derive(Debug, thiserror::Error)]
 pub enum MeshError {
     #[error("there is no such file")]
@@ -46,7 +46,7 @@ pub enum MeshError {
     Unreadable(io::Error),
     #[error("its format is not read; these are: {MESH_FORMATS}")]
     Format,
-    /// The bytes are not what the format asks for.
+    /// The bytes violate the format.
     #[error("{0}")]
     Malformed(String),
     #[error("element `{element}` is truncated: it claims {count}, and only {bytes} bytes follow")]
@@ -71,17 +71,17 @@ pub enum MeshError {
     NoFaces(Vec<String>),
 }
 
-/// Reads a mesh; its ending tells the format.
+/// Reads a mesh; the file's extension determines the format.
 ///
 /// # Errors
-/// A [`MeshError`] for any file that is not a whole mesh; no file makes it panic, and none makes it take much
-/// more memory than a few times the file's size.
+/// A [`MeshError`] for any file that is not a complete mesh. No file causes a panic, nor takes more memory than a few
+/// times its size.
 pub fn read_mesh(path: &Path) -> Result<MeshFile, MeshError> {
     format(path)?;
     if path.is_dir() {
         return Err(MeshError::Unreadable(io::ErrorKind::IsADirectory.into()));
     }
-    // A pipe may never begin, a device never end.
+    // A pipe may never begin, a device may never end.
     if path.metadata().is_ok_and(|there| !there.is_file()) {
         return Err(MeshError::NoFile);
     }
@@ -95,8 +95,8 @@ pub fn read_mesh(path: &Path) -> Result<MeshFile, MeshError> {
     parse_mesh(&bytes, path)
 }
 
-/// Reads the mesh that `bytes` hold, in the format that the ending of `path` tells; buffers of a glTF file are
-/// looked for beside `path`. A byte order mark is skipped.
+/// Reads a mesh from `bytes`, in the format given by the extension of `path`; external buffers of a glTF file are
+/// relative to `path`. A byte order mark is skipped.
 ///
 /// # Errors
 /// As [`read_mesh`].
@@ -113,19 +113,19 @@ pub fn parse_mesh(bytes: &[u8], path: &Path) -> Result<MeshFile, MeshError> {
     }
 }
 
-/// Whether a file of this name would be read.
+/// Whether a file with this name would be read.
 pub fn is_mesh_name(path: &Path) -> bool {
     format(path).is_ok()
 }
 
-/// A format that is read.
+/// A supported format.
 enum Format {
     Ply,
     Obj,
     Gltf,
 }
 
-/// The format that a file's ending tells.
+/// The format given by a file's extension.
 fn format(path: &Path) -> Result<Format, MeshError> {
     let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
     match ending.as_deref().and_then(|ending| ending.to_str()) {
@@ -136,7 +136,7 @@ fn format(path: &Path) -> Result<Format, MeshError> {
     }
 }
 
-/// Puts the corners of a face, which must be indices of vertices, in place of what `checked` has.
+/// Replaces the content of `checked` by the corners of a face, which must be indices of vertices.
 fn corners(
     face: usize,
     indices: &[i64],

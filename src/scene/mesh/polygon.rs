@@ -1,27 +1,28 @@
-//! Polygons of any shape into triangles.
+//! Triangulates arbitrary polygons.
 
 use glam::{DVec2, DVec3};
 use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation};
 
-/// The numbers of text files have six digits: a polygon that is no wider than that has no area.
+/// The numbers of text files have six digits: a polygon that is no wider than this has no area.
 const SIX_DIGITS: f64 = 1e-6;
 
-/// Corners of a fan, at most.
+/// Maximum number of corners of a fan.
 const MOST_IN_A_FAN: usize = 32;
 
-/// What is said of a line that is such a face.
+/// The message about a line with such a face.
 pub(super) const CROSSES: &str = "is a face that crosses itself, cut it into triangles";
 
-/// A polygon that crosses itself, or that lies in no plane.
+/// A polygon that crosses itself or is not planar.
 #[derive(Debug)]
 pub(super) struct Crossing;
 
-/// Appends the triangles of a polygon of three corners or more, wound as it is.
+/// Appends the triangles of a polygon with three or more corners, in its winding order.
 ///
-/// A fan about the first corner where that stays within the polygon, as it does where all corners are convex, and has few
-/// triangles: those of a large one all lie in each other's boxes. Else the constrained Delaunay triangulation of the
-/// polygon in the plane that fits it best. A boundary that touches itself, as a bridge to a hole does, is no crossing.
+/// A fan around the first corner, if that stays within the polygon, as it does where all corners are convex, and has
+/// few triangles: those of a large fan all lie in each other's boxes. Otherwise the constrained Delaunay triangulation
+/// of the polygon in its best-fitting plane. A boundary that touches itself, such as a bridge to a hole, is not a
+/// crossing.
 pub(super) fn cut(
     corners: &[u32],
     position: impl Fn(u32) -> DVec3,
@@ -48,30 +49,30 @@ pub(super) fn cut(
     Ok(())
 }
 
-/// Twice the vector areas of the triangles of a fan about the first corner.
+/// Twice the vector areas of the triangles of a fan around the first corner.
 fn fan_areas(from_first: &[DVec3]) -> impl Iterator<Item = DVec3> {
     from_first[1..]
         .windows(2)
         .map(|pair| pair[0].cross(pair[1]))
 }
 
-/// The unit normal of the plane that fits a polygon best: n ∝ Σ pᵢ × pᵢ₊₁ (Newell; Sutherland, Sproull and Schumacker,
-/// *A Characterization of Ten Hidden-Surface Algorithms*, 1974). `None` where its parts cancel.
+/// The unit normal of the best-fitting plane of a polygon: n ∝ Σ pᵢ × pᵢ₊₁ (Newell; Sutherland, Sproull and Schumacker,
+/// *A Characterization of Ten Hidden-Surface Algorithms*, 1974). `None` if the terms cancel.
 fn normal(from_first: &[DVec3]) -> Option<DVec3> {
     let sum: DVec3 = fan_areas(from_first).sum();
     let parts: f64 = fan_areas(from_first).map(DVec3::length).sum();
     (sum.length() > SIX_DIGITS * parts).then(|| sum.normalize())
 }
 
-/// All corners lie on a line.
+/// All corners are collinear.
 fn has_no_area(from_first: &[DVec3]) -> bool {
     let extent = from_first.iter().map(|p| p.length_squared());
     let parts: f64 = fan_areas(from_first).map(DVec3::length).sum();
     parts <= SIX_DIGITS * extent.fold(0.0, f64::max)
 }
 
-/// Seen from the first corner, the others stand in order and within half a turn: the fan about it covers the polygon and
-/// no more.
+/// Whether the fan around the first corner covers exactly the polygon: seen from that corner, the others are in order
+/// and within half a turn.
 fn fan_fits(from_first: &[DVec3], normal: DVec3) -> bool {
     let left_of =
         |a: DVec3, b: DVec3| a.cross(b).dot(normal) >= -SIX_DIGITS * a.length() * b.length();
@@ -82,7 +83,7 @@ fn fan_fits(from_first: &[DVec3], normal: DVec3) -> bool {
     in_order && from_first[2..].iter().all(|&p| left_of(start, p))
 }
 
-/// A corner of a polygon in its plane.
+/// A corner of a polygon, projected into its plane.
 struct Corner {
     vertex: u32,
     at: Point2<f64>,
@@ -98,7 +99,7 @@ impl HasPosition for Corner {
 
 type Delaunay = ConstrainedDelaunayTriangulation<Corner>;
 
-/// The triangles of the constrained Delaunay triangulation that lie within the polygon; spade's predicates are exact.
+/// The triangles of the constrained Delaunay triangulation inside the polygon; spade's predicates are exact.
 fn delaunay(corners: &[u32], flat: impl Iterator<Item = DVec2>) -> Result<Vec<[u32; 3]>, Crossing> {
     let mut delaunay = Delaunay::new();
     let mut handles = Vec::with_capacity(corners.len());
@@ -119,7 +120,7 @@ fn delaunay(corners: &[u32], flat: impl Iterator<Item = DVec2>) -> Result<Vec<[u
     Ok(triangles.collect())
 }
 
-/// Makes the polygon's sides edges; how often it goes along each directed edge.
+/// Inserts the polygon's sides as constraint edges; returns how often it passes along each directed edge.
 fn boundary(delaunay: &mut Delaunay, handles: &[FixedVertexHandle]) -> Result<Vec<i32>, Crossing> {
     let mut passes = vec![0; delaunay.num_directed_edges()];
     let next = handles.iter().cycle().skip(1);
@@ -133,7 +134,7 @@ fn boundary(delaunay: &mut Delaunay, handles: &[FixedVertexHandle]) -> Result<Ve
     Ok(passes)
 }
 
-/// How often the polygon goes around each face. Across a side it is one more on the left than on the right.
+/// The winding number of each face: crossing a side from right to left adds one.
 fn winding(delaunay: &Delaunay, passes: &[i32]) -> Vec<i32> {
     let mut turns = vec![None; delaunay.num_all_faces()];
     let outer = delaunay.outer_face().fix();

@@ -1,11 +1,12 @@
-//! Positions that are no finite numbers.
+//! Non-finite positions.
 
 use glam::DVec3;
 
-/// `positions`, if all that triangles have are finite in single precision; otherwise the first of those that are not.
+/// `positions`, if all positions that triangles use are finite in single precision; otherwise the index of the first
+/// that is not.
 ///
-/// Scanners write NaN where they saw nothing. Where no triangle is, any position will do: such a vertex is moved onto one
-/// that is used.
+/// Scanners write NaN where they measured nothing. The position of an unused vertex does not matter: a non-finite one
+/// is moved onto a used vertex.
 pub(super) fn finite(
     mut positions: Vec<DVec3>,
     triangles: &[[u32; 3]],

@@ -1,4 +1,4 @@
-//! The lines, words and numbers of mesh files in text.
+//! Lines, words and numbers of text mesh files.
 
 use std::iter;
 use std::str::{self, FromStr};
@@ -8,7 +8,7 @@ use memchr::memchr2;
 use super::MeshError;
 use crate::scene::text::quote;
 
-/// The lines of a text. They end in LF, CR LF, or CR alone, as old Macs wrote it.
+/// The lines of a text. They end in LF, CR LF, or CR alone, as on old Macs.
 pub(super) fn lines(text: &[u8]) -> impl Iterator<Item = &[u8]> {
     let mut rest = Some(text);
     iter::from_fn(move || {
@@ -22,7 +22,7 @@ pub(super) fn lines(text: &[u8]) -> impl Iterator<Item = &[u8]> {
     })
 }
 
-/// What is wrong with line `number` (from 1) of the text `bytes`, which is quoted.
+/// An error about line `number` (from 1) of the text `bytes`, which is quoted.
 pub(super) fn at_line(bytes: &[u8], number: usize, what: &str) -> MeshError {
     let line = lines(bytes)
         .nth(number.saturating_sub(1))
@@ -31,19 +31,19 @@ pub(super) fn at_line(bytes: &[u8], number: usize, what: &str) -> MeshError {
     MeshError::Malformed(format!("its line {number} {what}: `{quoted}`"))
 }
 
-/// The words of a text between white space.
+/// The words of a text, separated by white space.
 pub(super) struct Tokens<'a> {
     rest: &'a [u8],
     line: usize,
 }
 
 impl<'a> Tokens<'a> {
-    /// Of a text whose first line has the number `line`.
+    /// Tokens of a text whose first line has the number `line`.
     pub(super) fn new(text: &'a [u8], line: usize) -> Self {
         Self { rest: text, line }
     }
 
-    /// The line of the last token; before the first, that which the text begins on.
+    /// The line of the last token; before the first token, the first line.
     pub(super) fn line(&self) -> usize {
         self.line
     }
@@ -76,7 +76,7 @@ impl<'a> Iterator for Tokens<'a> {
     }
 }
 
-/// A number as C, C++ and Windows write it: `1.`, `.5`, `nan(ind)`, `1.#QNAN`.
+/// A number as written by C, C++ and Windows: `1.`, `.5`, `nan(ind)`, `1.#QNAN`.
 pub(super) fn float<T: FromStr + From<f32>>(token: &[u8]) -> Option<T> {
     let text = str::from_utf8(token).ok()?;
     text.parse().ok().or_else(|| {
@@ -95,12 +95,12 @@ pub(super) fn float<T: FromStr + From<f32>>(token: &[u8]) -> Option<T> {
     })
 }
 
-/// A whole number, `3` or `3.0`.
+/// An integer, `3` or `3.0`.
 pub(super) fn integer(token: &[u8]) -> Option<i64> {
     let text = str::from_utf8(token).ok()?;
     text.parse().ok().or_else(|| {
         let value: f64 = text.parse().ok()?;
-        // Up to this, all whole numbers are doubles.
+        // Up to this, every integer is exact in a double.
         (value.fract() == 0.0 && value.abs() < 9e15).then_some(value as i64)
     })
 }

@@ -1,10 +1,10 @@
-//! How large a scene is, and where.
+//! The size and position of a scene.
 
 use glam::DVec3;
 
 use crate::scene::MeshFile;
 
-/// The ball about the box of a mesh.
+/// The ball around the bounding box of a mesh.
 pub(super) struct Ball {
     pub(super) centre: DVec3,
     pub(super) radius: f64,
@@ -22,11 +22,11 @@ pub(super) fn around(mesh: &MeshFile) -> Ball {
     }
 }
 
-/// What a lamp's radius is to the scene's.
+/// Ratio of a lamp's radius to the scene's.
 const LAMP: f64 = 1e-3;
 
 impl Ball {
-    /// The radius of the balls that stand for points.
+    /// The radius of the balls that replace point lights.
     pub(super) fn lamp_radius(&self) -> f64 {
         match LAMP * self.radius {
             radius if radius as f32 > 0.0 => radius,

@@ -1,4 +1,4 @@
-//! A scene under way, and what is said of it.
+//! A scene under construction, and its messages.
 
 use std::path::Path;
 
@@ -16,7 +16,7 @@ use crate::scene::log::Log;
 use crate::scene::mesh::gltf::Whole;
 use crate::scene::{Errors, Read, Scene};
 
-/// A scene under way.
+/// A scene under construction.
 pub(super) struct Build<'a> {
     path: &'a Path,
     log: Log,
@@ -27,7 +27,7 @@ pub(super) struct Build<'a> {
 impl<'a> Build<'a> {
     pub(super) fn new(log: Log, path: &'a Path, bytes: &[u8]) -> Self {
         let mut listing = Listing::default();
-        // Two files of one listing are told apart by it.
+        // The hash distinguishes files with the same listing.
         let hash = blake3::hash(bytes).to_hex();
         listing.add("# glTF, as vkpt reads it; BLAKE3 of the file:", "");
         listing.add(&format!("# {hash}"), "");
@@ -39,7 +39,7 @@ impl<'a> Build<'a> {
         }
     }
 
-    /// The scene; `None` where an error was noted.
+    /// The scene; `None` if an error was logged.
     pub(super) fn scene(
         &mut self,
         document: &Document,
@@ -80,7 +80,7 @@ impl<'a> Build<'a> {
         })
     }
 
-    /// The view of a camera, or one of all there is.
+    /// The view of a camera, or a view of the whole scene.
     fn view(
         &mut self,
         document: &Document,
@@ -105,7 +105,7 @@ impl<'a> Build<'a> {
         }
     }
 
-    /// The balls for point lights.
+    /// The balls that replace point lights.
     fn lamps(&mut self, document: &Document, whole: &Whole, ball: &Ball) -> Option<Vec<Lamp>> {
         let radius = ball.lamp_radius();
         let lamps = lamps::lamps(document, &whole.nodes, radius, &mut self.left_out);
@@ -132,7 +132,7 @@ impl<'a> Build<'a> {
         self.listing.add(&line, of)
     }
 
-    /// White where nothing shines, and its line.
+    /// The background and its line; white if nothing emits light.
     fn background(&mut self, shines: bool) -> (DVec3, usize) {
         if shines {
             return (DVec3::ZERO, 0);
@@ -150,7 +150,7 @@ impl<'a> Build<'a> {
         }
     }
 
-    /// The scene with what is said of it, if nothing is wrong; with `strict` a warning is.
+    /// The scene with its messages, if there are no errors; with `strict`, warnings count as errors.
     pub(super) fn finish(mut self, scene: Option<Scene>, strict: bool) -> Result<Read, Errors> {
         let left_out: Vec<String> = self.left_out.sentences().collect();
         left_out.iter().for_each(|what| self.warn(what));

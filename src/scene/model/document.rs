@@ -1,12 +1,12 @@
-//! What a scene reads of a document's JSON beside its meshes (glTF 2.0, section 5, *Properties Reference*, and the extensions
-//! of Khronos that docs/gltf.md names).
+//! The properties that a scene reads from a document's JSON in addition to its meshes (glTF 2.0, section 5, *Properties
+//! Reference*, and the extensions of Khronos listed in docs/gltf.md).
 
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-/// Properties that only matter by being there.
+/// Properties of which only the presence matters.
 type Others = BTreeMap<String, IgnoredAny>;
 
 #[derive(Default, Deserialize)]
@@ -99,7 +99,7 @@ pub(super) struct Material {
     pub(super) alpha_mode: Option<String>,
     pub(super) double_sided: bool,
     pub(super) extensions: MaterialExtensions,
-    /// Its textures are among them.
+    /// Textures are among them.
     #[serde(flatten)]
     pub(super) others: Others,
 }

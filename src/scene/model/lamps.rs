@@ -1,4 +1,4 @@
-//! The lights of KHR_lights_punctual (docs/gltf.md, "Lights"): points are balls.
+//! The lights of KHR_lights_punctual (docs/gltf.md, "Lights"): point lights become balls.
 
 use std::f64::consts::PI;
 
@@ -10,17 +10,17 @@ use super::legal::not_negative;
 use crate::scene::mesh::gltf::{Placed, called};
 use crate::scene::text::quote;
 
-/// A ball that shines as a light at a node does.
+/// A ball that emits like a light at a node.
 pub(super) struct Lamp {
     pub(super) centre: DVec3,
     pub(super) radius: f64,
     pub(super) radiance: DVec3,
-    /// The light that it stands for.
+    /// The light that it replaces.
     pub(super) light: usize,
     pub(super) node: String,
 }
 
-/// Lamps of `radius` for the point lights of the nodes; what is no point goes to `left_out`. An error says what is wrong.
+/// Lamps of `radius` for the nodes' point lights; other kinds of light go to `left_out`. Errors are messages.
 pub(super) fn lamps(
     document: &Document,
     nodes: &[Placed],
@@ -71,7 +71,7 @@ fn lights(document: &Document) -> &[Light] {
     lights.map_or(&[], |all| &all.lights)
 }
 
-/// A light as messages call it.
+/// The name of a light in messages.
 pub(super) fn label(document: &Document, number: usize) -> String {
     let light = lights(document).get(number);
     called(
@@ -83,7 +83,8 @@ pub(super) fn label(document: &Document, number: usize) -> String {
 
 const INSTEAD: &str = "give the file a mesh that shines, or a point";
 
-/// A ball of radius r and radiance L has the intensity I = L π r² in all directions, by its disc as it is seen: L = I/(π r²).
+/// A ball of radius r and radiance L has the intensity I = L π r² in all directions, because it is seen as a disc: L =
+/// I/(π r²).
 fn radiance(light: &Light, radius: f64) -> Result<DVec3, String> {
     let intensity = not_negative("intensity", light.intensity.unwrap_or(1.0))?;
     let [r, g, b] = light

@@ -1,11 +1,11 @@
-//! What a file asks for and the picture lacks: told once each, with how many things ask for it.
+//! Features of a file that the picture lacks: each is reported once, with the number of objects that use it.
 
-/// What was left out, and of what, in the order in which it was met.
+/// Each omission and the objects concerned, in order of occurrence.
 #[derive(Default)]
 pub(super) struct LeftOut(Vec<(String, Vec<String>)>);
 
 impl LeftOut {
-    /// Notes that `what` is so for the thing that messages call `of`.
+    /// Notes that `what` applies to the object that messages call `of`.
     pub(super) fn note(&mut self, what: impl Into<String>, of: &str) {
         let what = what.into();
         let of = of.to_owned();
@@ -16,7 +16,7 @@ impl LeftOut {
         }
     }
 
-    /// A sentence for each.
+    /// One sentence for each.
     pub(super) fn sentences(&self) -> impl Iterator<Item = String> {
         self.0.iter().map(|(what, all)| match &all[..] {
             [only] => format!("{only}: {what}"),

@@ -1,10 +1,10 @@
-//! Which values of a document's numbers are legal; an error says what is wrong.
+//! Legal values of a document's numbers. Errors are messages.
 
 use glam::DVec3;
 
 use super::left_out::LeftOut;
 
-/// The numbers of a thing: those above 1 that are shares count as 1, as in scene files.
+/// Checks the numbers of one object. Shares above 1 count as 1, as in scene files.
 pub(super) struct Legal<'a> {
     pub(super) label: &'a str,
     pub(super) left_out: &'a mut LeftOut,
@@ -21,7 +21,7 @@ impl Legal<'_> {
         Ok(x.min(1.0))
     }
 
-    /// A colour whose channels are such numbers.
+    /// A colour with three such channels.
     pub(super) fn shares(&mut self, name: &str, [r, g, b]: [f64; 3]) -> Result<DVec3, String> {
         let mut share = |x| self.share(name, x);
         Ok(DVec3::new(share(r)?, share(g)?, share(b)?))
@@ -37,7 +37,7 @@ pub(super) fn not_negative(name: &str, x: f64) -> Result<f64, String> {
     }
 }
 
-/// A number above 0, in single precision too: the renderer divides by it.
+/// A number above 0, in single precision too, because the renderer divides by it.
 pub(super) fn positive(name: &str, x: f64) -> Result<f64, String> {
     let x = finite(name, x)?;
     match x as f32 > 0.0 {

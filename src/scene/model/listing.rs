@@ -1,5 +1,5 @@
-//! A scene line by line, as a scene file would have it: what `line N` of messages and pages means where the file itself has
-//! no such lines.
+//! A scene line by line, as a scene file would have it. Messages and pages refer to these lines as `line N`, because a
+//! glTF file has no such lines.
 
 use glam::DVec3;
 
@@ -13,7 +13,7 @@ pub(super) struct Listing {
 }
 
 impl Listing {
-    /// Adds a line, and what it comes of; returns its number.
+    /// Adds a line and its origin; returns its number.
     pub(super) fn add(&mut self, line: &str, of: &str) -> usize {
         let line = match of {
             "" => line.to_owned(),
@@ -30,12 +30,12 @@ impl Listing {
     }
 }
 
-/// Three numbers with blanks between them.
+/// Three numbers separated by blanks.
 pub(super) fn numbers(v: DVec3) -> String {
     v.to_array().map(number).join(" ")
 }
 
-/// A number to all its digits.
+/// A number with all its digits.
 pub(super) fn number(x: f64) -> String {
     match x.abs() {
         size if size != 0.0 && !(1e-5..1e9).contains(&size) => format!("{x:e}"),

@@ -1,4 +1,4 @@
-//! The materials that the primitives of a scene have.
+//! The materials of the primitives of a scene.
 
 use std::collections::HashMap;
 
@@ -9,24 +9,24 @@ use super::surface;
 use crate::scene::mesh::gltf::{Part, called};
 use crate::scene::{Brdf, Geometry, Material, MaterialKind, Shape, WordLines, edges};
 
-/// Those in use, in the order in which primitives need them.
+/// The materials in use, in the order in which primitives need them.
 #[derive(Default)]
 pub(super) struct Materials {
     all: Vec<Material>,
-    /// As messages call them.
+    /// Their names in messages.
     labels: Vec<String>,
-    /// Their indices in the document; `None` for the one that a primitive without any has.
+    /// Their indices in the document; `None` is the material of primitives without one.
     numbers: Vec<Option<usize>>,
-    /// The places of those.
+    /// The position of each document index in `numbers`.
     known: HashMap<Option<usize>, usize>,
-    /// The one of each primitive: an index into `all`.
+    /// The material of each primitive: an index into `all`.
     of_parts: Vec<usize>,
-    /// What is wrong.
+    /// Error messages.
     pub(super) errors: Vec<String>,
 }
 
 impl Materials {
-    /// Reads those of `parts`.
+    /// Reads the materials of `parts`.
     pub(super) fn read(document: &Document, parts: &[Part], left_out: &mut LeftOut) -> Self {
         let mut materials = Self::default();
         for part in parts {
@@ -80,19 +80,19 @@ impl Materials {
         self.all.len() - 1
     }
 
-    /// Whether one of them is a light.
+    /// Whether one of them emits light.
     pub(super) fn shine(&self) -> bool {
         self.all.iter().any(shines)
     }
 
-    /// Each with its label.
+    /// Each material with its label.
     pub(super) fn all_mut(&mut self) -> impl Iterator<Item = (&mut Material, &str)> {
         self.all
             .iter_mut()
             .zip(self.labels.iter().map(|label| &**label))
     }
 
-    /// The index of each primitive's.
+    /// The index of each primitive's material.
     pub(super) fn of_parts(&self) -> impl Iterator<Item = usize> {
         self.of_parts.iter().copied()
     }
@@ -105,7 +105,7 @@ impl Materials {
         self.all
     }
 
-    /// Notes lights that glTF has shine to one side, where it makes a difference: on surfaces with a rim.
+    /// Notes lights that glTF defines as one-sided, where this makes a difference: on surfaces that are not closed.
     pub(super) fn note_both_sides(
         &self,
         document: &Document,
@@ -131,7 +131,7 @@ fn shines(material: &Material) -> bool {
     matches!(material.kind, MaterialKind::Light(_))
 }
 
-/// The line of a scene file that says the same.
+/// The equivalent line of a scene file.
 pub(super) fn listed(kind: &MaterialKind) -> String {
     match kind {
         MaterialKind::Light(radiance) => format!("light {}", numbers(*radiance)),
@@ -145,7 +145,7 @@ pub(super) fn listed(kind: &MaterialKind) -> String {
             );
             match brdf.kt == glam::DVec3::ZERO {
                 true => opaque,
-                // Per unit length.
+                // Transmittance per unit length.
                 false => {
                     let kt = brdf.kt.powf(1.0 / brdf.kt_length);
                     format!("{opaque}  {} {}", numbers(kt), number(brdf.ior))

@@ -1,7 +1,7 @@
-//! A glTF file as a scene: docs/gltf.md says what becomes what.
+//! A glTF file as a scene; docs/gltf.md has the mapping.
 //!
-//! [`gltf`](super::mesh::gltf) has read and checked nodes and triangles; here they get their materials, and the scene its
-//! view and its lights. The file has no lines of its own that messages could name: a [`listing`] has some.
+//! [`gltf`](super::mesh::gltf) has read and checked nodes and triangles; this module adds materials, the view and the
+//! lights. Messages cannot refer to lines of the file, so they refer to lines of a [`listing`].
 
 mod ball;
 mod build;
@@ -24,18 +24,18 @@ use super::mesh::foreign;
 use super::mesh::gltf::{not_understood, read_whole};
 use super::{Errors, Read};
 
-/// Whether a file of this name is read as glTF.
+/// Whether a file with this name is read as glTF.
 pub(super) fn is_name(path: &Path) -> bool {
     let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
     ending.is_some_and(|ending| ending == "gltf" || ending == "glb")
 }
 
-/// Whether these bytes are a GLB, whatever its name is.
+/// Whether these bytes are a GLB, whatever the file's name.
 pub(super) fn is_glb(bytes: &[u8]) -> bool {
     bytes.starts_with(b"glTF")
 }
 
-/// Reads the scene that `bytes` hold, seen by the camera called `camera`, by default by the first.
+/// Reads the scene in `bytes`, with the view of the camera named `camera`, by default the first.
 ///
 /// # Errors
 /// As [`super::read`].

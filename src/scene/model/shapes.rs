@@ -40,7 +40,7 @@ pub(super) fn meshes(
     shapes
 }
 
-/// The triangles of a primitive with its own vertices.
+/// The triangles of a primitive, with only its own vertices.
 fn mesh(whole: &Whole, part: &Part, path: &Path) -> Mesh {
     let first = part.vertices.start as u32;
     let own = |triangle: &[u32; 3]| triangle.map(|i| i - first);

@@ -8,7 +8,8 @@ use super::legal::{Legal, not_negative, positive};
 use super::unread;
 use crate::scene::{Brdf, MaterialKind};
 
-/// What `material`, which messages call `label`, is here; what that lacks goes to `left_out`. An error says what is wrong.
+/// Converts `material`, which messages call `label`; properties without an equivalent go to `left_out`. Errors are
+/// messages.
 pub(super) fn kind(
     material: &Material,
     label: &str,
@@ -46,19 +47,19 @@ fn radiance(material: &Material) -> Result<DVec3, String> {
     }
 }
 
-/// The properties of a material that are read, checked.
+/// The supported properties of a material, checked.
 struct Surface {
     base: DVec3,
     metallic: f64,
     roughness: f64,
     transmission: f64,
-    /// Light is refracted: the surface bounds a volume.
+    /// Light is refracted, because the surface bounds a volume.
     is_thick: bool,
-    /// Of `length`.
+    /// Colour after the distance `length`.
     attenuation: DVec3,
     length: f64,
     ior: f64,
-    /// Reflectance of the dielectric part along the normal.
+    /// Reflectance of the dielectric part at normal incidence.
     f0: DVec3,
 }
 
@@ -76,7 +77,7 @@ impl Surface {
         let thickness = not_negative("thicknessFactor", volume.thickness_factor)?;
         let length = volume.attenuation_distance;
         let length = length.map(|length| positive("attenuationDistance", length));
-        // 0 stands for a dielectric that mirrors all (KHR_materials_ior).
+        // 0 means a dielectric that reflects everything (KHR_materials_ior).
         let ior = match ior.ior {
             0.0 => 0.0,
             ior => positive("ior", ior)?,
@@ -96,14 +97,14 @@ impl Surface {
             transmission: legal.share("transmissionFactor", transmission.transmission_factor)?,
             is_thick: thickness > 0.0,
             attenuation: legal.shares("attenuationColor", volume.attenuation_color)?,
-            // Nothing is absorbed over any length where the distance is infinite.
+            // With an infinite distance nothing is absorbed.
             length: length.transpose()?.unwrap_or(f64::INFINITY),
             ior,
             f0,
         })
     }
 
-    /// Whether light that falls on it comes back.
+    /// Whether it reflects any incident light.
     fn reflects(&self) -> bool {
         self.base != DVec3::ZERO || self.f0 != DVec3::ZERO
     }
@@ -172,7 +173,7 @@ impl Surface {
     }
 }
 
-/// A surface that light passes as if it were not there: of index 1, without absorption.
+/// A surface without any effect on light: index 1, no absorption.
 fn nothing() -> Brdf {
     Brdf {
         kd: DVec3::ZERO,

@@ -1,21 +1,21 @@
-//! What is not read of a document and its materials.
+//! Notes the unsupported features of a document and its materials.
 
 use super::document::{Document, Material, Primitive};
 use super::left_out::LeftOut;
 use crate::scene::mesh::gltf::called;
 use crate::scene::text::quote;
 
-/// Extensions that are read, or that `mesh::gltf` speaks of.
+/// Extensions that are read, or reported by `mesh::gltf`.
 const READ: [&str; 3] = [
     "KHR_lights_punctual",
     "KHR_mesh_quantization",
     "EXT_mesh_gpu_instancing",
 ];
 
-/// Beginnings of extensions that are spoken of where a material has them, or that no picture needs.
+/// Prefixes of extensions that are reported for each material, or that no picture needs.
 const ELSEWHERE: [&str; 2] = ["KHR_materials_", "KHR_xmp"];
 
-/// Notes it.
+/// Notes the unsupported features of a document.
 pub(super) fn note(document: &Document, left_out: &mut LeftOut) {
     const FILE: &str = "the file";
     let materials = document.materials.iter();
@@ -39,10 +39,10 @@ pub(super) fn note(document: &Document, left_out: &mut LeftOut) {
     }
 }
 
-/// How the names of textures end.
+/// The suffix of the names of textures.
 const TEXTURED: &str = "Texture";
 
-/// Notes what is not read of a material.
+/// Notes the unsupported features of a material.
 pub(super) fn note_of_material(material: &Material, label: &str, left_out: &mut LeftOut) {
     let extensions = &material.extensions;
     let named = [

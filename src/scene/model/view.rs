@@ -1,4 +1,4 @@
-//! Which camera sees a scene, and how (docs/gltf.md, "Cameras").
+//! The camera and view of a scene (docs/gltf.md, "Cameras").
 
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
@@ -8,14 +8,14 @@ use crate::scene::mesh::gltf::{Placed, called};
 use crate::scene::text::quote;
 use crate::scene::{Camera, LARGEST_SIDE, Screen};
 
-/// Width of a picture that nobody gave a size.
+/// Width of the picture if no size is given.
 const WIDTH: u32 = 400;
 
 /// A view of a scene.
 pub(super) struct View {
     pub(super) camera: Camera,
     pub(super) screen: Screen,
-    /// What it comes of.
+    /// Its origin, for the listing.
     pub(super) of: String,
 }
 
@@ -26,8 +26,8 @@ struct Seen<'a> {
     names: [Option<&'a str>; 2],
 }
 
-/// The view of the camera called `name`, by default of the first; `None` if there is no camera and none is asked for. An
-/// error says what is wrong.
+/// The view of the camera named `name`, by default the first; `None` if there is no camera and no name. Errors are
+/// messages.
 pub(super) fn of_camera(
     document: &Document,
     nodes: &[Placed],
@@ -66,7 +66,7 @@ fn cameras<'a>(document: &'a Document, nodes: &'a [Placed]) -> Result<Vec<Seen<'
     Ok(cameras)
 }
 
-/// A message that lists the cameras there are.
+/// A message that lists the available cameras.
 fn unknown(name: &str, cameras: &[Seen]) -> String {
     let name = quote(name);
     let names: Vec<String> = cameras
@@ -125,7 +125,7 @@ fn ry(lens: &Perspective) -> Result<f64, String> {
     }
 }
 
-/// 400 pixels by what the aspect ratio, by default 4:3, makes of them.
+/// 400 pixels wide; the aspect ratio, by default 4:3, gives the height.
 fn screen(lens: &Perspective) -> Result<Screen, String> {
     let aspect = positive("aspectRatio", lens.aspect_ratio.unwrap_or(4.0 / 3.0))?;
     let height = (f64::from(WIDTH) / aspect).round();
@@ -135,7 +135,7 @@ fn screen(lens: &Perspective) -> Result<Screen, String> {
     })
 }
 
-/// The rotation of a camera's transform, whose scale takes no part: its Z as it is, its Y made normal to that.
+/// The rotation of a camera's transform without its scale: Z is kept, Y is made perpendicular to it.
 fn orientation(to_scene: &DAffine3) -> Option<DQuat> {
     let m = to_scene.matrix3;
     let z = m.z_axis.try_normalize()?;
@@ -147,12 +147,12 @@ fn orientation(to_scene: &DAffine3) -> Option<DQuat> {
 /// tan of half of 40°
 const RY: f64 = 0.363_970_234_266_202_36;
 
-/// Sees all that lies in a ball, from before it (+Z), its right and above. `None`: it is too large for that.
+/// A view of a whole ball, from the front (+Z), its right and above. `None`: the ball is too large.
 pub(super) fn of_all(centre: DVec3, radius: f64) -> Option<View> {
-    // 30° to the right of +Z, 20° above.
+    // 30° to the right of +Z, 20° up.
     let rotation =
         DQuat::from_rotation_y(30f64.to_radians()) * DQuat::from_rotation_x(-20f64.to_radians());
-    // A ball of that radius is seen at half the angle θ from r/sin θ, and a tenth farther at less.
+    // From a distance r/sin θ a ball of radius r spans the half-angle θ; a tenth farther, less.
     let sin = RY / RY.hypot(1.0);
     let distance = if radius > 0.0 {
         1.1 * radius / sin

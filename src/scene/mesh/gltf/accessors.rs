@@ -1,5 +1,4 @@
-//! Vectors and indices out of buffers (glTF 2.0, section 3.6.2, *Accessors*): each stretch of bytes is checked before it is
-//! read.
+//! Reads vectors and indices from buffers (glTF 2.0, section 3.6.2, *Accessors*); every byte range is checked first.
 
 use std::array;
 
@@ -8,14 +7,14 @@ use super::component::Component;
 use super::document::{Accessor, Document, Sparse};
 use super::requirements::or_compressed;
 
-/// A document's accessors and the bytes that they read.
+/// A document's accessors and the bytes behind them.
 pub(super) struct Accessors<'a> {
     pub(super) document: &'a Document,
     pub(super) buffers: &'a Buffers<'a>,
 }
 
 impl Accessors<'_> {
-    /// Vectors of N numbers; whole ones too, as KHR_mesh_quantization allows.
+    /// Vectors of N numbers; integers too, as KHR_mesh_quantization allows.
     pub(super) fn vectors<const N: usize>(&self, index: usize) -> Result<Vec<[f64; N]>, String> {
         let (accessor, kind) = self.get::<N>(index)?;
         let decode = |bytes: &[u8]| kind.number(accessor.normalized, bytes);
@@ -23,7 +22,7 @@ impl Accessors<'_> {
             .map_err(|what| within(index, &what))
     }
 
-    /// Vectors of N numbers of vertices or joints.
+    /// Vectors of N indices of vertices or joints.
     pub(super) fn indices<const N: usize>(&self, index: usize) -> Result<Vec<[u32; N]>, String> {
         let (accessor, kind) = self.get::<N>(index)?;
         if !kind.is_index() {
@@ -33,13 +32,13 @@ impl Accessors<'_> {
             .map_err(|what| within(index, &what))
     }
 
-    /// The index that no vertex may have: the largest of its type (glTF 2.0, section 3.7.2.1, *Overview*).
+    /// The index that no vertex may have: the maximum of its type (glTF 2.0, section 3.7.2.1, *Overview*).
     pub(super) fn no_index(&self, index: usize) -> Option<u32> {
         let kind = Component::of(self.document.accessors.get(index)?.component_type);
         Some(kind.ok()?.all_ones())
     }
 
-    /// An accessor of vectors of N, and the type of their numbers.
+    /// An accessor of vectors of N, and the type of their components.
     fn get<const N: usize>(&self, index: usize) -> Result<(&Accessor, Component), String> {
         let accessor = self.document.accessors.get(index);
         let accessor = accessor.ok_or_else(|| within(index, "there is none"))?;
@@ -56,7 +55,7 @@ impl Accessors<'_> {
         Ok((accessor, kind))
     }
 
-    /// All elements, with the sparse ones in place.
+    /// All elements, with sparse substitutions applied.
     fn elements<T: Copy + Default, const N: usize>(
         &self,
         accessor: &Accessor,
@@ -84,7 +83,7 @@ impl Accessors<'_> {
         Ok(elements)
     }
 
-    /// The places of sparse elements and their bytes, `size` each.
+    /// The indices of sparse elements and their bytes, `size` each.
     fn sparse(
         &self,
         sparse: &Sparse,
@@ -103,7 +102,7 @@ impl Accessors<'_> {
             .zip(rows))
     }
 
-    /// `count` stretches of `size` bytes, from byte `offset` of a buffer view on.
+    /// `count` rows of `size` bytes, from byte `offset` of a buffer view.
     fn rows(
         &self,
         index: usize,
@@ -114,7 +113,7 @@ impl Accessors<'_> {
         let view = self.document.buffer_views.get(index);
         let view = view.ok_or_else(|| format!("there is no buffer view {index}"))?;
         let buffer = self.buffers.get(view.buffer)?;
-        // Some write a stride of 0 where elements are packed.
+        // Some exporters write a stride of 0 for packed elements.
         let stride = view
             .byte_stride
             .filter(|stride| *stride != 0)
@@ -147,7 +146,7 @@ impl Accessors<'_> {
         }
     }
 
-    /// A number of elements, if there are as many bytes.
+    /// A number of elements, if there are enough bytes.
     fn limited(&self, count: u64) -> Result<usize, String> {
         let bytes = self.buffers.total();
         match usize::try_from(count) {
@@ -159,7 +158,7 @@ impl Accessors<'_> {
     }
 }
 
-/// `length` bytes, or all, from byte `start` on.
+/// `length` bytes from byte `start`, by default all that follow.
 fn slice(bytes: &[u8], start: u64, length: Option<u64>) -> Option<&[u8]> {
     let rest = bytes.get(usize::try_from(start).ok()?..)?;
     match length {

@@ -1,4 +1,4 @@
-//! What stands at a buffer's URI: data within it, or a file beside the document.
+//! The content behind a buffer's URI: embedded data, or a file relative to the document.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -16,8 +16,8 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
     GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent),
 );
 
-/// The bytes of `data:…;base64,…`, or the first `length` bytes of a file relative to `folder`, and which file that is; an
-/// error says what is wrong.
+/// The bytes of `data:…;base64,…`, or the first `length` bytes of a file relative to `folder`, with the file's path.
+/// Errors are messages.
 pub(super) fn bytes_at(
     uri: &str,
     length: u64,
@@ -29,7 +29,7 @@ pub(super) fn bytes_at(
             let bytes = decode(data).ok_or_else(|| format!("`{quoted}` is not in base64"))?;
             Ok((bytes.map_err(|error| error.to_string())?, None))
         }
-        // A colon in a relative reference must be encoded: this is a scheme.
+        // A colon must be encoded in a relative reference, so this is a scheme.
         Some(_) => Err(format!("`{quoted}` is no file beside it")),
         None => {
             let path = find(uri, folder)?;
@@ -39,7 +39,7 @@ pub(super) fn bytes_at(
     }
 }
 
-/// What follows `data:` (RFC 2397): a media type with its parameters, of which `base64` is the last, and the data.
+/// The text after `data:` (RFC 2397): a media type with its parameters, the last of which is `base64`, and the data.
 fn decode(data: &str) -> Option<Result<Vec<u8>, base64::DecodeError>> {
     let (kind, text) = data.split_once(',')?;
     let is_base64 = |parameter: &str| parameter.trim().eq_ignore_ascii_case("base64");
@@ -48,7 +48,7 @@ fn decode(data: &str) -> Option<Result<Vec<u8>, base64::DecodeError>> {
     Some(BASE64.decode(text))
 }
 
-/// The file of a URI: decoded, as the format has it, or as it stands, or with back slashes that part folders.
+/// The file of a URI: decoded, as the format requires, or taken literally, or with back slashes as separators.
 fn find(uri: &str, folder: &Path) -> Result<PathBuf, String> {
     let decoded = percent_decode_str(uri).decode_utf8_lossy();
     let spellings = [&*decoded, uri, &decoded.replace('\\', "/")].map(|name| folder.join(name));
@@ -67,7 +67,7 @@ fn find(uri: &str, folder: &Path) -> Result<PathBuf, String> {
     )
 }
 
-/// The name of a file beside `path` that has its name but for the case of letters.
+/// The name of a file that differs from `path` only in case.
 fn in_other_case(path: &Path) -> Option<String> {
     let name = path.file_name()?.to_str()?.to_lowercase();
     let beside = Path::new(".").join(path.parent()?).read_dir().ok()?;
@@ -76,7 +76,7 @@ fn in_other_case(path: &Path) -> Option<String> {
         .find(|other| other.to_lowercase() == name)
 }
 
-/// The first `length` bytes of a file; not of a device, which may never end.
+/// The first `length` bytes of a file; refuses devices, which may never end.
 fn read(path: &Path, length: u64) -> io::Result<Vec<u8>> {
     if !path.metadata()?.is_file() {
         return Err(io::Error::other("it is no file"));

@@ -1,4 +1,4 @@
-//! The triangles of all nodes, put together.
+//! Assembles the triangles of all nodes.
 
 use std::ops::Range;
 use std::path::PathBuf;
@@ -15,39 +15,39 @@ use super::nodes::Nodes;
 use super::primitive::{self, Triangles};
 use super::skin::Skin;
 
-/// The mesh under way.
+/// The mesh under construction.
 #[derive(Default)]
 pub(super) struct Assembly {
     positions: Vec<DVec3>,
-    /// As many as positions: zero where a primitive has none.
+    /// One per position: zero where a primitive has none.
     normals: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     /// Some primitive has normals.
     smooth: bool,
     morphed: bool,
-    /// Some node asks for many instances of its mesh, by EXT_mesh_gpu_instancing.
+    /// Some node requests instances of its mesh, by EXT_mesh_gpu_instancing.
     instanced: bool,
     left_out: LeftOut,
-    /// The nodes whose scale left meshes without an area.
+    /// Nodes whose scale flattened their meshes.
     flat: Vec<String>,
     parts: Vec<Part>,
 }
 
-/// What a primitive of a node brought in.
+/// The contribution of one primitive of a node.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Part {
     pub(in crate::scene) node: usize,
     pub(in crate::scene) mesh: usize,
-    /// Of the mesh.
+    /// Index within the mesh.
     pub(in crate::scene) primitive: usize,
-    /// Its vertices among those of the whole.
+    /// Its vertices within the assembled mesh.
     pub(in crate::scene) vertices: Range<usize>,
     pub(in crate::scene) triangles: Range<usize>,
     pub(in crate::scene) has_normals: bool,
 }
 
 impl Assembly {
-    /// Adds the mesh of a node, if it has one; an error says what is wrong.
+    /// Adds the mesh of a node, if it has one. Errors are messages.
     pub(super) fn add(
         &mut self,
         number: usize,
@@ -62,7 +62,7 @@ impl Assembly {
         self.instanced |= node.extensions.contains_key("EXT_mesh_gpu_instancing");
         let mesh = document.meshes.get(index);
         let mesh = mesh.ok_or_else(|| format!("there is no mesh {index}"))?;
-        // A skinned mesh is placed by its joints and not by its node (glTF 2.0, section 3.7.3.3).
+        // A skinned mesh is placed by its joints, not by its node (glTF 2.0, section 3.7.3.3).
         let skin = node
             .skin
             .map(|skin| Skin::read(skin, document, accessors, nodes));
@@ -128,7 +128,7 @@ impl Assembly {
             self.smooth = true;
         }
         self.normals.resize(self.positions.len(), DVec3::ZERO);
-        // A mirrored triangle is seen from behind. Of one that is skinned the first corner tells.
+        // A mirrored triangle is seen from behind. For a skinned triangle the first corner decides.
         let mirrored = |i: u32| to_scene(i as usize).matrix3.determinant() < 0.0;
         let outward = |[a, b, c]: [u32; 3]| if mirrored(a) { [a, c, b] } else { [a, b, c] };
         let placed = read.triangles.into_iter().map(outward);
@@ -136,12 +136,12 @@ impl Assembly {
         Ok(())
     }
 
-    /// What each primitive brought in, in the order of nodes.
+    /// The contributions of primitives, in the order of nodes.
     pub(super) fn take_parts(&mut self) -> Vec<Part> {
         std::mem::take(&mut self.parts)
     }
 
-    /// The mesh, if it is one; what stands in `warnings` is said first.
+    /// The finished mesh, if it has triangles; its warnings begin with `warnings`.
     pub(super) fn finish(
         self,
         files: Vec<PathBuf>,
@@ -174,7 +174,7 @@ impl Assembly {
         })
     }
 
-    /// What is said of nodes whose scale left nothing of their meshes.
+    /// A warning about nodes whose scale flattened their meshes.
     fn flat_warning(&self) -> Option<String> {
         let (first, more) = self.flat.split_first()?;
         let more = match more.len() {
@@ -185,7 +185,7 @@ impl Assembly {
     }
 }
 
-/// What normals are transformed by where points are by `m`: its inverse transpose but for a positive factor, which is
+/// The transform of normals for the transform `m` of points: its inverse transpose up to a positive factor, which is
 /// sign(det m) times the matrix of its cofactors and needs no division.
 fn of_normals(m: DMat3) -> DMat3 {
     let [a, b, c] = [m.x_axis, m.y_axis, m.z_axis];

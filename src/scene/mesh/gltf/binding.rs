@@ -1,4 +1,4 @@
-//! How the vertices of a primitive are bound to joints (glTF 2.0, section 3.7.3.3, *Skinned Mesh Attributes*).
+//! Binds the vertices of a primitive to joints (glTF 2.0, section 3.7.3.3, *Skinned Mesh Attributes*).
 
 use glam::DAffine3;
 
@@ -12,14 +12,14 @@ pub(super) struct Binding<'a> {
     sets: Vec<Set>,
 }
 
-/// Four joints a vertex, and the weight of each.
+/// Four joints per vertex, and the weight of each.
 struct Set {
     joints: Vec<[u32; 4]>,
     weights: Vec<[f64; 4]>,
 }
 
 impl<'a> Binding<'a> {
-    /// Reads JOINTS_0 and WEIGHTS_0, JOINTS_1 … of a primitive; an error says what is wrong.
+    /// Reads JOINTS_0 and WEIGHTS_0, JOINTS_1 … of a primitive. Errors are messages.
     pub(super) fn read(
         primitive: &Primitive,
         vertices: usize,
@@ -52,8 +52,8 @@ impl<'a> Binding<'a> {
         Ok(binding)
     }
 
-    /// Makes a vertex's weights add up to 1, which they must but for rounding. So whole numbers may be normalised or not.
-    /// One without any weight follows its first joint.
+    /// Makes a vertex's weights add up to 1, as the format requires but for rounding. Hence integers may be normalised
+    /// or not. A vertex without weights follows its first joint.
     fn normalise(&mut self, vertex: usize) -> Result<(), String> {
         let weights = || self.sets.iter().flat_map(|set| set.weights[vertex]);
         if let Some(bad) = weights().find(|w| !(w.is_finite() && *w >= 0.0)) {
@@ -92,7 +92,7 @@ impl<'a> Binding<'a> {
         all.filter(|(_, weight)| *weight != 0.0)
     }
 
-    /// The transform of a vertex to the scene's space. That of the mesh's own node takes no part.
+    /// The transform of a vertex to the scene's space. The transform of the mesh's own node has no effect.
     pub(super) fn to_scene(&self, vertex: usize) -> DAffine3 {
         self.skin.blend(self.joints(vertex))
     }

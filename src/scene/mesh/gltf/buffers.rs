@@ -1,4 +1,4 @@
-//! The buffers that meshes and skins are read from: the chunk of a GLB, files beside the document, data within it.
+//! Buffers of meshes and skins: the chunk of a GLB, external files, embedded data.
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -9,14 +9,14 @@ use super::requirements::or_compressed;
 
 /// The bytes of a document's buffers.
 pub(super) struct Buffers<'a> {
-    /// No fewer than a buffer claims; none of a buffer that is not needed.
+    /// At least the declared length of each buffer; empty for a buffer that is not needed.
     bytes: Vec<Cow<'a, [u8]>>,
-    /// Those that the bytes are from.
+    /// The external files read.
     files: Vec<PathBuf>,
 }
 
 impl<'a> Buffers<'a> {
-    /// Reads the buffers that are needed; others, such as pictures', may be missing. An error says what is wrong.
+    /// Reads the buffers that are needed; others, such as those of pictures, may be missing. Errors are messages.
     pub(super) fn load(
         document: &Document,
         bin: Option<&'a [u8]>,
@@ -68,7 +68,7 @@ impl<'a> Buffers<'a> {
         }
     }
 
-    /// The bytes of a buffer that is needed; an error says what is wrong.
+    /// The bytes of a buffer that is needed. Errors are messages.
     pub(super) fn get(&self, number: usize) -> Result<&[u8], String> {
         let bytes = self.bytes.get(number);
         bytes
@@ -76,12 +76,12 @@ impl<'a> Buffers<'a> {
             .ok_or_else(|| format!("there is no buffer {number}"))
     }
 
-    /// How many bytes there are.
+    /// Total number of bytes.
     pub(super) fn total(&self) -> usize {
         self.bytes.iter().map(|bytes| bytes.len()).sum()
     }
 
-    /// The files beside the document that were read.
+    /// The external files that were read.
     pub(super) fn into_files(self) -> Vec<PathBuf> {
         self.files
     }

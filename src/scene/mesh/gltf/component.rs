@@ -1,6 +1,6 @@
-//! The numbers that accessors consist of (glTF 2.0, section 3.6.2.2, *Accessor Data Types*).
+//! The component types of accessors (glTF 2.0, section 3.6.2.2, *Accessor Data Types*).
 
-/// The type of a number.
+/// The type of a component.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Component {
     I8,
@@ -12,7 +12,7 @@ pub(super) enum Component {
 }
 
 impl Component {
-    /// The type of a `componentType`; an error says what is wrong.
+    /// The type of a `componentType`. Errors are messages.
     pub(super) fn of(code: u64) -> Result<Self, String> {
         match code {
             5120 => Ok(Self::I8),
@@ -34,17 +34,17 @@ impl Component {
         }
     }
 
-    /// May number vertices or joints.
+    /// May be the type of indices of vertices or joints.
     pub(super) fn is_index(self) -> bool {
         matches!(self, Self::U8 | Self::U16 | Self::U32)
     }
 
-    /// The largest unsigned number of as many bits.
+    /// The largest unsigned number with this many bits.
     pub(super) fn all_ones(self) -> u32 {
         u32::MAX >> (32 - 8 * self.size())
     }
 
-    /// The unsigned number at the start of `bytes`, which hold one; little endian.
+    /// The unsigned number at the start of `bytes`, little endian.
     pub(super) fn whole(self, bytes: &[u8]) -> u32 {
         let bytes = &bytes[..self.size()];
         bytes
@@ -53,8 +53,8 @@ impl Component {
             .fold(0, |n, byte| n << 8 | u32::from(*byte))
     }
 
-    /// The number at the start of `bytes`, which hold one; a normalised one lies in [0, 1] or [−1, 1]
-    /// (glTF 2.0, section 3.11, *Animations*, table of normalised integers).
+    /// The number at the start of `bytes`; a normalised one is in [0, 1] or [−1, 1] (glTF 2.0, section 3.11,
+    /// *Animations*, table of normalised integers).
     pub(super) fn number(self, normalized: bool, bytes: &[u8]) -> f64 {
         let bits = self.whole(bytes);
         let (value, most) = match self {

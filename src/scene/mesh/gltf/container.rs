@@ -1,35 +1,35 @@
-//! A document's JSON, alone or in a GLB (glTF 2.0, section 4, *GLB File Format Specification*): the bytes tell, whatever the
-//! file's ending is.
+//! A document's JSON, alone or in a GLB (glTF 2.0, section 4, *GLB File Format Specification*). The bytes decide, not
+//! the file's extension.
 
 use std::borrow::Cow;
 
-/// The JSON of a document, and the binary chunk of a GLB that has one.
+/// The JSON of a document, and the binary chunk of a GLB, if any.
 pub(super) struct Container<'a> {
     pub(super) json: Cow<'a, str>,
     pub(super) bin: Option<&'a [u8]>,
 }
 
-/// Opens the file `bytes`; an error says what is wrong.
+/// Parses the file `bytes`. Errors are messages.
 pub(super) fn open(bytes: &[u8]) -> Result<Container<'_>, String> {
     let (json, bin) = match bytes.starts_with(b"glTF") {
         true => chunks(bytes)?,
         false => (bytes, None),
     };
     let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
-    // A GLB's JSON is padded, by exporters that do not keep to the format with zeros.
+    // A GLB's JSON is padded; exporters that violate the format pad with zeros.
     let padding = |b: &u8| *b == 0 || b.is_ascii_whitespace();
     let end = json
         .iter()
         .rposition(|b| !padding(b))
         .map_or(0, |last| last + 1);
     Ok(Container {
-        // A name in another encoding is no reason to refuse a mesh.
+        // Names in another encoding do not make a mesh unreadable.
         json: String::from_utf8_lossy(&json[..end]),
         bin,
     })
 }
 
-/// The JSON of a GLB and the first of its binary chunks; those of unknown kinds are passed over.
+/// The JSON of a GLB and its first binary chunk; unknown chunks are skipped.
 fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
     // Magic number, version, length of the file.
     let word = |at: usize| bytes.get(at..)?.first_chunk().copied();
@@ -61,11 +61,11 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
 struct Chunk<'a> {
     kind: &'a [u8; 4],
     content: &'a [u8],
-    /// What follows it.
+    /// The bytes after the chunk.
     rest: &'a [u8],
 }
 
-/// The chunk that `bytes` begin with.
+/// Splits the first chunk off `bytes`.
 fn chunk(bytes: &[u8]) -> Result<Chunk<'_>, String> {
     let header = bytes
         .split_first_chunk()

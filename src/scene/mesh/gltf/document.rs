@@ -1,5 +1,5 @@
-//! What is read of a document's JSON (glTF 2.0, section 5, *Properties Reference*), and no more: whatever else stands there
-//! may be as it likes.
+//! The properties that are read from a document's JSON (glTF 2.0, section 5, *Properties Reference*). All others are
+//! ignored, however malformed.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use serde::de::IgnoredAny;
 
 use crate::scene::text::quote;
 
-/// Extensions by their names; what they hold is not read.
+/// Extensions by name; their content is ignored.
 pub(super) type Extensions = BTreeMap<String, IgnoredAny>;
 
 #[derive(Default, Deserialize)]
@@ -89,7 +89,7 @@ pub(super) struct Accessor {
     pub(super) sparse: Option<Sparse>,
 }
 
-/// Elements of an accessor that stand elsewhere.
+/// Elements of an accessor that are stored elsewhere.
 #[derive(Deserialize)]
 pub(super) struct Sparse {
     pub(super) count: u64,
@@ -112,7 +112,7 @@ pub(super) struct SparseValues {
     pub(super) byte_offset: Option<u64>,
 }
 
-/// A part of a buffer.
+/// A range of a buffer.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct View {
@@ -133,7 +133,7 @@ pub(super) struct Buffer {
     pub(super) extensions: Extensions,
 }
 
-/// A thing of a document as messages call it: `node 3 ("Arm")`.
+/// The name of an object of a document in messages: `node 3 ("Arm")`.
 pub(in crate::scene) fn called(what: &str, number: usize, name: Option<&str>) -> String {
     match name.map(quote).filter(|name| !name.is_empty()) {
         Some(name) => format!("{what} {number} (\"{name}\")"),

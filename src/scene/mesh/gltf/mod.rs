@@ -1,11 +1,10 @@
 //! glTF 2.0 and GLB (Khronos, *glTF 2.0 Specification*, 2021).
 //!
-//! All triangles of the default scene are one mesh, each node's placed by its transform, or by the joints that it is bound
-//! to; without a default scene those of the first, without any scene those of all nodes. Points and lines are skipped,
-//! materials and pictures are not looked at. Animations are not read: joints stand as their nodes have them, morph targets
-//! are left at 0.
+//! All triangles of the default scene form one mesh, each node's placed by its transform or by its joints; without a
+//! default scene, those of the first scene; without any scene, those of all nodes. Points and lines are skipped,
+//! materials and pictures ignored. Animations are not read: joints stay at their nodes' transforms, morph weights at 0.
 //!
-//! No index is trusted: each one is looked up.
+//! No index is trusted: each one is checked.
 
 mod accessors;
 mod address;
@@ -36,11 +35,11 @@ pub(in crate::scene) use document::called;
 use nodes::Nodes;
 pub(in crate::scene) use requirements::not_understood;
 
-/// More vertices or corners than this, in all instances together, are refused: a file of a few lines can ask for
-/// any number of them.
+/// Files with more vertices or corners, counting all instances, are refused: a file of a few lines can request any
+/// number.
 const MOST: u64 = 1 << 26;
 
-/// Reads the whole file `bytes`, and the buffers beside it in `folder`.
+/// Reads the complete file `bytes`, and the external buffers in `folder`.
 pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<MeshFile, MeshError> {
     let container = container::open(bytes).map_err(MeshError::Malformed)?;
     let document = understood(&container.json).map_err(MeshError::Malformed)?;
@@ -50,27 +49,27 @@ pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<MeshFile, MeshError> {
     together.assembly.finish(buffers.into_files(), warning)
 }
 
-/// A file as a scene has it.
+/// A file as needed for a scene.
 pub(in crate::scene) struct Whole {
-    /// All of it.
+    /// The complete JSON.
     pub(in crate::scene) json: String,
-    /// Its triangles together, and the share of each primitive that has some.
+    /// All triangles together, and the range of each primitive that has any.
     pub(in crate::scene) mesh: MeshFile,
     pub(in crate::scene) parts: Vec<Part>,
     /// The nodes that are read, parents before children.
     pub(in crate::scene) nodes: Vec<Placed>,
 }
 
-/// A node and where it stands.
+/// A node and its transform.
 pub(in crate::scene) struct Placed {
     pub(in crate::scene) number: usize,
-    /// As messages call it.
+    /// Its name in messages.
     pub(in crate::scene) label: String,
-    /// Its transform to the scene's space, or what is wrong with that.
+    /// Its transform to the scene's space, or the error in it.
     pub(in crate::scene) to_scene: Result<DAffine3, String>,
 }
 
-/// As [`read`], with all that tells primitives and nodes apart.
+/// Like [`read`], but keeps primitives and nodes separate.
 pub(in crate::scene) fn read_whole(bytes: &[u8], folder: &Path) -> Result<Whole, MeshError> {
     let container = container::open(bytes).map_err(MeshError::Malformed)?;
     let document = understood(&container.json).map_err(MeshError::Malformed)?;
@@ -95,7 +94,7 @@ pub(in crate::scene) fn read_whole(bytes: &[u8], folder: &Path) -> Result<Whole,
     })
 }
 
-/// The document, if all is read that it requires.
+/// The document, if everything that it requires is supported.
 fn understood(json: &str) -> Result<Document, String> {
     requirements::version(json)?;
     let document: Document =
@@ -109,7 +108,7 @@ struct Together<'d> {
     assembly: Assembly,
     nodes: Nodes<'d>,
     shown: Vec<usize>,
-    /// Said where those nodes are others than the file asks for.
+    /// A warning if these are not the nodes that the file specifies.
     warning: Option<String>,
 }
 

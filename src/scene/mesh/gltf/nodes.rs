@@ -1,4 +1,4 @@
-//! Where nodes stand.
+//! Transforms of nodes.
 
 use std::iter;
 
@@ -14,7 +14,7 @@ pub(super) struct Nodes<'a> {
 }
 
 impl<'a> Nodes<'a> {
-    /// An error says what is wrong: a node of two parents would stand in two places.
+    /// Errors are messages: a node with two parents would have two transforms.
     pub(super) fn of(document: &'a Document) -> Result<Self, String> {
         let all = &document.nodes;
         let mut parents = vec![None; all.len()];
@@ -36,12 +36,12 @@ impl<'a> Nodes<'a> {
         })
     }
 
-    /// A node as messages call it.
+    /// The name of a node in messages.
     pub(super) fn label(&self, number: usize) -> String {
         label(self.all, number)
     }
 
-    /// A node; an error says that there is none.
+    /// A node; an error if it does not exist.
     pub(super) fn get(&self, number: usize) -> Result<&'a Node, String> {
         let node = self.all.get(number);
         node.ok_or_else(|| format!("there is no node {number}"))
@@ -52,11 +52,11 @@ impl<'a> Nodes<'a> {
         (0..self.all.len()).filter(|node| self.parents[*node].is_none())
     }
 
-    /// The transform of a node to the scene's space, whether a scene has it or not: the product of its ancestors' and its
-    /// own (glTF 2.0, section 3.5.3, *Transformations*). An error says what is wrong.
+    /// The transform of a node to the scene's space, whether or not a scene contains it: the product of its ancestors'
+    /// and its own (glTF 2.0, section 3.5.3, *Transformations*). Errors are messages.
     pub(super) fn placed(&mut self, number: usize) -> Result<DAffine3, String> {
         self.get(number)?;
-        // From the node up to where it is known.
+        // The chain from the node up to the first known ancestor.
         let mut unknown = Vec::new();
         let mut next = Some(number);
         while let Some(node) = next.filter(|node| self.known[*node].is_none()) {
@@ -82,7 +82,7 @@ impl<'a> Nodes<'a> {
         Ok(to_scene)
     }
 
-    /// The nearest of a node and its ancestors that flattens what is below it.
+    /// The nearest node, starting with this one and going up, whose transform flattens everything below it.
     pub(super) fn flat(&self, number: usize) -> Option<usize> {
         let singular = |node: &usize| {
             local(&self.all[*node]).is_ok_and(|own| own.matrix3.determinant() == 0.0)
@@ -120,7 +120,7 @@ fn local(node: &Node) -> Result<DAffine3, (&'static str, &'static str)> {
     ))
 }
 
-/// Numbers as they are, if single precision has them, in which they are meant.
+/// The numbers unchanged, if they are finite in single precision, in which the format defines them.
 fn finite<const N: usize>(
     what: &'static str,
     numbers: &[f64; N],

@@ -11,7 +11,7 @@ use super::topology::Mode;
 /// The triangles of a primitive.
 pub(super) struct Triangles {
     pub(super) positions: Vec<DVec3>,
-    /// As many as positions: of unit length, or zero.
+    /// One per position: of unit length, or zero.
     pub(super) normals: Option<Vec<DVec3>>,
     /// Indices of positions.
     pub(super) triangles: Vec<[u32; 3]>,
@@ -22,13 +22,13 @@ impl Primitive {
         Mode::of(self.mode.unwrap_or(4))
     }
 
-    /// Consists of triangles, or of something that is not known and must be told of.
+    /// Consists of triangles, or of an unknown mode, which must be reported.
     pub(super) fn has_triangles(&self) -> bool {
         !matches!(self.mode(), Ok(None))
     }
 }
 
-/// Reads a primitive; `None` if it consists of points or lines. An error says what is wrong.
+/// Reads a primitive; `None` if it consists of points or lines. Errors are messages.
 pub(super) fn read(
     primitive: &Primitive,
     accessors: &Accessors,
@@ -80,7 +80,7 @@ fn corners(
     accessors: &Accessors,
 ) -> Result<Vec<u32>, String> {
     let indices = accessors.indices::<1>(accessor)?.into_flattened();
-    // Of a list nothing can be begun anew: there such an index is a vertex like any other, or there is none.
+    // A list cannot restart: there such an index is an ordinary vertex or out of range.
     let restart = accessors.no_index(accessor).filter(|_| mode != Mode::List);
     if let Some(restart) = restart.filter(|restart| indices.contains(restart)) {
         return Err(format!(
@@ -95,7 +95,7 @@ fn corners(
     }
 }
 
-/// How much a node's mesh asks for: vertices or corners, whichever are more, as often as vertices have joints; and the
+/// The size of a node's mesh: vertices or corners, the larger number, times the number of joints per vertex; plus the
 /// joints of its skin.
 pub(super) fn asked(node: &Node, document: &Document) -> u64 {
     let mesh = node.mesh.and_then(|mesh| document.meshes.get(mesh));

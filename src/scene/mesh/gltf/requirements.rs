@@ -1,4 +1,4 @@
-//! What a document asks of its reader: a version of glTF, and extensions.
+//! The requirements of a document: its glTF version and extensions.
 
 use serde::Deserialize;
 use serde_json::Value;
@@ -6,7 +6,7 @@ use serde_json::Value;
 use super::document::Extensions;
 use crate::scene::text::quote;
 
-/// Extensions that a file may require: they change what is not read, or the type of numbers only.
+/// Extensions that a file may require: they change only data that is not read, or the type of numbers.
 const HARMLESS: [&str; 9] = [
     "KHR_mesh_quantization",
     "KHR_materials_",
@@ -19,14 +19,14 @@ const HARMLESS: [&str; 9] = [
     "MSFT_texture_",
 ];
 
-/// Extensions that hold vertices and triangles in a form of their own.
+/// Extensions that store vertices and triangles in their own format.
 const COMPRESSIONS: [&str; 3] = [
     "KHR_draco_mesh_compression",
     "EXT_meshopt_compression",
     "KHR_meshopt_compression",
 ];
 
-/// The part of a document that is understood in any version.
+/// The part of a document that is the same in all versions.
 #[derive(Deserialize)]
 struct Head {
     asset: Option<Asset>,
@@ -35,13 +35,13 @@ struct Head {
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 struct Asset {
-    /// A string, but some write a number.
+    /// A string, but some exporters write a number.
     version: Option<Value>,
     min_version: Option<Value>,
 }
 
-/// Refuses versions other than 2.x, and files of those that ask for more than 2.0. Other versions have other JSON: this is
-/// asked first.
+/// Refuses versions other than 2.x, and files that require more than 2.0. This check comes first, because other
+/// versions have other JSON.
 pub(super) fn version(json: &str) -> Result<(), String> {
     let head: Head = serde_json::from_str(json).map_err(|error| not_understood(&error))?;
     let asset = head.asset.as_ref();
@@ -69,7 +69,7 @@ pub(super) fn version(json: &str) -> Result<(), String> {
     }
 }
 
-/// What is said of JSON that is something else than glTF's.
+/// The message for JSON that is not glTF.
 pub(in crate::scene) fn not_understood(error: &serde_json::Error) -> String {
     format!("its JSON is not understood: {error}")
 }
@@ -80,7 +80,7 @@ fn text(value: &Value) -> String {
         .map_or_else(|| value.to_string(), str::to_owned)
 }
 
-/// Refuses extensions that must be known for the mesh to be right and are not.
+/// Refuses required extensions that affect the mesh and are not supported.
 pub(super) fn extensions(required: &[String]) -> Result<(), String> {
     let harmless = |name: &&String| HARMLESS.iter().any(|start| name.starts_with(start));
     let unknown: Vec<&String> = required.iter().filter(|name| !harmless(name)).collect();
@@ -106,7 +106,7 @@ pub(super) fn extensions(required: &[String]) -> Result<(), String> {
     ))
 }
 
-/// `what` is wrong with data that may be there in a compressed form besides: says so then.
+/// The message `what` about wrong data, with a hint if the data may also exist in compressed form.
 pub(super) fn or_compressed(what: String, extensions: &Extensions) -> String {
     match COMPRESSIONS
         .iter()

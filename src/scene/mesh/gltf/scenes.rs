@@ -1,4 +1,4 @@
-//! Which nodes are read.
+//! Selects the nodes to read.
 
 use std::collections::HashSet;
 use std::iter::once;
@@ -6,9 +6,8 @@ use std::iter::once;
 use super::document::{Document, called};
 use super::nodes::Nodes;
 
-/// The nodes that are read, parents before children: those of the default scene, or the first; if they have no triangles,
-/// those of the first scene that has some, and a warning that says so. Without any scene, all nodes. An error says what
-/// is wrong.
+/// The nodes to read, parents before children: those of the default scene, or the first; if these have no triangles,
+/// those of the first scene that has some, with a warning. Without any scene, all nodes. Errors are messages.
 pub(super) fn shown(
     document: &Document,
     nodes: &Nodes,
@@ -37,9 +36,9 @@ pub(super) fn shown(
     Ok((Vec::new(), None))
 }
 
-/// Nodes with all that are below them.
+/// Nodes with all their descendants.
 ///
-/// A node that is reached twice is refused, as the format does: it may be its own ancestor.
+/// A node that is reached twice is refused, as the format requires: it may be its own ancestor.
 fn below(tops: impl Iterator<Item = usize>, nodes: &Nodes) -> Result<Vec<usize>, String> {
     let mut to_visit: Vec<usize> = tops.collect();
     to_visit.reverse();
@@ -57,7 +56,7 @@ fn below(tops: impl Iterator<Item = usize>, nodes: &Nodes) -> Result<Vec<usize>,
     Ok(found)
 }
 
-/// Has a mesh of triangles, or one that is not there and must be told of.
+/// Has a mesh of triangles, or a missing mesh, which must be reported.
 fn has_triangles(node: usize, document: &Document) -> bool {
     let Some(mesh) = document.nodes[node].mesh else {
         return false;

@@ -1,4 +1,4 @@
-//! Skins at rest (glTF 2.0, section 3.7.3, *Skins*): their joints stand where the nodes have them, and no animation is read.
+//! Skins at rest (glTF 2.0, section 3.7.3, *Skins*): joints have their nodes' transforms; animations are not read.
 
 use glam::{DAffine3, DMat3, DMat4, DVec3};
 
@@ -8,14 +8,14 @@ use super::nodes::Nodes;
 
 /// A skin that a mesh is bound to.
 pub(super) struct Skin {
-    /// As messages call it.
+    /// Its name in messages.
     pub(super) label: String,
     /// For each joint Jⱼ = (its transform to the scene's space) · (its inverse bind matrix).
     joints: Vec<DAffine3>,
 }
 
 impl Skin {
-    /// An error says what is wrong.
+    /// Errors are messages.
     pub(super) fn read(
         number: usize,
         document: &Document,
@@ -37,7 +37,7 @@ impl Skin {
             )));
         }
         let joint = |(number, (node, inverse)): (usize, (&usize, &[f64; 16]))| {
-            // The last row is 0 0 0 1 (glTF 2.0, section 3.7.3.1); viewers do not look at it.
+            // The last row is 0 0 0 1 (glTF 2.0, section 3.7.3.1); viewers ignore it.
             let inverse = DAffine3::from_mat4(DMat4::from_cols_array(inverse));
             match inverse.is_finite() {
                 true => Ok(nodes.placed(*node)? * inverse),
@@ -49,7 +49,7 @@ impl Skin {
         Ok(Self { label, joints })
     }
 
-    /// How many joints it has.
+    /// The number of joints.
     pub(super) fn len(&self) -> usize {
         self.joints.len()
     }

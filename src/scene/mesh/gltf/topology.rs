@@ -1,4 +1,4 @@
-//! Triangles out of the corners of a primitive (glTF 2.0, section 3.7.2.1, *Overview*).
+//! Builds triangles from the corners of a primitive (glTF 2.0, section 3.7.2.1, *Overview*).
 
 use super::super::left_out::LeftOut;
 
@@ -11,7 +11,7 @@ pub(super) enum Mode {
 }
 
 impl Mode {
-    /// A mode; `None` if it makes points or lines. An error says what is wrong.
+    /// The topology of a mode; `None` for points and lines. Errors are messages.
     pub(super) fn of(code: u64) -> Result<Option<Self>, String> {
         match code {
             0..=3 => Ok(None),
@@ -22,8 +22,8 @@ impl Mode {
         }
     }
 
-    /// The triangles of `corners`. Those of a strip that repeat a corner only join it and are no loss; corners that are too
-    /// few for a triangle are left out.
+    /// The triangles of `corners`. Triangles of a strip that repeat a corner only join it and are dropped silently;
+    /// corners too few for a triangle are omitted and counted.
     pub(super) fn triangles(self, corners: &[u32], left_out: &mut LeftOut) -> Vec<[u32; 3]> {
         let too_few = match self {
             Self::List => corners.len() % 3,

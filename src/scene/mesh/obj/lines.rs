@@ -1,4 +1,4 @@
-//! The lines of an OBJ file, as its statements have them.
+//! The logical lines of an OBJ file.
 
 use std::borrow::Cow;
 use std::iter;
@@ -7,13 +7,13 @@ use memchr::memchr_iter;
 
 use crate::scene::mesh::text::lines;
 
-/// The lines of `text` without their comments, each with its number, from 1; one that ends in `\` is joined to the next.
-/// Only comments and names may have bytes that are not UTF-8.
+/// The lines of `text` without comments, each with its number, from 1; a line that ends in `\` is joined with the next.
+/// Only comments and names may contain bytes that are not UTF-8.
 pub(super) fn statements(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let mut lines = (1..).zip(lines(text).map(without_comment));
     iter::from_fn(move || {
         let (number, first) = lines.next()?;
-        // A name may end in a back slash, as those of folders do.
+        // A name may end in a back slash, as folder names do.
         let Some(first_part) = first.strip_suffix('\\').filter(|line| !is_name(line)) else {
             return Some((number, first));
         };
@@ -32,7 +32,7 @@ pub(super) fn statements(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, st
     })
 }
 
-/// Whether a statement names something, rather than to list numbers.
+/// Whether a statement gives a name rather than numbers.
 fn is_name(statement: &str) -> bool {
     let word = statement.split_whitespace().next();
     word.is_some_and(|word| ["o", "g", "usemtl", "mtllib", "usemap", "maplib"].contains(&word))

@@ -1,8 +1,8 @@
 //! OBJ (Wavefront, *Object Files*, Advanced Visualizer manual, appendix B1): `v`, `vn` and `f`.
 //!
-//! All faces of a file are one mesh, whatever objects, groups and materials they stand in. A face has normals if
-//! each of its corners names one that is there; the others are flat. Points, lines, colours and textures are skipped;
-//! curves, surfaces and words that are not known are counted for a warning.
+//! All faces of a file form one mesh, across objects, groups and materials. A face has normals if each of its corners
+//! names an existing one; other faces are flat. Points, lines, colours and textures are skipped; curves, surfaces and
+//! unknown words are counted for a warning.
 
 mod lines;
 mod statements;
@@ -16,7 +16,7 @@ use super::text::at_line;
 use super::{MeshError, MeshFile};
 use statements::{Corner, Statements};
 
-/// Reads the whole file `bytes`.
+/// Reads the complete file `bytes`.
 pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
     let mut statements = Statements::default();
     for (number, line) in lines::statements(bytes) {
@@ -28,7 +28,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
     assemble(&statements, bytes)
 }
 
-/// The file's mesh, which has an index for positions and one for normals, in the scene's form, which has one.
+/// Converts the file's mesh, which indexes positions and normals separately, to the scene's form with one index.
 fn assemble(statements: &Statements, bytes: &[u8]) -> Result<MeshFile, MeshError> {
     let mut vertices = Vertices::of(statements);
     let mut left_out = statements.left_out.clone();
@@ -69,18 +69,18 @@ fn assemble(statements: &Statements, bytes: &[u8]) -> Result<MeshFile, MeshError
     })
 }
 
-/// Stands for a vertex that is not made yet.
+/// A vertex that does not exist yet.
 const NONE: u32 = u32::MAX;
 
-/// The pairs of position and normal that occur.
+/// The pairs of position and normal in use.
 struct Vertices<'a> {
     statements: &'a Statements,
-    /// The flat vertex at each position, and the others at a position with a normal.
+    /// The flat vertex at each position; the other field has the vertices with a normal.
     flat: Vec<u32>,
     smooth: HashMap<(u32, u32), u32>,
     positions: Vec<DVec3>,
     normals: Vec<DVec3>,
-    /// The file's normals that have none.
+    /// Normals of the file without a direction.
     without_direction: HashSet<u32>,
 }
 
@@ -96,7 +96,7 @@ impl<'a> Vertices<'a> {
         }
     }
 
-    /// The vertex at a corner, with its normal or flat; `None` where it is not finite.
+    /// The vertex at a corner, with its normal or flat; `None` if it is not finite.
     fn index(&mut self, corner: &Corner, smooth: bool) -> Option<u32> {
         let position = corner.position as usize;
         let known = match smooth {

@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::scene::mesh::left_out::LeftOut;
 use crate::scene::mesh::text::float;
 
-/// Statements that make no triangles, but for those of curves and surfaces.
+/// Statements that add no triangles, except those of curves and surfaces.
 const SKIPPED: [&str; 37] = [
     "vt",
     "vp",
@@ -48,19 +48,19 @@ const SKIPPED: [&str; 37] = [
     "vc",
 ];
 
-/// What is wrong with a line.
+/// An error message about a line.
 type Fault = String;
 
-/// A corner of a face: places in the lists of positions and normals, which may be filled further down.
+/// A corner of a face: indices into the lists of positions and normals, which may be filled by later lines.
 pub(super) struct Corner {
     pub(super) position: u32,
-    /// 0 where none is named. It may be beyond the list's end.
+    /// 0 if the corner names none. It may be beyond the end of the list.
     pub(super) normal: u32,
 }
 
-/// A face; its corners begin where those of the face before end.
+/// A face; its corners begin at the end of the previous face's.
 pub(super) struct Face {
-    /// From 1.
+    /// Counted from 1.
     pub(super) line: usize,
     /// The end of its corners.
     pub(super) end: usize,
@@ -68,7 +68,7 @@ pub(super) struct Face {
     pub(super) smooth: bool,
 }
 
-/// Positions, normals and faces as they stand in the file.
+/// Positions, normals and faces as in the file.
 #[derive(Default)]
 pub(super) struct Statements {
     pub(super) positions: Vec<DVec3>,
@@ -76,12 +76,12 @@ pub(super) struct Statements {
     pub(super) corners: Vec<Corner>,
     pub(super) faces: Vec<Face>,
     pub(super) left_out: LeftOut,
-    /// The highest position, from 1, that a face names, and its line.
+    /// The highest position, from 1, that a face names, and the line of that face.
     highest: (i64, usize),
 }
 
 impl Statements {
-    /// Takes up line `number`.
+    /// Processes line `number`.
     pub(super) fn read(&mut self, number: usize, line: &str) -> Result<(), Fault> {
         let mut words = line.split_whitespace();
         match words.next() {
@@ -95,7 +95,7 @@ impl Statements {
         Ok(())
     }
 
-    /// Takes up a face of corners `v`, `v/vt`, `v//vn`, `v/vt/vn`.
+    /// Processes a face of corners `v`, `v/vt`, `v//vn`, `v/vt/vn`.
     fn face(&mut self, line: usize, corners: SplitWhitespace) -> Result<(), Fault> {
         if corners.clone().nth(2).is_none() {
             self.left_out.faces += 1;
@@ -122,7 +122,7 @@ impl Statements {
         understood.then_some(()).ok_or_else(not_understood)
     }
 
-    /// The place of the position that an index means; whether it is there is known at the file's end.
+    /// The index of the position that a corner names; whether it exists is checked at the end of the file.
     fn position(&mut self, text: &str, line: usize) -> Result<u32, Fault> {
         let index = number(text)?;
         let above = self.positions.len();
@@ -131,7 +131,7 @@ impl Statements {
         Ok(place)
     }
 
-    /// Checks, at the file's end, what the faces name; an error has its line.
+    /// Checks, at the end of the file, that the positions named by faces exist; the error has the line.
     pub(super) fn check_highest(&self) -> Result<(), (usize, Fault)> {
         let ((index, line), count) = (self.highest, self.positions.len());
         match index > count as i64 {
@@ -140,14 +140,14 @@ impl Statements {
         }
     }
 
-    /// How many of a face's corners name a normal that is not there.
+    /// How many of a face's corners name a missing normal.
     pub(super) fn without_normal(&self, corners: &[Corner]) -> usize {
         let is_missing = |corner: &&Corner| corner.normal as usize >= self.normals.len();
         corners.iter().filter(is_missing).count()
     }
 }
 
-/// The place, from 0, that an index means: it counts from 1, or back from the last of those `above` if it is negative.
+/// The index, from 0, of an OBJ reference: references count from 1, or back from the last of those `above` if negative.
 fn place(index: i64, above: usize) -> Option<u32> {
     let from_1 = match index {
         ..0 => index.checked_add(above as i64 + 1)?,

@@ -1,6 +1,6 @@
-//! What a PLY file's header declares: elements, their properties, and how numbers are written.
+//! The declarations of a PLY header: elements, their properties, and the encoding of numbers.
 
-/// How the numbers of the body are written.
+/// The encoding of the numbers of the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Encoding {
     Ascii,
@@ -22,7 +22,7 @@ pub(super) enum Scalar {
 }
 
 impl Scalar {
-    /// Both of a type's names.
+    /// The type with this name; each type has two names.
     pub(super) fn of(name: &str) -> Option<Self> {
         Some(match name {
             "char" | "int8" => Self::I8,
@@ -51,11 +51,11 @@ impl Scalar {
     }
 }
 
-/// What a property has in each row.
+/// The content of a property in each row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Scalar(Scalar),
-    /// A count, and so many numbers.
+    /// A count, followed by that many numbers.
     List {
         count: Scalar,
         of: Scalar,
@@ -76,10 +76,10 @@ pub(super) struct Element {
 }
 
 impl Element {
-    /// The least number of bytes that a row takes. In ASCII the file's last line may lack one.
+    /// The minimum number of bytes of a row. In ASCII the file's last line may lack one.
     pub(super) fn least_size(&self, encoding: Encoding) -> usize {
         let size = |property: &Property| match (encoding, property.kind) {
-            // A digit, and a blank or the line's end after it.
+            // A digit, followed by a blank or the end of the line.
             (Encoding::Ascii, _) => 2,
             (_, Kind::Scalar(scalar) | Kind::List { count: scalar, .. }) => scalar.size(),
         };

@@ -1,25 +1,25 @@
-//! What is kept of a PLY file's elements.
+//! The rows of PLY elements that are kept.
 
 use glam::DVec3;
 
 use super::declared::{Element, Kind, Property};
 use super::source::{Fault, Source};
 
-/// Names of the list of a face's corners.
+/// Names of the corner list of a face.
 pub(super) const CORNERS: [&str; 2] = ["vertex_index", "vertex_indices"];
 
-/// The numbers of a vertex that are kept: those of its position, then those of its normal.
+/// The numbers of a vertex that are kept: its position, then its normal.
 const NUMBERS: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
 
-/// The rows read so far; all else is skipped.
+/// The rows read so far; everything else is skipped.
 #[derive(Default)]
 pub(super) struct Rows {
     pub(super) positions: Vec<DVec3>,
     pub(super) normals: Vec<DVec3>,
     pub(super) faces: Lists,
-    /// Triangle strips, with −1 between those of one row.
+    /// Triangle strips, separated by −1 within a row.
     pub(super) strips: Lists,
-    /// Rows of the element under way.
+    /// Number of rows read of the current element.
     pub(super) read: usize,
 }
 
@@ -30,10 +30,10 @@ pub(super) struct Lists {
     pub(super) rows: Vec<Row>,
 }
 
-/// A list; its corners begin where those of the one before end.
+/// A list; its corners begin at the end of the previous one's.
 pub(super) struct Row {
     pub(super) end: usize,
-    /// From 1; 0 in binary.
+    /// Counted from 1; 0 in binary.
     pub(super) line: usize,
 }
 
@@ -91,7 +91,7 @@ impl Lists {
     }
 }
 
-/// The numbers of a row of vertices; 0 where it has none.
+/// The numbers of a row of vertices; 0 for missing properties.
 fn vertex(
     source: &mut impl Source,
     element: &Element,

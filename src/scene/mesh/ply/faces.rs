@@ -43,7 +43,8 @@ pub(super) fn polygons(
     Ok(())
 }
 
-/// The triangles of strips: of (v₀, v₁, v₂), (v₂, v₁, v₃), … those that repeat a corner only join two strips.
+/// The triangles of strips: (v₀, v₁, v₂), (v₂, v₁, v₃), …, except those that repeat a corner, which only join two
+/// strips.
 pub(super) fn strips(
     strips: &Lists,
     vertices: usize,

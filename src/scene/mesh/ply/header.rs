@@ -9,19 +9,19 @@ use crate::scene::mesh::text::{at_line, lines};
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
-    /// Its length in bytes, the end of its last line included, and in lines.
+    /// Its length in bytes, including the end of its last line, and in lines.
     pub(super) length: usize,
     pub(super) lines: usize,
 }
 
-/// Reads the header of the file `bytes`. Comments are of any encoding.
+/// Reads the header of the file `bytes`. Comments may have any encoding.
 pub(super) fn read(bytes: &[u8]) -> Result<Header, MeshError> {
     let mut all = (1..).zip(lines(bytes));
     let (_, first) = all.next().unwrap_or_default();
     if first.trim_ascii() != b"ply" {
         return Err(at_line(bytes, 1, NOT_UNDERSTOOD));
     }
-    // A binary body may begin with what looks like the second half of a line's end.
+    // A binary body may begin with a byte that looks like the second half of a line end.
     let is_bare_cr =
         bytes[first.len()..].starts_with(b"\r") && !bytes[first.len()..].starts_with(b"\r\n");
     let (mut encoding, mut elements) = (None, Vec::new());
@@ -65,7 +65,7 @@ fn encoding_of(format: &str) -> Option<Encoding> {
     }
 }
 
-/// A comment may be in Latin-1; a blank line says nothing.
+/// A comment may be in Latin-1; blank lines count as comments.
 fn is_comment(line: &[u8]) -> bool {
     let line = line.trim_ascii();
     line.is_empty()
@@ -74,7 +74,7 @@ fn is_comment(line: &[u8]) -> bool {
             .any(|word| line.starts_with(word))
 }
 
-/// What is wrong with a line.
+/// An error message about a line.
 type Fault = &'static str;
 
 const NOT_UNDERSTOOD: Fault = "is not understood";
@@ -110,7 +110,7 @@ fn property(elements: &mut [Element], words: &[&str]) -> Result<(), Fault> {
     Ok(())
 }
 
-/// With a name that stands twice it is not clear which of the two is meant.
+/// Refuses repeated names, which are ambiguous.
 fn unique<'a>(mut names: impl Iterator<Item = &'a str>, name: &str) -> Result<(), Fault> {
     match names.any(|other| other == name) {
         true => Err("has a name that stands above"),

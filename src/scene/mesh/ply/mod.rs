@@ -1,7 +1,8 @@
-//! PLY (Turk, *The PLY Polygon File Format*, 1994), ASCII and both binary byte orders: vertices, faces and triangle strips.
+//! PLY (Turk, *The PLY Polygon File Format*, 1994), ASCII and both binary byte orders: vertices, faces and triangle
+//! strips.
 //!
-//! An ASCII body is a stream of numbers, wherever its lines end, as other readers have it. A header's counts are held
-//! against the bytes that are there before they are used.
+//! An ASCII body is a stream of numbers regardless of line ends, as in other readers. The counts of a header are
+//! checked against the number of bytes present before they are used.
 
 mod declared;
 mod element;
@@ -20,7 +21,7 @@ use super::positions::finite;
 use super::text::{Tokens, at_line, lines};
 use super::{MeshError, MeshFile};
 
-/// Reads the whole file `bytes`.
+/// Reads the complete file `bytes`.
 ///
 /// Messages quote the file's own lines.
 pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
@@ -48,7 +49,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
     assemble(rows, has_numbers(&header, ["nx", "ny", "nz"]), bytes)
 }
 
-/// An error where the vertices have no position or the faces no corners.
+/// An error if the vertices have no position or the faces no corners.
 fn check_names(header: &Header) -> Result<(), MeshError> {
     if !has_numbers(header, ["x", "y", "z"]) {
         return Err(MeshError::Empty("element `vertex` with properties x, y, z"));
@@ -121,8 +122,8 @@ fn read_body(source: &mut impl Source, header: &Header, file: &[u8]) -> Result<R
     Ok(rows)
 }
 
-/// An error: from line `left` on, there are more numbers than the header declares. What is told is the first row of a line of
-/// its own that has more than its scalars, where there is one: the numbers that are left are others.
+/// An error: from line `left` on, there are more numbers than the header declares. It reports the first row on its own
+/// line with more numbers than its scalars, if there is one, because the surplus numbers at the end are others.
 fn too_many(header: &Header, left: usize, file: &[u8]) -> MeshError {
     let mut rows = (1..).zip(lines(file)).skip(header.lines);
     let of_scalars = |element: &&Element| {
@@ -144,7 +145,7 @@ fn too_many(header: &Header, left: usize, file: &[u8]) -> MeshError {
     at_line(file, left, "is more than its header declares")
 }
 
-/// Vertices and faces, checked and put into the scene's form.
+/// Vertices and faces, checked and converted to the scene's form.
 fn assemble(rows: Rows, with_normals: bool, file: &[u8]) -> Result<MeshFile, MeshError> {
     let mut left_out = LeftOut::default();
     let mut triangles = Vec::with_capacity(rows.faces.rows.len());

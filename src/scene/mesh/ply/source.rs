@@ -3,15 +3,15 @@
 use super::declared::Scalar;
 use crate::scene::mesh::text::{Tokens, float, integer};
 
-/// Where numbers come from, one after the other.
+/// A sequence of numbers.
 pub(super) trait Source {
-    /// The next number. A float of a text is rounded as a binary one is.
+    /// The next number. A float in text is rounded like a binary one.
     fn real(&mut self, of: Scalar) -> Result<f64, Fault>;
 
-    /// The next number, which must be whole.
+    /// The next number, which must be an integer.
     fn whole(&mut self, of: Scalar) -> Result<i64, Fault>;
 
-    /// Goes past the next number.
+    /// Skips the next number.
     fn skip(&mut self, of: Scalar) -> Result<(), Fault>;
 
     /// The line of the last number, from 1; 0 in binary.
@@ -20,14 +20,14 @@ pub(super) trait Source {
     fn bytes_left(&self) -> usize;
 }
 
-/// Why there is no number.
+/// The reason for a missing number.
 pub(super) enum Fault {
     End,
-    /// The line of a text that is not understood.
+    /// A line of text that cannot be parsed.
     Line(usize),
 }
 
-/// A stream of tokens, wherever its lines end.
+/// A stream of tokens, regardless of line ends.
 pub(super) struct Text<'a>(pub(super) Tokens<'a>);
 
 impl Text<'_> {
@@ -62,7 +62,7 @@ impl Source for Text<'_> {
     }
 }
 
-/// Bytes of numbers.
+/// Binary numbers.
 pub(super) struct Binary<'a> {
     pub(super) rest: &'a [u8],
     pub(super) big_endian: bool,
@@ -98,7 +98,7 @@ impl Source for Binary<'_> {
             Scalar::U16 => u16::from_le_bytes(self.bytes()?).into(),
             Scalar::I32 => i32::from_le_bytes(self.bytes()?).into(),
             Scalar::U32 => u32::from_le_bytes(self.bytes()?).into(),
-            // No list is declared with such a type.
+            // Lists of these types cannot be declared.
             Scalar::F32 | Scalar::F64 => self.real(of)? as i64,
         })
     }
