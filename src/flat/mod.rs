@@ -1,5 +1,5 @@
-//! Prepared scene → the GPU's buffers. What a buffer holds does not depend on the kernel that reads it; the
-//! caller, who knows the features, asks only for those that are needed.
+//! Prepared scene → the GPU's buffers. The content of a buffer does not depend on the kernel that reads it; the caller,
+//! who knows the features, requests only the buffers that are needed.
 
 pub mod bvh;
 
@@ -8,12 +8,12 @@ use glam::DVec3;
 use crate::layout::OnDevice;
 use crate::prepared::{Prepared, Surroundings, device};
 
-/// What the kernels read of these records.
+/// The device form of these records.
 pub fn records<T: OnDevice>(records: &[T]) -> Vec<T::Record> {
     records.iter().map(OnDevice::record).collect()
 }
 
-/// The camera, and with it the seed of the sampler.
+/// The camera, with the seed of the sampler.
 pub fn camera(prepared: &Prepared, seed: u32) -> device::Camera {
     device::Camera {
         seed,
@@ -21,12 +21,12 @@ pub fn camera(prepared: &Prepared, seed: u32) -> device::Camera {
     }
 }
 
-/// The axes and the size of surroundings.
+/// The axes and size of the surroundings.
 pub fn surroundings(surroundings: &Surroundings) -> device::Surroundings {
     surroundings.map.record()
 }
 
-/// Nine floats a triangle: its corners.
+/// Nine floats per triangle: its corners.
 pub fn triangles(prepared: &Prepared) -> Vec<[[f32; 3]; 3]> {
     prepared
         .primitives
@@ -46,7 +46,7 @@ pub fn triangle_shapes(prepared: &Prepared) -> Vec<u32> {
         .collect()
 }
 
-/// Nine floats a triangle: the shading normals of its corners; zero where its mesh gives none.
+/// Nine floats per triangle: the shading normals of its corners; zero if its mesh has none.
 pub fn normals(prepared: &Prepared) -> Vec<[[f32; 3]; 3]> {
     prepared
         .primitives

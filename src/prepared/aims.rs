@@ -1,13 +1,14 @@
-//! What light paths are aimed at: the shapes that gather light, few balls about all of them.
+//! The targets of light paths: the shapes that concentrate light, enclosed in a few balls.
 
 use super::placed::Placed;
 use super::record::aim::Aim;
 use super::{Light, Material, Shape};
 
-/// Balls at most: each costs every light path a test.
+/// Maximum number of balls: each costs every light path a test.
 const AIMS: usize = 4;
 
-/// Balls about the shapes that refract or mirror; of more than [`AIMS`] those grow together that make the smallest ball.
+/// Balls around the shapes that refract or mirror. If there are more than [`AIMS`], the pairs with the smallest common
+/// ball are merged.
 pub fn aims(placed: &Placed, materials: &[Material]) -> Vec<Aim> {
     let shapes = placed.shapes.iter();
     let gathers = shapes.filter(|s| materials[s.material as usize].gathers());
@@ -23,10 +24,9 @@ pub fn aims(placed: &Placed, materials: &[Material]) -> Vec<Aim> {
     all
 }
 
-/// Joins balls until there are `most`: always the two that make the smallest one, the first of those that are as small.
+/// Merges balls until `most` remain: always the pair with the smallest common ball, the first among equals.
 ///
-/// For each ball the best of those before it is kept, so that a join costs time in proportion to their number, and not to its
-/// square.
+/// The best earlier partner of each ball is stored, so a merge takes linear instead of quadratic time.
 fn join(all: &mut Vec<Aim>, most: usize) {
     let mut best: Vec<(f64, usize)> = (0..all.len()).map(|j| best_before(all, j)).collect();
     while all.len() > most {
@@ -52,16 +52,17 @@ fn join(all: &mut Vec<Aim>, most: usize) {
     }
 }
 
-/// The smallest ball that `all[j]` makes with one before it, and which; infinite for the first.
+/// The radius of the smallest common ball of `all[j]` and an earlier one, and the index of that one; infinite for the
+/// first ball.
 fn best_before(all: &[Aim], j: usize) -> (f64, usize) {
     let sizes = (0..j).map(|i| (both(&all[i], &all[j]).radius, i));
     let least = sizes.min_by(|a, b| a.0.total_cmp(&b.0));
     least.unwrap_or((f64::INFINITY, 0))
 }
 
-/// The least share of all directions that a shape that shines fills, as the centre of an aim sees it: A/4 of a convex body of area
-/// A is seen on average (Cauchy), so A/(16π d²). 0 where one stands within the ball of an aim, in glass or behind it; none without
-/// either.
+/// The smallest share of all directions that an emitting shape fills, as seen from the centre of an aim: a convex body
+/// of area A shows A/4 on average (Cauchy), so A/(16π d²). 0 if an emitter is within the ball of an aim, in glass or
+/// behind it; `None` without emitters or aims.
 pub fn light_share(placed: &Placed, lights: &[Light], aims: &[Aim]) -> Option<f64> {
     let shine = (lights.iter()).filter_map(|light| placed.shapes.get(light.shape as usize));
     let share = |shape: &Shape| {
@@ -77,7 +78,7 @@ pub fn light_share(placed: &Placed, lights: &[Light], aims: &[Aim]) -> Option<f6
     shine.filter_map(share).reduce(f64::min)
 }
 
-/// The smallest ball about two.
+/// The smallest ball around two.
 fn both(a: &Aim, b: &Aim) -> Aim {
     let way = b.centre - a.centre;
     let distance = way.length();
@@ -100,7 +101,7 @@ mod tests {
 
     use super::*;
 
-    /// The same by looking at every pair in every step.
+    /// A plain version that inspects every pair in every step.
     fn join_plainly(all: &mut Vec<Aim>, most: usize) {
         while all.len() > most {
             let pairs = (0..all.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
@@ -120,7 +121,7 @@ mod tests {
             state = state
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1);
-            // Few places, so that many balls are as small.
+            // Few positions, so that many balls have the same size.
             (state >> 60) as f64 / 4.0
         };
         for count in 0..60 {

@@ -5,7 +5,7 @@ use thiserror::Error;
 /// All counts of a CDF together.
 pub const CDF_TOTAL: u32 = 1 << 24;
 
-/// Weights that no CDF can be made of.
+/// Weights without a CDF.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum CdfError {
     #[error("no weight is positive: there is nothing to choose")]
@@ -18,10 +18,9 @@ pub enum CdfError {
 
 /// The n + 1 cumulative counts of a choice among n weights, from 0 to 2²⁴.
 ///
-/// Entry i is chosen where cdf[i] ≤ u24 < cdf[i + 1], u24 a uniform integer below 2²⁴, so its probability
-/// is exactly (cdf[i + 1] − cdf[i])·2⁻²⁴. Every positive weight owns one count, so that nothing that can
-/// shine is out of reach; the other counts are shared in proportion, each within one count. A weight of
-/// 0 gets none and is never chosen.
+/// Entry i is chosen where cdf[i] ≤ u24 < cdf[i + 1], u24 a uniform integer below 2²⁴, so its probability is exactly
+/// (cdf[i + 1] − cdf[i])·2⁻²⁴. Every positive weight gets one count, so that every emitter can be chosen; the other
+/// counts are shared in proportion, each within one count. A weight of 0 gets none and is never chosen.
 pub fn quantised_cdf(weights: &[f64]) -> Result<Vec<u32>, CdfError> {
     let mut total = 0.0;
     for (i, &w) in weights.iter().enumerate() {
@@ -44,7 +43,7 @@ pub fn quantised_cdf(weights: &[f64]) -> Result<Vec<u32>, CdfError> {
     for &w in weights {
         own += u32::from(w > 0.0);
         sum += w;
-        // The same additions gave `total`, so the last quotient is exactly 1.
+        // `total` comes from the same additions, so the last quotient is exactly 1.
         cdf.push(own + (shared * (sum / total)).round() as u32);
     }
     Ok(cdf)

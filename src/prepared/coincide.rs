@@ -1,4 +1,4 @@
-//! Which faces of a scene coincide, and which of them comes first.
+//! Finds the coincident faces of a scene and their order.
 
 use rayon::prelude::*;
 
@@ -8,7 +8,7 @@ use super::placed::Placed;
 use super::{Material, Prepared, Shape};
 use crate::shape::{Bounds, Coincidence, Coincidences, Extent, ShapeKind};
 
-/// A face, and what it is a face of.
+/// A face, with the properties of its shape.
 struct Face {
     shape: u32,
     prim: u32,
@@ -30,7 +30,7 @@ impl Face {
         }
     }
 
-    /// Opaque shapes, which stand before the others, then file order.
+    /// The order of shapes: opaque ones first, then file order.
     fn order(&self) -> (u32, u32) {
         (self.shape, self.prim)
     }
@@ -40,7 +40,7 @@ impl Face {
     }
 }
 
-/// The table of a placed scene; empty where no faces coincide.
+/// The table of a placed scene; empty if no faces coincide.
 pub fn coincidences(placed: &Placed, materials: &[Material]) -> Coincidences {
     let faces: Vec<Face> = (placed.shapes.iter().enumerate())
         .flat_map(|(i, shape)| faces(placed, materials, i as u32, shape))
@@ -84,7 +84,7 @@ fn faces(placed: &Placed, materials: &[Material], number: u32, shape: &Shape) ->
     numbered.filter_map(face).collect()
 }
 
-/// The entries of all pairs of faces but those of one solid, in no order of meaning.
+/// The entries for all pairs of faces, except pairs of one solid, in no particular order.
 fn entries_of_all(faces: &[Face]) -> Vec<(u32, u32, Coincidence)> {
     let extent = |face: &Face| {
         let (Bounds { lo, hi }, near) = (face.patch.bounds(), face.patch.near());
@@ -102,7 +102,7 @@ fn entries_of_all(faces: &[Face]) -> Vec<(u32, u32, Coincidence)> {
     })
 }
 
-/// What a pair that coincides adds to the lists of either: (shape, prim) of the list, and the entry.
+/// The list entries of a pair, if it coincides: (shape, prim) of the list, and the entry.
 fn entries(a: &Face, b: &Face) -> Vec<(u32, u32, Coincidence)> {
     let Some(orientation) = a.patch.coincides(&b.patch) else {
         return Vec::new();
@@ -116,15 +116,15 @@ fn entries(a: &Face, b: &Face) -> Vec<(u32, u32, Coincidence)> {
     let boxes = first.kind == ShapeKind::Box && second.kind == ShapeKind::Box;
     let in_list_of = |of: &Face, entry| (of.shape, of.prim, entry);
     match (first.transmissive, second.transmissive) {
-        // Light goes from the one into the other.
+        // Light passes from one solid into the other.
         (true, true) if opposite => vec![
             in_list_of(first, second.entry(true)),
             in_list_of(second, first.entry(true)),
         ],
-        // Of faces of boxes in one plane the distance is one number, and the order that of shapes already; but the way to a
-        // point of a light is measured by other numbers.
+        // The distances to coplanar faces of boxes are the same number, so the order of shapes already decides; but the
+        // distance to a point on a light is computed from other numbers.
         (false, false) if boxes && !first.shines && !second.shines => Vec::new(),
-        // No ray is between two opaque solids that stand face to face; of a mesh it is not known that it is closed.
+        // No ray runs between two opaque solids in contact. A mesh may not be closed.
         (false, false) if opposite && !first.is_mesh() && !second.is_mesh() => Vec::new(),
         _ => vec![in_list_of(second, first.entry(false))],
     }

@@ -1,4 +1,4 @@
-//! Pictures that can only be black: nothing shines, or nothing that shines is seen from where the eye is shut in.
+//! Warnings about pictures that can only be black: nothing emits light, or the eye is enclosed away from all emitters.
 
 use glam::DVec3;
 
@@ -7,7 +7,7 @@ use super::placed::Placed;
 use super::{Light, Material, NONE, Prepared, Shape, ShapeKind};
 use crate::shape::{Body, Bounds};
 
-/// Warns where nothing shines.
+/// Warns if nothing emits light.
 pub fn warn_of_no_light(lights: &[Light], warnings: &mut Vec<String>) {
     if lights.is_empty() {
         warnings.push(
@@ -18,8 +18,8 @@ pub fn warn_of_no_light(lights: &[Light], warnings: &mut Vec<String>) {
     }
 }
 
-/// Warns where the eye stands inside an opaque solid that no light reaches into. A lamp inside makes it a room. Of
-/// meshes nothing is said: those that are opaque may be open.
+/// Warns if the eye is inside an opaque solid that no light reaches into. With a lamp inside, the solid is a room.
+/// Meshes are exempt, because opaque ones may be open.
 pub fn warn_of_shut_in(
     eye: DVec3,
     placed: &Placed,
@@ -57,7 +57,7 @@ fn reaches_into(placed: &Placed, lamp: &Shape, solid: &dyn Body) -> bool {
     if bounds.common(lamp_body.bounds()).min_element() < 0.0 {
         return false;
     }
-    // A convex lamp that goes around all of the solid is outside it.
+    // A convex lamp that encloses the whole solid is outside it.
     let goes_around =
         lamp.kind != ShapeKind::Mesh && corners(bounds).all(|p| lamp_body.contains(p));
     !goes_around && overlap(&*lamp_body, solid)

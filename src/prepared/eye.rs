@@ -1,15 +1,15 @@
-//! An eye on the surface of glass: whether it stands inside, single precision does not tell.
+//! An eye on the surface of glass: single precision cannot say whether it is inside.
 
 use glam::DVec3;
 
 use super::placed::Placed;
 use super::{Material, Shape};
 
-/// What f32 surely tells apart, relative to the largest coordinate: the eye and the surface are rounded by half an ulp
-/// each, their difference and the root of a hit by as much again; 2⁻²⁴ each.
+/// The smallest difference that f32 resolves reliably, relative to the largest coordinate: the eye and the surface are
+/// rounded by half an ulp each, and so are their difference and the root of a hit; 2⁻²⁴ each.
 pub const ACCURACY: f64 = 4.0 / 16_777_216.0;
 
-/// Warns of a transmissive solid whose surface the eye stands on. Of meshes nothing is said.
+/// Warns if the eye is on the surface of a transmissive solid; meshes are not checked.
 pub fn warn_of_surface(
     eye: DVec3,
     placed: &Placed,

@@ -1,4 +1,4 @@
-//! The lens of a scene in rendering space: what single precision cannot hold of it, and what stands in it.
+//! The lens of a scene in rendering space, its limits in single precision, and solids that intersect it.
 
 use std::f64::consts::TAU;
 
@@ -10,17 +10,17 @@ use super::{Camera, Lens, PrepareError};
 use crate::scene;
 use crate::shape::{Body, Bounds, Space};
 
-/// A box about the eye and its lens, in the scene.
+/// A box around the eye and its lens, in the scene.
 pub fn bounds(eye: DVec3, lens: Option<scene::Lens>) -> Bounds {
     let radius = lens.map_or(0.0, |lens| lens.radius);
     Bounds::around([eye - radius, eye + radius])
 }
 
-/// The lens about `camera`'s eye; none where its radius is 0, which is a pinhole.
+/// The lens around `camera`'s eye; `None` if its radius is 0, which is a pinhole.
 ///
-/// The ray from the lens's point l through the point d1 of the picture plane, at distance 1, meets that of the pinhole in
-/// the plane at the distance F: F d1 = l + s d, d ∝ d1 − l/F. In pixels, H/(2 ry) to a unit of the picture plane, the edge
-/// of the lens moves d1 by R/F · H/(2 ry).
+/// The ray from the lens's point l through the point d1 of the picture plane, at distance 1, meets that of the pinhole
+/// in the plane at the distance F: F d1 = l + s d, d ∝ d1 − l/F. In pixels, H/(2 ry) to a unit of the picture plane,
+/// the edge of the lens moves d1 by R/F · H/(2 ry).
 pub fn lens(
     lens: Option<scene::Lens>,
     camera: &Camera,
@@ -32,7 +32,7 @@ pub fn lens(
     let radius = space.length(lens.radius);
     let tangent = lens.radius / lens.focus;
     let blur = tangent * f64::from(camera.height) / (2.0 * camera.up.length());
-    // The length of F d1 − l over F, whose square both renderers take; 16 holds what is added to it.
+    // The length of F d1 − l over F, which both renderers square; 16 allows for the terms added to it.
     let fits = |length: f64| 16.0 * length * length < f64::from(f32::MAX);
     if !(fits(tangent) && fits(blur)) {
         return Err(PrepareError::Lens { line: lens.line });
@@ -45,7 +45,7 @@ pub fn lens(
     }))
 }
 
-/// Warns of rays that miss their point of the plane that is sharp by more than a pixel: directions are rounded to an ulp of 1,
+/// Warns if rays miss their point in the plane of focus by more than a pixel: directions are rounded to an ulp of 1,
 /// which over the length ℓ = √(R² + F²), under the cosine F/ℓ, is ℓ²/F of that plane and ℓ²/F² of the one at distance 1.
 pub fn warn_of_wide(camera: &Camera, lens: &Lens, warnings: &mut Vec<String>) {
     let pixel = 2.0 * camera.up.length() / f64::from(camera.height);
@@ -60,10 +60,10 @@ pub fn warn_of_wide(camera: &Camera, lens: &Lens, warnings: &mut Vec<String>) {
     }
 }
 
-/// Points of the lens's edge that are looked at.
+/// Number of points on the lens's edge that are checked.
 const EDGE: u32 = 32;
 
-/// Warns of a solid that a part of the lens stands in and another does not. Of meshes nothing is said.
+/// Warns about a solid that contains only part of the lens; meshes are not checked.
 pub fn warn_of_crossing(eye: DVec3, lens: &Lens, placed: &Placed, warnings: &mut Vec<String>) {
     let radius = lens.right.length();
     let at = |turn: f64| lens.right * turn.cos() + lens.up * turn.sin();

@@ -1,5 +1,5 @@
-//! The tree of lights, by which one of many is picked for what it brings (Conty Estevez & Kulla, Importance Sampling of
-//! Many Lights with Adaptive Tree Splitting, HPG 2018; pbrt 4, section 12.6.3).
+//! The tree of lights, for picking one of many lights by its contribution (Conty Estevez & Kulla, Importance Sampling
+//! of Many Lights with Adaptive Tree Splitting, HPG 2018; pbrt 4, section 12.6.3).
 
 mod cone;
 mod emitter;
@@ -13,25 +13,26 @@ use crate::shape::Bounds;
 use cone::Cone;
 use emitter::Emitter;
 
-/// A way down is written in 32 bits.
+/// A path from the root is stored in 32 bits.
 const DEPTH: u32 = 32;
-/// Of the ball that stands for the background, in rendering space, whose shapes are of size 1: every point is deep inside.
+/// Radius of the ball that represents the background, in rendering space, whose shapes have size 1: every point is deep
+/// inside.
 const EVERYWHERE: f64 = 1e4;
-/// No number of a node leaves the range of f32, nor do their quotients: least power and radius.
+/// Least power and radius: the numbers of nodes and their quotients stay in the range of f32.
 const LEAST: f64 = 1e-15;
-/// What rounding to f32 may move, of a scene of size 1.
+/// Bound on the effect of rounding to f32, for a scene of size 1.
 const ROUNDING: f64 = 1e-6;
 
-/// Its nodes, the root first, and the ways to the lights.
+/// Its nodes, the root first, and the paths to the lights.
 #[derive(Clone, Debug, Default)]
 pub struct LightTree {
     pub nodes: Vec<LightNode>,
-    /// Of each light, from the root on, the lowest bit first: whether it is in the second of two nodes.
+    /// For each light, its path from the root, lowest bit first: whether it is in the second of two nodes.
     pub trails: Vec<u32>,
 }
 
 impl LightTree {
-    /// Over all `lights`, everything outside of the mean radiance `outside` among them; empty where there is none.
+    /// The tree of all `lights`, including everything outside with mean radiance `outside`; empty without lights.
     pub fn new(placed: &Placed, lights: &[Light], outside: DVec3) -> Self {
         let mut tree = Self {
             nodes: Vec::new(),
@@ -42,7 +43,7 @@ impl LightTree {
             .filter_map(|(i, light)| Emitter::new(placed, light, i))
             .collect();
         let background = (0..).zip(lights).find(|(_, light)| light.kind.is_outside());
-        // From every side the background sends irradiance π L.
+        // The background sends irradiance π L from every side.
         let sky = background.map_or(0.0, |_| std::f64::consts::PI * outside.element_sum());
         let total = sky + emitters.iter().map(|e| e.power).sum::<f64>();
         let share = |power: f64| (power / total).max(LEAST);
@@ -55,7 +56,7 @@ impl LightTree {
         tree
     }
 
-    /// The background beside the tree of all others.
+    /// Adds the background as the sibling of the tree of all other lights.
     fn add_background(&mut self, light: u32, irradiance: f64, others: Vec<Emitter>) {
         let sky = LightNode {
             power: irradiance * EVERYWHERE * EVERYWHERE,
@@ -65,7 +66,7 @@ impl LightTree {
             self.nodes.push(sky);
             return;
         }
-        // Only the shares of two nodes are asked for, never that of the root.
+        // Only the shares of two siblings are evaluated, never that of the root.
         self.nodes.push(LightNode {
             child: 2,
             leaf: 0,
@@ -99,7 +100,7 @@ impl LightTree {
     }
 }
 
-/// A node, a little larger than it is: what rounding moves stays inside.
+/// A node, slightly enlarged, so that it remains a bound after rounding.
 fn node(centre: DVec3, radius: f64, cone: Cone, power: f64, child: u32, leaf: u32) -> LightNode {
     let cos_o = (cone.cosine - ROUNDING).max(0.0);
     LightNode {

@@ -1,4 +1,4 @@
-//! The table of emitters, and the integer tables by which they are chosen.
+//! The table of emitters, and the integer tables for choosing among them.
 
 use std::f64::consts::PI;
 
@@ -12,13 +12,13 @@ use super::{Light, LightKind, Material, NONE, Shape, ShapeKind};
 #[derive(Clone, Copy, Debug)]
 pub struct Outside {
     pub kind: LightKind,
-    /// Of its record: what a picture is multiplied by.
+    /// The radiance of its record: the factor on a picture.
     pub radiance: DVec3,
-    /// Over all directions.
+    /// Mean over all directions.
     pub mean: DVec3,
 }
 
-/// Emitters with the probabilities of choosing them.
+/// Emitters and the probabilities of choosing them.
 #[derive(Debug, Default)]
 pub struct Lights {
     pub lights: Vec<Light>,
@@ -27,10 +27,10 @@ pub struct Lights {
 }
 
 impl Lights {
-    /// One light a shape of positive radiance, in the order of shapes, then everything outside if it shines.
+    /// One light per shape of positive radiance, in the order of shapes, then everything outside if it emits.
     ///
-    /// A light is chosen in proportion to its power π·A·L̄; what is outside counts as the sphere around
-    /// the scene, whose area lets the same power through.
+    /// A light is chosen in proportion to its power π·A·L̄. Everything outside counts as the sphere around the scene,
+    /// through whose area the same power passes.
     pub fn new(
         placed: &Placed,
         materials: &[Material],
@@ -69,7 +69,7 @@ impl Lights {
         Ok(all)
     }
 
-    /// Adds one emitting shape whose primitives have these areas.
+    /// Adds one emitting shape; `areas` are those of its primitives.
     fn add(
         &mut self,
         shape: &Shape,

@@ -19,7 +19,7 @@ const WEAK_REFRACTION: f64 = 1e-5;
 /// alone would never draw the reflection of a glass with Ks = 0, whose Fresnel term is not 0.
 const LEAST_CHOICE: f64 = 1.0 / 256.0;
 
-/// Prepares the material of a `brdf` line. Colours lie in [0, 1], alpha ≥ 0 and ior > 0: the parser sees to it.
+/// Prepares the material of a `brdf` line. The parser ensures that colours are in [0, 1], alpha ≥ 0 and ior > 0.
 pub fn material(brdf: &Brdf, model: &Model, line: usize) -> Material {
     let distribution = distribution(brdf, model);
     let alpha = parameter(distribution, brdf.alpha);
@@ -77,7 +77,7 @@ pub fn light(radiance: DVec3, line: usize) -> Material {
     }
 }
 
-/// The command line's word, else the scene's, else `auto`: Phong for an exponent, GGX for a width.
+/// The command line's choice, else the scene's, else `auto`: Phong for an exponent, GGX for a width.
 fn distribution(brdf: &Brdf, model: &Model) -> Distribution {
     let auto = if brdf.alpha > 1.0 {
         Distribution::Phong
@@ -91,7 +91,7 @@ fn distribution(brdf: &Brdf, model: &Model) -> Distribution {
     }
 }
 
-/// The command line's word, else the scene's, else Schlick. An opaque material has no ior for the exact form.
+/// The command line's choice, else the scene's, else Schlick. An opaque material has no ior for the exact form.
 fn fresnel(brdf: &Brdf, model: &Model) -> Fresnel {
     if brdf.kt == DVec3::ZERO {
         Fresnel::Schlick
@@ -110,7 +110,7 @@ fn parameter(distribution: Distribution, alpha: f64) -> f64 {
     }
 }
 
-/// Width of a lobe whose parameter is `alpha`: of a Phong exponent the inverse of [`parameter`].
+/// Width of a lobe with parameter `alpha`; for a Phong exponent the inverse of [`parameter`].
 fn width(distribution: Distribution, alpha: f64) -> f64 {
     match distribution {
         Distribution::Phong => (2.0 / (alpha + 2.0)).sqrt(),
@@ -162,19 +162,20 @@ fn extinction(kt: DVec3, length: f64) -> DVec3 {
     DVec3::new(channel(kt.x), channel(kt.y), channel(kt.z))
 }
 
-/// σ per unit length of the scene, in rendering space: what lets nothing through does so there.
+/// σ per unit length of the scene, in rendering space; an opaque σ stays opaque.
 pub fn extinction_in(sigma: DVec3, space: &Space) -> DVec3 {
     let opaque = DVec3::splat(OPAQUE_SIGMA);
     let scaled = (sigma * space.unit).min(opaque);
     DVec3::select(sigma.cmpeq(opaque), opaque, scaled)
 }
 
-/// The least mean of Ks, and the largest width, with which an opaque surface gathers light: a wall with a sheen does not.
+/// The least mean of Ks and the largest width for which an opaque surface counts as concentrating light: a wall with a
+/// sheen does not.
 const LEAST_GLOSS: f64 = 0.1;
 const WIDEST_GLOSS: f64 = 0.3;
 
 impl Material {
-    /// Whether it mirrors or refracts into few directions, so that light gathers behind it.
+    /// Whether it mirrors or refracts into few directions, and so concentrates light.
     pub fn gathers(&self) -> bool {
         use MaterialKind::{Glossy, Mirror, RoughDielectric, SmoothDielectric};
         match self.kind {
@@ -184,7 +185,7 @@ impl Material {
         }
     }
 
-    /// Kt per unit length of the scene, as its file has it.
+    /// Kt per unit length of the scene, as in its file.
     pub fn transmittance(&self, space: &Space) -> DVec3 {
         let scaled = self.sigma.map(|sigma| (-sigma / space.unit).exp());
         let opaque = self.sigma.cmpeq(DVec3::splat(OPAQUE_SIGMA));
@@ -192,8 +193,8 @@ impl Material {
     }
 }
 
-/// (‖Kd‖/(‖Kd‖ + ‖Ks‖ + ‖Kt‖), ‖Ks‖/(‖Ks‖ + ‖Kt‖)) with the hand-out's Euclidean norms; 0 where nothing is
-/// to choose. The second stays within [`LEAST_CHOICE`] of both ends in a transmissive material.
+/// (‖Kd‖/(‖Kd‖ + ‖Ks‖ + ‖Kt‖), ‖Ks‖/(‖Ks‖ + ‖Kt‖)) with the hand-out's Euclidean norms; 0 if there is no choice. In a
+/// transmissive material the second keeps a distance of [`LEAST_CHOICE`] from both ends.
 fn choice_by_norms(brdf: &Brdf) -> (f64, f64) {
     let (kd, ks, kt) = (brdf.kd.length(), brdf.ks.length(), brdf.kt.length());
     let share = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
@@ -310,7 +311,7 @@ mod tests {
 
     #[test]
     fn constants_of_the_interface_keep_their_digits() {
-        // 2⁻²⁰ is exact, so 1 − n⁻² = (2h + h²)/(1 + h)² is known to the last place
+        // 2⁻²⁰ is exact, so 1 − n⁻² = (2h + h²)/(1 + h)² is known to the last digit
         let h = 2f64.powi(-20);
         let m = prepare(&Brdf {
             ior: 1.0 + h,

@@ -1,4 +1,4 @@
-//! Which transmissive shape a point stands in, and which of them overlap.
+//! The transmissive shape that contains a point, and overlaps of such shapes.
 
 use glam::DVec3;
 
@@ -6,7 +6,7 @@ use super::placed::Placed;
 use super::{Material, NONE};
 use crate::shape::{Body, Bounds};
 
-/// The transmissive shapes of a scene: their materials, and what they are as a whole.
+/// The transmissive shapes of a scene: their materials, bodies and bounds.
 pub struct Media<'a>(Vec<(u32, Bounded<'a>)>);
 
 impl<'a> Media<'a> {
@@ -19,7 +19,7 @@ impl<'a> Media<'a> {
         Self(placed.transmissive(materials).map(bounded).collect())
     }
 
-    /// The material whose inside `p` stands in, or [`NONE`].
+    /// The material of the shape that contains `p`, or [`NONE`].
     pub fn at(&self, p: DVec3) -> u32 {
         let contains = |(body, bounds): &Bounded| {
             p.cmpge(bounds.lo).all() && p.cmple(bounds.hi).all() && body.contains(p)
@@ -29,7 +29,7 @@ impl<'a> Media<'a> {
     }
 }
 
-/// Says once that transmissive shapes which overlap are outside the model (model.md, "Media").
+/// Warns once if transmissive shapes overlap, which the model excludes (model.md, "Media").
 pub fn warn_of_overlaps(placed: &Placed, materials: &[Material], warnings: &mut Vec<String>) {
     let rule = |(a, p): &Bounded, (b, q): &Bounded| {
         p.common(*q).min_element() > 0.0 && overlap(&**a, &**b)
@@ -45,7 +45,7 @@ pub fn warn_of_overlaps(placed: &Placed, materials: &[Material], warnings: &mut 
 /// A shape and its bounds.
 pub type Bounded<'a> = (Box<dyn Body + 'a>, Bounds);
 
-/// The lines, in order, of the first two transmissive shapes that obey `rule`.
+/// The lines, in order, of the first two transmissive shapes that satisfy `rule`.
 pub fn first_pair(
     placed: &Placed,
     materials: &[Material],
@@ -66,7 +66,7 @@ pub fn first_pair(
     })
 }
 
-/// Whether two shapes whose bounds overlap do so themselves: exact for spheres and boxes, assumed otherwise.
+/// Whether two shapes overlap, given that their bounds do: exact for spheres and boxes, assumed otherwise.
 pub fn overlap(a: &dyn Body, b: &dyn Body) -> bool {
     match (a.ball(), b.ball()) {
         (Some((centre, radius)), _) => b.overlaps_ball(centre, radius),

@@ -1,14 +1,15 @@
-//! Which boxes of a set meet: each leaf of a tree over the set is looked for in that tree, on all cores.
+//! Finds all intersecting pairs in a set of boxes: each leaf of a tree over the set is searched for in that tree, on
+//! all cores.
 
 use rayon::prelude::*;
 
 use crate::shape::Extent;
 
-/// Boxes in a leaf, at most.
+/// Maximum number of boxes in a leaf.
 const LEAF: usize = 8;
 
-/// Calls `of_pair(i, j, found)` once for each two boxes i < j that have a point in common; what is appended to `found` is
-/// returned, in an order that depends on `boxes` alone.
+/// Calls `of_pair(i, j, found)` once for any two boxes i < j with a common point. Returns everything appended to
+/// `found`, in an order that depends only on `boxes`.
 pub fn meeting_pairs<T: Send>(
     boxes: &[Extent],
     of_pair: impl Fn(usize, usize, &mut Vec<T>) + Sync,
@@ -40,7 +41,7 @@ pub fn meeting_pairs<T: Send>(
         .collect()
 }
 
-/// A box and its number.
+/// A box and its index.
 #[derive(Clone, Copy)]
 struct Item {
     extent: Extent,
@@ -49,13 +50,13 @@ struct Item {
 
 /// A complete binary tree.
 struct Tree {
-    /// Neighbours in space stand side by side.
+    /// Neighbours in space are adjacent.
     items: Vec<Item>,
     /// The boxes of nodes, leaves first. Node k has children 2k and 2k + 1 in the level before.
     levels: Vec<Vec<Extent>>,
 }
 
-/// Level, and number in it.
+/// Level, and index within it.
 type Node = (usize, usize);
 
 impl Tree {
@@ -95,7 +96,7 @@ impl Tree {
         (self.levels.len() - 1, 0)
     }
 
-    /// Calls `visit` for all leaves below `node` that come after leaf k and meet it.
+    /// Calls `visit` for all leaves below `node` that come after leaf k and intersect it.
     fn each_later_leaf(&self, node: Node, k: usize, visit: &mut impl FnMut(&[Item], Extent)) {
         let (level, number) = node;
         let last = ((number + 1) << level) - 1;
@@ -111,14 +112,14 @@ impl Tree {
     }
 }
 
-/// Where a box stands in the order: large ones first, in steps of 8, for one of them makes all nodes above it large; among
-/// those of a size, by the Morton code of their centre in `all`.
+/// The sort key of a box: large boxes first, in steps of a factor of 8, because one of them enlarges all nodes above
+/// it; boxes of similar size by the Morton code of their centre in `all`.
 ///
 /// Morton, A Computer Oriented Geodetic Data Base and a New Technique in File Sequencing, IBM 1966.
 fn key(extent: Extent, all: Extent) -> u64 {
     let side = |e: Extent, axis: usize| f64::from(e.hi[axis]) - f64::from(e.lo[axis]);
     let longest = |e: Extent| side(e, 0).max(side(e, 1)).max(side(e, 2));
-    // log₂ of their ratio, in steps of 3; a cast turns what is not a number into 0.
+    // log₂ of their ratio, in steps of 3; the cast turns NaN into 0.
     let size = ((longest(all) / longest(extent)).log2() / 3.0) as u64;
     let cell = |axis: usize| {
         let centre = f64::from(extent.twice_centre()[axis]) / 2.0 - f64::from(all.lo[axis]);
@@ -132,7 +133,7 @@ fn key(extent: Extent, all: Extent) -> u64 {
 /// Cells along an axis, less one.
 const CELLS: u64 = (1 << 20) - 1;
 
-/// Bit i of `x` (20 bits) moves to place 3i.
+/// Moves bit i of `x` (20 bits) to position 3i.
 fn spread(x: u64) -> u64 {
     (0..20).fold(0, |all, i| all | (x >> i & 1) << (3 * i))
 }
@@ -143,7 +144,7 @@ mod tests {
 
     use super::*;
 
-    /// A box around `centre`, of sides down to none.
+    /// A cube around `centre`; its size may be 0.
     fn cube(centre: [i8; 3], half: f32) -> Extent {
         let side = |sign: f32| centre.map(|c| f32::from(c) + sign * half);
         Extent {
@@ -158,7 +159,7 @@ mod tests {
         pairs
     }
 
-    /// By the definition, each box against each.
+    /// Straight from the definition: each box against each.
     fn expected(boxes: &[Extent]) -> Vec<(usize, usize)> {
         let apart = |a: Extent, b: Extent| (0..3).any(|k| a.hi[k] < b.lo[k] || b.hi[k] < a.lo[k]);
         let pairs = (0..boxes.len()).flat_map(|i| (i + 1..boxes.len()).map(move |j| (i, j)));
@@ -166,7 +167,7 @@ mod tests {
     }
 
     proptest! {
-        /// Whole coordinates make many boxes that touch; sizes reach from points to one beyond all.
+        /// Integer coordinates make many boxes touch; sizes range from points to one larger than all others.
         #[test]
         fn each_pair_that_meets_is_found_once(
             sizes in prop::collection::vec((any::<[i8; 3]>(), 0u32..9), 0..300),

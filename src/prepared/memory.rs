@@ -1,24 +1,25 @@
-//! What a scene will take of the host's memory, known as soon as it is read.
+//! Estimates a scene's demand for host memory as soon as it is read.
 
 use super::Prepared;
 use crate::film::Film;
 use crate::scene::{Geometry, Scene};
 
-/// Bytes a triangle at the peak, which comes while faces that coincide are looked for or while the hierarchy is built
-/// (docs/records/2026-11-29-scale.md).
+/// Bytes per triangle at the peak, which occurs during the search for coincident faces or the construction of the
+/// hierarchy (docs/records/2026-11-29-scale.md).
 const FLAT: u64 = 450;
-/// Where a mesh has normals.
+/// The same if a mesh has normals.
 const SMOOTH: u64 = 550;
-/// Bytes a texel: three values and a count, and the same on the device, which with a CPU driver is the host's memory too.
+/// Bytes per texel: three values and a count, and the same again on the device, whose memory is the host's with a CPU
+/// driver.
 const TEXEL: u64 = 32;
 
-/// What takes most of the memory, from reading to rendering.
+/// The largest consumers of memory, from reading to rendering.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Footprint {
     pub triangles: u64,
     /// A mesh has normals.
     pub smooth: bool,
-    /// Of surroundings.
+    /// Texels of the surroundings.
     pub texels: u64,
 }
 
@@ -36,7 +37,7 @@ impl Footprint {
         }
     }
 
-    /// The same of a prepared scene.
+    /// The same for a prepared scene.
     pub fn of_prepared(prepared: &Prepared) -> Self {
         let surroundings = prepared.surroundings.as_ref();
         Self {
@@ -46,7 +47,7 @@ impl Footprint {
         }
     }
 
-    /// About the most bytes at once.
+    /// The approximate peak in bytes.
     pub fn peak(self) -> u64 {
         self.triangles * if self.smooth { SMOOTH } else { FLAT } + self.texels * TEXEL
     }

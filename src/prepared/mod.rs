@@ -1,8 +1,8 @@
-//! What both renderers must share, computed once and in f64: σ, eta, world-space vertices, shape frames,
-//! light tables, the eye's medium.
+//! Everything that both renderers share, computed once in f64: σ, eta, world-space vertices, shape frames, light
+//! tables, the eye's medium.
 //!
 //! Positions and lengths are in rendering space ([`Space`]): the scene moved so that the middle of its bounds is the
-//! origin, and scaled to about 1, which keeps f32 accurate whatever the scene's place and scale.
+//! origin, and scaled to about 1, which keeps f32 accurate at any position and scale of the scene.
 
 mod aims;
 pub mod cdf;
@@ -63,34 +63,34 @@ pub mod device {
 pub struct Prepared {
     pub space: Space,
     pub camera: Camera,
-    /// None of a pinhole.
+    /// `None` for a pinhole.
     pub lens: Option<Lens>,
     /// Opaque shapes first, then file order: at equal distance the lower index is hit.
     pub shapes: Vec<Shape>,
     pub primitives: Primitives,
     pub materials: Vec<Material>,
     pub lights: Vec<Light>,
-    /// Choice of a light: light i is chosen where `light_cdf[i]` ≤ u24 < `light_cdf[i + 1]`, u24 an
-    /// integer below 2²⁴. So its probability, (`light_cdf[i + 1]` − `light_cdf[i]`)·2⁻²⁴, is exact in f32.
+    /// Choice of a light: light i is chosen where `light_cdf[i]` ≤ u24 < `light_cdf[i + 1]`, u24 an integer below 2²⁴.
+    /// So its probability, (`light_cdf[i + 1]` − `light_cdf[i]`)·2⁻²⁴, is exact in f32.
     pub light_cdf: Vec<u32>,
-    /// Choice of a light by what it brings.
+    /// Choice of a light by its contribution.
     pub light_tree: LightTree,
-    /// Of each light, the material whose inside it stands in, or [`NONE`]: of its middle, where it crosses a surface.
+    /// For each light, the material of the shape that contains its centre, or [`NONE`].
     pub light_media: Vec<u32>,
     /// Choice of a triangle within each mesh light, in the same form; see [`Light::cdf`].
     pub triangle_cdf: Vec<u32>,
-    /// What light paths of bidirectional path tracing are aimed at.
+    /// The targets of light paths in bidirectional path tracing.
     pub aims: Vec<Aim>,
-    /// The least share of all directions that a light fills, seen from what light paths are aimed at.
+    /// The smallest share of all directions that a light fills, as seen from the targets of light paths.
     pub light_share: Option<f64>,
     /// Mean radiance of everything outside.
     pub background: DVec3,
-    /// The picture that shows it.
+    /// The picture of everything outside, if any.
     pub surroundings: Option<Surroundings>,
-    /// The scene file's line, 0 where none says so.
+    /// The scene file's line, 0 if there is none.
     pub background_line: usize,
-    /// Material whose inside the eye stands in, or [`NONE`].
+    /// The material of the shape that contains the eye, or [`NONE`].
     pub eye_medium: u32,
-    /// What the user should know, each once.
+    /// Warnings for the user, each once.
     pub warnings: Vec<String>,
 }

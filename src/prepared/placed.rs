@@ -9,7 +9,7 @@ use super::{Cuboid, Cylinder, Material, NONE, Prepared, Shape, Sphere, Triangle}
 use crate::scene::{self, Edges, Geometry, Mesh, Scene, edges, flip, signed_volume};
 use crate::shape::{Body, Bounds, Primitives, ShapeKind, Space};
 
-/// The scene's shapes and what they are made of.
+/// The scene's shapes and their primitives.
 #[derive(Debug, Default)]
 pub struct Placed {
     pub shapes: Vec<Shape>,
@@ -17,8 +17,8 @@ pub struct Placed {
 }
 
 impl Placed {
-    /// Shapes in the order in which they win at equal distance: opaque ones, then transmissive ones,
-    /// each in file order (model.md, "Order of hits").
+    /// Shapes in the order in which they win at equal distance: opaque ones, then transmissive ones, each in file order
+    /// (model.md, "Order of hits").
     pub fn new(scene: &Scene, materials: &[Material], warnings: &mut Vec<String>) -> Self {
         let mut order: Vec<_> = scene.shapes.iter().collect();
         order.sort_by_key(|s| Prepared::is_transmissive(&materials[s.material]));
@@ -38,7 +38,7 @@ impl Placed {
         placed
     }
 
-    /// Adds the primitives of the next shape; returns their kind and number.
+    /// Adds the primitives of the next shape; returns their kind and index range.
     fn add(
         &mut self,
         shape: &scene::Shape,
@@ -94,7 +94,7 @@ impl Placed {
             .body(shape.kind, first..first + shape.count as usize)
     }
 
-    /// The bounds of all shapes, of `p` where there are none.
+    /// The bounds of all shapes, or of `p` if there are none.
     pub fn all_bounds(&self, p: DVec3) -> Bounds {
         let all = self
             .shapes
@@ -110,7 +110,7 @@ impl Placed {
     }
 }
 
-/// Adds the triangles of a mesh, moved to their place: p' = T·S·R·p.
+/// Adds the transformed triangles of a mesh: p' = T·S·R·p.
 fn add_mesh(all: &mut Primitives, mesh: &Mesh, shape: u32) {
     let before = all.triangles.len();
     let place = |p: DVec3| mesh.translate + mesh.scale * (mesh.rotate * p);
@@ -130,7 +130,7 @@ fn add_mesh(all: &mut Primitives, mesh: &Mesh, shape: u32) {
     }
 }
 
-/// A transmissive mesh must bound a solid: warns where it does not, and turns it where it is wound inside out.
+/// A transmissive mesh must bound a solid: warns if it does not, and flips it if it is wound inside out.
 fn checked<'m>(mesh: &'m Mesh, line: usize, warnings: &mut Vec<String>) -> Cow<'m, Mesh> {
     let name = mesh.path.display();
     let Edges { open, torn } = edges(mesh);

@@ -15,7 +15,7 @@ use super::{
 use crate::scene::{self, MaterialKind as SceneMaterial, Scene};
 use crate::settings::Settings;
 
-/// A scene that the kernels' tables and single precision cannot hold.
+/// A scene beyond the limits of the kernels' tables or of single precision.
 #[derive(Debug, thiserror::Error)]
 pub enum PrepareError {
     #[error("the lights of this scene cannot be chosen among: {0}")]
@@ -32,11 +32,11 @@ pub enum PrepareError {
     Lens { line: usize },
 }
 
-/// All that both renderers share, for a picture of `size` (by default the scene's own).
+/// Everything that both renderers share, for a picture of `size` (by default the scene's own).
 ///
 /// # Errors
-/// What the integer tables of the kernels cannot hold: more than 2²⁴ lights, or triangles in one light; and what is
-/// infinite in single precision, although each number of the scene file is finite there.
+/// The scene exceeds the kernels' integer tables (more than 2²⁴ lights, or triangles in one light), or a derived value
+/// is infinite in single precision although each number of the scene file is finite there.
 pub fn prepare(
     scene: &Scene,
     settings: &Settings,
@@ -157,7 +157,7 @@ fn camera(camera: &scene::Camera, space: &Space, width: u32, height: u32) -> Cam
 }
 
 impl Prepared {
-    /// Whether light travels through the inside of shapes of this material.
+    /// Whether light passes through the inside of shapes with this material.
     pub fn is_transmissive(material: &Material) -> bool {
         matches!(
             material.kind,
@@ -169,7 +169,7 @@ impl Prepared {
     }
 }
 
-/// The material whose inside the eye stands in, and of each light that of its middle, or [`NONE`].
+/// The material of the shape that contains the eye, and for each light the material around its centre, or [`NONE`].
 fn media(eye: DVec3, placed: &Placed, materials: &[Material], lights: &[Light]) -> (u32, Vec<u32>) {
     let media = Media::new(placed, materials);
     let of_light = |light: &Light| match placed.shapes.get(light.shape as usize) {

@@ -1,4 +1,4 @@
-//! What single precision cannot hold of a scene, or not resolve: refused, or warned of.
+//! Limits of single precision: refuses scenes beyond its range, and warns about those beyond its resolution.
 
 use super::placed::Placed;
 use super::{Camera, Material, PrepareError};
@@ -7,16 +7,18 @@ use crate::shape::{Body, Space};
 /// An ulp of 1 in f32, 2⁻²³.
 pub const ULP: f64 = 1.0 / 8_388_608.0;
 
-/// A shape is resolved where rounding moves its parts by less than this share of its size.
+/// A shape counts as resolved if rounding moves its parts by less than this share of its size.
 const RESOLVED: f64 = 1.0 / 128.0;
 
-/// Below this, in rendering space, the squares of lengths lose their digits: √2⁻¹²⁶, and 2³ to calculate with.
+/// Below this, in rendering space, the squares of lengths lose digits: √2⁻¹²⁶, with a margin of 2³ for further
+/// arithmetic.
 const LEAST_LENGTH: f64 = 8.0 / 9_223_372_036_854_775_808.0;
 
-/// The most that a sample may bring: 2³² of them, which a pixel may have, add up below 2¹²⁸, where single precision ends.
+/// The largest contribution of a sample: the sum of 2³² of them, the maximum for a pixel, is below 2¹²⁸, the limit of
+/// single precision.
 const LARGEST_RADIANCE: f64 = 79_228_162_514_264_337_593_543_950_336.0;
 
-/// Warns of emitters brighter than [`LARGEST_RADIANCE`]; of the background, whose line is 0 where none says so, with them.
+/// Warns about emitters brighter than [`LARGEST_RADIANCE`], including the background, whose line is 0 if there is none.
 pub fn warn_of_radiances(
     materials: &[Material],
     background: (f64, usize),
@@ -33,9 +35,9 @@ pub fn warn_of_radiances(
     }
 }
 
-/// Refuses an index of refraction whose square is infinite on the device, or that of its inverse.
+/// Refuses an index of refraction if its square, or that of its inverse, is infinite on the device.
 pub fn check_materials(materials: &[Material]) -> Result<(), PrepareError> {
-    // d = n² − 1 and 1/n² − 1: nothing else that comes of n is larger.
+    // d = n² − 1 and 1/n² − 1: no other value derived from n is larger.
     let fits = |m: &&Material| m.d.iter().all(|d| (*d as f32).is_finite());
     match materials.iter().find(|m| !fits(m)) {
         Some(&Material {
@@ -56,7 +58,7 @@ pub fn check_camera(camera: &Camera, line: usize) -> Result<(), PrepareError> {
     }
 }
 
-/// Warns of pixels that single precision sees in one direction: `line` is the camera's.
+/// Warns if single precision cannot distinguish the directions of pixels; `line` is the camera's.
 pub fn warn_of_narrow(camera: &Camera, line: usize, warnings: &mut Vec<String>) {
     let pixel = 2.0 * camera.up.length() / f64::from(camera.height);
     if pixel < ULP {
@@ -67,7 +69,7 @@ pub fn warn_of_narrow(camera: &Camera, line: usize, warnings: &mut Vec<String>) 
     }
 }
 
-/// Warns of shapes that are too small for where they are.
+/// Warns about shapes that are too small for their position.
 pub fn warn_of_small(placed: &Placed, space: &Space, warnings: &mut Vec<String>) {
     let sizes = placed
         .shapes
@@ -99,8 +101,8 @@ pub fn warn_of_small(placed: &Placed, space: &Space, warnings: &mut Vec<String>)
     ));
 }
 
-/// Makes radii and heights that have no square in single precision the least that have one: they have been warned of, and
-/// what is divided by them stays finite.
+/// Enlarges radii and heights whose squares underflow in single precision to the least usable length, so that quotients
+/// stay finite. The user has been warned about them.
 pub fn enlarge(placed: &mut Placed) {
     placed
         .primitives
@@ -108,7 +110,7 @@ pub fn enlarge(placed: &mut Placed) {
         .for_each(|p| p.enlarge(LEAST_LENGTH));
 }
 
-/// How large a shape is, and how far from the middle of the scene it reaches.
+/// The size of a shape, and its reach from the middle of the scene.
 struct Size {
     thickness: f64,
     away: f64,

@@ -1,4 +1,4 @@
-//! A picture of all directions, and the tables by which its texels are drawn.
+//! A picture of all directions, and the tables for sampling its texels.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -11,28 +11,28 @@ use super::record::surroundings_row::SurroundingsRow;
 use crate::film::Film;
 use crate::scene;
 
-/// Everything outside the scene, where a picture shows it.
+/// Everything outside the scene, given by a picture.
 ///
-/// The texel in column i of w and row j of h is of constant radiance. It is drawn with the probability of its luminance times
-/// its solid angle, rounded to counts out of 2²⁴: of the row among all, then of the texel in its row.
+/// The texel in column i of w and row j of h has constant radiance. Its probability is its luminance times its solid
+/// angle, rounded to counts out of 2²⁴: first for the row among all, then for the texel within its row.
 #[derive(Clone, Debug)]
 pub struct Surroundings {
     pub map: Map,
     pub rows: Vec<SurroundingsRow>,
-    /// Of each texel, where its counts out of 2²⁴ end within its row; all 0 in a black row.
+    /// For each texel, the end of its counts out of 2²⁴ within its row; all 0 in a black row.
     pub ends: Arc<Vec<u32>>,
-    /// As the file has it.
+    /// As in the file.
     pub picture: Arc<Film>,
-    /// What the picture is multiplied by.
+    /// The factor on the picture.
     pub scale: f64,
-    /// Over all directions, scaled.
+    /// Mean over all directions, scaled.
     pub mean: DVec3,
-    /// Of a channel of a texel, scaled.
+    /// Largest channel of a texel, scaled.
     pub largest: f64,
 }
 
 impl Surroundings {
-    /// `None` where all is black.
+    /// `None` if the picture is black.
     ///
     /// # Errors
     /// More than 2²⁴ rows or columns.
@@ -84,11 +84,11 @@ impl Surroundings {
     }
 }
 
-/// Of the texels of a row.
+/// Sums over the texels of a row.
 struct RowSum {
     radiance: DVec3,
     luminance: f64,
-    /// Of a channel.
+    /// Largest channel.
     largest: f64,
 }
 
@@ -104,13 +104,13 @@ impl RowSum {
     }
 }
 
-/// Of linear sRGB (ITU-R BT.709-6, item 3.2).
+/// Luminance of linear sRGB (ITU-R BT.709-6, item 3.2).
 fn luminance(rgb: &[f32; 3]) -> f64 {
     let [r, g, b] = rgb.map(f64::from);
     0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 
-/// Within each row, where the counts of each texel end.
+/// The end of each texel's counts within its row.
 fn ends(picture: &Film) -> Result<Vec<u32>, CdfError> {
     let mut ends = Vec::with_capacity(picture.rgb.len());
     for y in 0..picture.height as usize {
@@ -128,7 +128,7 @@ fn is_middle(row: u32, height: u32) -> bool {
     4 * u64::from(row) >= u64::from(height) && 4 * (u64::from(row) + 1) <= 3 * u64::from(height)
 }
 
-/// Of a row's upper and lower edge cos θ where it is in the middle, else sin²(θ/2), θ from the nearer pole.
+/// For a row's upper and lower edge: cos θ if the row is in the middle, else sin²(θ/2), θ from the nearer pole.
 fn edges(row: u32, height: u32) -> [f64; 2] {
     if is_middle(row, height) {
         let below = |edge: u32| PI * (f64::from(edge) / f64::from(height) - 0.5);
@@ -145,7 +145,7 @@ fn edges(row: u32, height: u32) -> [f64; 2] {
     }
 }
 
-/// Of a texel: ∫∫ sin θ dθ dφ = Δφ Δ cos θ = 2 Δφ Δ sin²(θ/2).
+/// The solid angle of a texel: ∫∫ sin θ dθ dφ = Δφ Δ cos θ = 2 Δφ Δ sin²(θ/2).
 fn solid_angle(row: u32, width: u32, height: u32) -> f64 {
     let [top, bottom] = edges(row, height);
     let turn = 2.0 * PI / f64::from(width);

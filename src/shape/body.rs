@@ -1,4 +1,4 @@
-//! What is asked of a shape before it is rendered.
+//! The geometric queries on a shape before rendering.
 
 use glam::DVec3;
 
@@ -6,44 +6,44 @@ use super::{Bounds, Space};
 
 /// A solid, or a mesh as a whole.
 pub trait Body {
-    /// The smallest box about it.
+    /// The bounding box.
     fn bounds(&self) -> Bounds;
 
-    /// Whether `p` lies inside.
+    /// Whether `p` is inside.
     fn contains(&self, p: DVec3) -> bool;
 
     /// The area of each primitive.
     fn areas(&self) -> Vec<f64>;
 
-    /// What must not be lost to rounding: the least measure of a solid. A mesh may be flat, and its corners are moved
-    /// without tearing it: its largest.
+    /// The length that rounding must not lose: the smallest dimension of a solid. For a mesh it is the largest, because
+    /// a mesh may be flat, and moving its corners does not tear it.
     fn thickness(&self) -> f64;
 
-    /// From `p` to the nearest point of the surface, where that is known.
+    /// Distance from `p` to the nearest point of the surface, if known.
     fn distance(&self, p: DVec3) -> Option<f64>;
 
-    /// Whether it overlaps this ball, given that their bounds do; assumed where it is not known.
+    /// Whether it overlaps this ball, given that their bounds do; assumed if unknown.
     fn overlaps_ball(&self, _centre: DVec3, _radius: f64) -> bool {
         true
     }
 
-    /// Centre and radius of what is a ball.
+    /// Centre and radius, if it is a ball.
     fn ball(&self) -> Option<(DVec3, f64)> {
         None
     }
 }
 
-/// What a ray is tested with: a solid, or one triangle.
+/// The unit of intersection tests: a solid, or one triangle.
 pub trait Primitive {
-    /// The box about the numbers as they are: a frame that was rounded is not quite orthonormal.
+    /// The bounding box of the stored numbers: a rounded frame is not quite orthonormal.
     fn extent(&self) -> Bounds;
 
-    /// [`Primitive::extent`] of what the device gets: each number rounded to f32.
+    /// [`Primitive::extent`] of the device's numbers: each is rounded to f32.
     fn extent_in_f32(&self) -> Bounds;
 
-    /// Moves it from the scene to rendering space.
+    /// Transforms it from the scene to rendering space.
     fn move_to(&mut self, space: &Space);
 
-    /// Makes lengths that are divided by at least `least`.
+    /// Raises lengths used as divisors to at least `least`.
     fn enlarge(&mut self, _least: f64) {}
 }

@@ -16,7 +16,7 @@ impl Bounds {
         hi: DVec3::NEG_INFINITY,
     };
 
-    /// The box that contains nothing but `p`.
+    /// The box that contains only `p`.
     pub fn point(p: DVec3) -> Self {
         Self { lo: p, hi: p }
     }
@@ -36,12 +36,12 @@ impl Bounds {
         }
     }
 
-    /// The size of the box that both have in common; negative along an axis where a gap parts them.
+    /// The size of the intersection; negative along an axis with a gap between the boxes.
     pub fn common(self, other: Self) -> DVec3 {
         self.hi.min(other.hi) - self.lo.max(other.lo)
     }
 
-    /// The middle, which does not overflow.
+    /// The middle, computed without overflow.
     pub fn centre(self) -> DVec3 {
         self.lo * 0.5 + self.hi * 0.5
     }
@@ -62,7 +62,7 @@ impl Bounds {
 mod tests {
     use super::*;
 
-    /// 2 × 3 × 4 and a cube of 2 that reaches into it by 1 along x, stands 1 beside it along y, and is flush along z.
+    /// 2 × 3 × 4 and a cube of 2 that overlaps it by 1 along x, is 1 away along y, and is flush along z.
     #[test]
     fn boxes_by_hand() {
         let a = Bounds::around([DVec3::ZERO, DVec3::new(2.0, 3.0, 4.0)]);

@@ -1,7 +1,8 @@
-//! Faces that coincide, as where a lamp is flush with a ceiling or a line stands in the file twice.
+//! Coincident faces, as where a lamp is flush with a ceiling or a line is repeated in the file.
 //!
-//! Rounding cannot say which of two such faces a ray meets first; the order of shapes says it (model.md, "Coincident
-//! faces"). So it is known of each face which others may come before it, and a hit is not one where they do.
+//! Rounding cannot decide which of two such faces a ray meets first; the order of shapes decides (model.md, "Coincident
+//! faces"). For each face the table lists the faces that may come before it; a hit does not count where one of them
+//! does.
 
 use std::ops::Range;
 
@@ -26,17 +27,18 @@ crate::layout::record! {
     }
 }
 
-/// Of each face of a scene, those that may come before it.
+/// For each face of a scene, the faces that may come before it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Coincidences {
-    /// Of each shape s the place p of its faces, then of each face where its list begins, then the end of the last:
-    /// the list of primitive k of shape s is `list[faces[faces[s] + k]..faces[faces[s] + k + 1]]`, in wrapping arithmetic.
+    /// For each shape s the position p of its faces, then for each face the start of its list, then the end of the
+    /// last: the list of primitive k of shape s is `list[faces[faces[s] + k]..faces[faces[s] + k + 1]]`, in wrapping
+    /// arithmetic.
     pub faces: Vec<u32>,
     pub list: Vec<Coincidence>,
 }
 
 impl Coincidences {
-    /// Those that may come before primitive `prim` of `shape`.
+    /// The faces that may come before primitive `prim` of `shape`.
     pub fn of(&self, shape: u32, prim: u32) -> &[Coincidence] {
         if self.list.is_empty() {
             return &[];
@@ -50,7 +52,7 @@ impl Coincidences {
         self.list.is_empty()
     }
 
-    /// The table of shapes whose faces have these numbers. `list`: of (shape, prim), in any order.
+    /// The table for shapes with these face numbers. `list` has (shape, prim, entry), in any order.
     pub fn new(shapes: &[Range<u32>], mut list: Vec<(u32, u32, Coincidence)>) -> Self {
         list.sort_by_key(|&(shape, prim, c)| (shape, prim, c.shape, c.prim));
         let mut faces: Vec<u32> = vec![0; shapes.len()];

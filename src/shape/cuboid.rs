@@ -39,7 +39,7 @@ pub const DESCRIPTION: Description = Description {
 };
 
 impl Cuboid {
-    /// The box between two opposite corners, whichever they are.
+    /// The box between any two opposite corners.
     pub fn between(a: DVec3, b: DVec3, shape: u32) -> Self {
         Self {
             lo: a.min(b),

@@ -47,7 +47,7 @@ pub const DESCRIPTION: Description = Description {
 };
 
 impl Cylinder {
-    /// The cylinder whose axis, as long as it is high, begins at the middle of the base.
+    /// The cylinder whose axis starts at the centre of the base and is as long as the height.
     pub fn new(base: DVec3, axis: DVec3, radius: f64, shape: u32) -> Self {
         let w = axis.normalize();
         let (u, v) = w.any_orthonormal_pair();
@@ -62,7 +62,7 @@ impl Cylinder {
         }
     }
 
-    /// Where `p` is about the axis: its distance, and how far above the base.
+    /// Cylindrical coordinates of `p`: distance from the axis, height above the base.
     fn about_axis(&self, p: DVec3) -> (f64, f64) {
         let d = p - self.base;
         let z = d.dot(self.w);
@@ -71,7 +71,7 @@ impl Cylinder {
 }
 
 impl Body for Cylinder {
-    /// The boxes about the two end discs: a disc of normal w reaches r·√(1 − w_k²) along axis k.
+    /// The boxes around the two end discs: a disc of normal w extends r·√(1 − w_k²) along axis k.
     fn bounds(&self) -> Bounds {
         let one_minus_w2 = (DVec3::ONE - self.w * self.w).max(DVec3::ZERO);
         let reach = one_minus_w2.map(f64::sqrt) * self.radius;
@@ -101,8 +101,8 @@ impl Body for Cylinder {
 }
 
 impl Primitive for Cylinder {
-    /// The boxes about the two end discs: a disc of radius r spanned by the unit vectors u and v reaches
-    /// r √(uᵢ² + vᵢ²) along axis i.
+    /// The boxes around the two end discs: a disc of radius r spanned by the unit vectors u and v extends r √(uᵢ² +
+    /// vᵢ²) along axis i.
     fn extent(&self) -> Bounds {
         let axis = Bounds::around([self.base, self.base + self.w * self.height]);
         let disc = (self.u * self.u + self.v * self.v).map(f64::sqrt) * self.radius;
@@ -132,7 +132,7 @@ impl Primitive for Cylinder {
 mod tests {
     use super::*;
 
-    /// A tilted cylinder: points of its rims, taken on a fine grid, fill both boxes to within the grid.
+    /// A tilted cylinder: points on its rims, sampled on a fine grid, fill both boxes to within the grid.
     #[test]
     fn boxes_are_tight() {
         let axis = DVec3::new(1.0, 2.0, 2.0) / 3.0 * 2.5;

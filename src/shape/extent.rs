@@ -1,4 +1,4 @@
-//! Axis-aligned boxes in `f32`, as hierarchies have them: none is smaller than what it stands for.
+//! Axis-aligned boxes in `f32` for hierarchies: each contains the exact box.
 
 use super::Bounds;
 
@@ -16,7 +16,7 @@ impl Extent {
         hi: [f32::NEG_INFINITY; 3],
     };
 
-    /// The smallest box of `f32` that contains `bounds`: each side is rounded outwards.
+    /// The smallest box in `f32` that contains `bounds`: each side is rounded outwards.
     pub fn around(bounds: Bounds) -> Self {
         Self {
             lo: bounds.lo.to_array().map(round_down),
@@ -24,7 +24,7 @@ impl Extent {
         }
     }
 
-    /// The box that contains nothing but `p`.
+    /// The box that contains only `p`.
     pub fn point(p: [f32; 3]) -> Self {
         Self { lo: p, hi: p }
     }
@@ -46,18 +46,18 @@ impl Extent {
         [0, 1, 2].map(|k| self.lo[k] + self.hi[k])
     }
 
-    /// Whether `other` lies within.
+    /// Whether it contains `other`.
     pub fn contains(self, other: Self) -> bool {
         (0..3).all(|k| self.lo[k] <= other.lo[k] && other.hi[k] <= self.hi[k])
     }
 
-    /// Whether the two have a point in common.
+    /// Whether the two have a common point.
     #[inline]
     pub fn meets(self, other: Self) -> bool {
         (0..3).all(|k| self.lo[k] <= other.hi[k] && other.lo[k] <= self.hi[k])
     }
 
-    /// Of its surface; 0 where it is empty.
+    /// Area of its surface; 0 if it is empty.
     pub fn area(self) -> f64 {
         let [x, y, z] = [0, 1, 2].map(|k| (f64::from(self.hi[k]) - f64::from(self.lo[k])).max(0.0));
         2.0 * (x * y + y * z + z * x)
@@ -70,20 +70,20 @@ impl Extent {
     }
 }
 
-/// The smallest box that contains all; empty of none.
+/// The smallest box that contains all; empty for an empty iterator.
 impl FromIterator<Extent> for Extent {
     fn from_iter<I: IntoIterator<Item = Self>>(all: I) -> Self {
         all.into_iter().fold(Self::EMPTY, Self::union)
     }
 }
 
-/// The largest `f32` that is not above `x`.
+/// The largest `f32` ≤ `x`.
 fn round_down(x: f64) -> f32 {
     let y = x as f32;
     if f64::from(y) > x { y.next_down() } else { y }
 }
 
-/// The smallest `f32` that is not below `x`.
+/// The smallest `f32` ≥ `x`.
 fn round_up(x: f64) -> f32 {
     -round_down(-x)
 }

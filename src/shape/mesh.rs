@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{Body, Bounds, Description, Primitive, Space};
 
-/// Three corners, counter-clockwise as seen from outside. The kernels have nine floats and the shape's index.
+/// Three corners, counter-clockwise as seen from outside. The kernels store nine floats and the shape's index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangle<V = DVec3> {
     pub v: [V; 3],
@@ -37,7 +37,7 @@ pub const DESCRIPTION: Description = Description {
 };
 
 impl<V> Triangle<V> {
-    /// The same triangle of other vectors.
+    /// The same triangle with each vector mapped by `f`.
     pub fn map<W>(self, f: impl Fn(V) -> W) -> Triangle<W> {
         Triangle {
             v: self.v.map(f),
@@ -54,7 +54,7 @@ impl Body for Mesh<'_> {
         Bounds::around(self.0.iter().flat_map(|t| t.v))
     }
 
-    /// Whether the mesh, which is closed, goes around `p`.
+    /// Whether the mesh, which is closed, encloses `p`.
     fn contains(&self, p: DVec3) -> bool {
         let angle = |t: &Triangle| solid_angle(t.v.map(|v| v - p));
         let sum: f64 = self.0.iter().map(angle).sum();
@@ -90,10 +90,10 @@ impl Primitive for Triangle {
     }
 }
 
-/// Signed solid angle of a triangle seen from the origin; over a closed mesh they add up to 4π inside, 0 outside.
+/// Signed solid angle of a triangle seen from the origin; over a closed mesh the sum is 4π inside, 0 outside.
 ///
-/// tan(Ω/2) = a·(b×c) / (abc + (a·b)c + (a·c)b + (b·c)a): Van Oosterom & Strackee, The Solid Angle of a
-/// Plane Triangle, 1983, eq. 8.
+/// tan(Ω/2) = a·(b×c) / (abc + (a·b)c + (a·c)b + (b·c)a): Van Oosterom & Strackee, The Solid Angle of a Plane Triangle,
+/// 1983, eq. 8.
 fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
     let (la, lb, lc) = (a.length(), b.length(), c.length());
     let denominator = la * lb * lc + a.dot(b) * lc + a.dot(c) * lb + b.dot(c) * la;

@@ -1,7 +1,7 @@
-//! What a shape is, a file a kind: its record, and its place and size in f64.
+//! Shapes, one file per kind: record, geometry and size in f64.
 //!
-//! A solid is one primitive, a mesh many. [`Primitives`] has all of a scene, [`Body`] and [`Primitive`] are the questions
-//! that a kind answers.
+//! A solid is one primitive, a mesh many. [`Primitives`] has all of a scene's; the traits [`Body`] and [`Primitive`]
+//! are implemented by each kind.
 
 mod body;
 mod bounds;
@@ -51,7 +51,7 @@ macro_rules! kinds {
             }
         }
 
-        /// What a light is: a shape of this kind, or everything outside, of constant radiance or as a picture has it.
+        /// The kind of a light: a shape of this kind, or everything outside, with constant radiance or from a picture.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[repr(u32)]
         pub enum LightKind { $($kind,)* Background, Surroundings }
@@ -60,7 +60,7 @@ macro_rules! kinds {
             pub const EVERY: [Self; 2 + ShapeKind::EVERY.len()] =
                 [$(Self::$kind,)* Self::Background, Self::Surroundings];
 
-            /// The kind of the shape that shines.
+            /// The kind of the emitting shape.
             pub fn shape(self) -> Option<ShapeKind> {
                 match self {
                     $(Self::$kind => Some(ShapeKind::$kind),)*
@@ -68,7 +68,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// Whether it is everything outside.
+            /// Whether it is the background or surroundings.
             pub fn is_outside(self) -> bool {
                 self.shape().is_none()
             }
@@ -84,5 +84,5 @@ macro_rules! kinds {
     };
 }
 
-// Their order is that of the numbers by which the kernels and the hierarchy know them.
+// The order gives the numbers of the kinds in kernels and in the hierarchy.
 kinds!(Sphere: sphere, Box: cuboid, Cylinder: cylinder, Mesh: mesh);

@@ -8,7 +8,7 @@ use super::mesh::Mesh;
 use super::{Body, Coincidences, Cuboid, Cylinder, Primitive, ShapeKind, Sphere, Triangle};
 use crate::layout::Records;
 
-/// The primitives of a scene, each kind in an array of its own.
+/// The primitives of a scene, one array per kind.
 #[derive(Clone, Debug, Default)]
 pub struct Primitives {
     pub spheres: Vec<Sphere>,
@@ -16,14 +16,14 @@ pub struct Primitives {
     pub cylinders: Vec<Cylinder>,
     /// All triangles of all meshes, in the order of their shapes.
     pub triangles: Vec<Triangle>,
-    /// Shading normals of each triangle's corners; empty where no mesh gives any, zero for triangles without.
+    /// Shading normals of each triangle's corners; empty if no mesh has any, zero for triangles without.
     pub normals: Vec<[DVec3; 3]>,
-    /// Empty where no two faces coincide.
+    /// Empty if no two faces coincide.
     pub coincident: Coincidences,
 }
 
 impl Primitives {
-    /// How many there are of a kind.
+    /// The number of primitives of a kind.
     pub fn count(&self, kind: ShapeKind) -> usize {
         match kind {
             ShapeKind::Sphere => self.spheres.len(),
@@ -33,7 +33,7 @@ impl Primitives {
         }
     }
 
-    /// Bytes of all arrays.
+    /// Total bytes of all arrays.
     pub fn bytes(&self) -> usize {
         size_of_val(&self.spheres[..])
             + size_of_val(&self.boxes[..])
@@ -44,7 +44,7 @@ impl Primitives {
             + size_of_val(&self.coincident.list[..])
     }
 
-    /// The array of a kind, where it is one of records; triangles lie on the device in several.
+    /// The array of a kind, if it consists of records; on the device, triangles are split across several arrays.
     pub fn records(&self, kind: ShapeKind) -> Option<&dyn Records> {
         match kind {
             ShapeKind::Sphere => Some(&self.spheres),
@@ -64,7 +64,7 @@ impl Primitives {
         }
     }
 
-    /// The shape that is made of these primitives of its kind, one or the triangles of a mesh.
+    /// The shape made of this range of primitives: one primitive, or the triangles of a mesh.
     pub fn body(&self, kind: ShapeKind, range: Range<usize>) -> Box<dyn Body + '_> {
         match kind {
             ShapeKind::Sphere => Box::new(self.spheres[range.start]),

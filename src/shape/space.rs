@@ -4,10 +4,11 @@ use glam::DVec3;
 
 use super::Bounds;
 
-/// Where the origin of rendering space lies in the scene, and how long its unit is there.
+/// The origin of rendering space in the scene, and the length of its unit there.
 ///
-/// Single precision holds lengths from 1e-38 to 3e38, but not their squares. In rendering space no coordinate is above 2,
-/// whatever the scene's scale and place. The unit is a power of two: it rounds nothing, and changes no bit of a picture.
+/// Single precision covers lengths from 1e-38 to 3e38, but not their squares. In rendering space no coordinate is above
+/// 2, at any position and scale of the scene. The unit is a power of two: it rounds nothing, and changes no bit of a
+/// picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Space {
     pub origin: DVec3,
@@ -15,7 +16,7 @@ pub struct Space {
 }
 
 impl Space {
-    /// About the middle of `shapes`, with `eye`, where rays begin, in it.
+    /// Centred on `shapes`; the space also contains `eye`, where rays begin.
     pub fn of(shapes: Bounds, eye: Bounds) -> Self {
         let origin = shapes.centre();
         let all = shapes.union(eye);
@@ -31,23 +32,23 @@ impl Space {
         Self { origin, unit }
     }
 
-    /// A point of the scene in rendering space.
+    /// Transforms a point from the scene to rendering space.
     pub fn point(&self, p: DVec3) -> DVec3 {
         (p - self.origin) / self.unit
     }
 
-    /// A length of the scene in rendering space.
+    /// Transforms a length from the scene to rendering space.
     pub fn length(&self, length: f64) -> f64 {
         length / self.unit
     }
 
-    /// Where a point of rendering space lies in the scene.
+    /// Transforms a point from rendering space to the scene.
     pub fn scene_point(&self, p: DVec3) -> DVec3 {
         self.origin + p * self.unit
     }
 }
 
-/// The largest power of two that is not above `x`, a normal positive number.
+/// The largest power of two ≤ `x`, a normal positive number.
 fn power_of_two(x: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;
     f64::from_bits(x.to_bits() & EXPONENT)

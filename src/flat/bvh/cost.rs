@@ -1,30 +1,31 @@
-//! What a ray costs in a hierarchy, by the surface area heuristic.
+//! The cost of a ray in a hierarchy, by the surface area heuristic.
 
 use obvhs::cwbvh::node::CwBvhNode;
 
 use crate::shape::Extent;
 
-/// What a line meets on its way through the whole scene, on average over all lines that meet the scene's box.
+/// The nodes and primitives that a line meets on its way through the whole scene, averaged over all lines that meet the
+/// scene's box.
 ///
-/// Of the lines that meet a convex body A, those that also meet a convex body B within it are the share
-/// area(B)/area(A): Goldsmith & Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, 1987, eq. 1.
+/// Of the lines that meet a convex body A, the share area(B)/area(A) also meets a convex body B within it: Goldsmith &
+/// Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, 1987, eq. 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
-    /// Nodes entered, the root among them: Σ area(node)/area(root).
+    /// Nodes entered, including the root: Σ area(node)/area(root).
     pub nodes: f64,
     /// Primitives tested: Σ over the leaves of primitives · area(leaf)/area(root).
     pub primitives: f64,
 }
 
 impl Cost {
-    /// Of `nodes` with the exact `boxes`; `children` gives the boxes of a node's children by slot.
+    /// The cost of `nodes` with the exact `boxes`; `children` gives the boxes of a node's children by slot.
     pub(super) fn of(
         nodes: &[CwBvhNode],
         boxes: &[Extent],
         children: impl Fn(&CwBvhNode) -> [Option<Extent>; 8],
     ) -> Self {
         let root = boxes[0].area();
-        // A scene without extent: whatever meets it meets everything.
+        // A scene without extent: a line that meets it meets everything.
         let share = |b: Extent| if root > 0.0 { b.area() / root } else { 1.0 };
         let mut cost = Self::default();
         for (node, &bounds) in nodes.iter().zip(boxes) {

@@ -1,10 +1,10 @@
-//! The kernel's way from a reference to the primitive's test: text for the slot `<leaf>`.
+//! Maps references to intersection tests in the kernel: text for the slot `<leaf>`.
 
 use super::reference::{INDEX_BITS, INDEX_MASK};
 use crate::shape::{ShapeKind, filled};
 
-/// GLSL that tries the primitive of a reference, for a hierarchy that holds these kinds: `begin_leaves(ray)`, to be
-/// called before the first one, and `nearer_leaf(reference, ray, skip, best)`.
+/// GLSL that tests the primitive of a reference, for a hierarchy with these kinds: `begin_leaves(ray)`, to be called
+/// before the first test, and `nearer_leaf(reference, ray, skip, best)`.
 pub fn leaf_text(kinds: impl IntoIterator<Item = ShapeKind>) -> String {
     let kinds: Vec<ShapeKind> = kinds.into_iter().collect();
     let mut head = String::from("// uses: shape/ray");

@@ -1,7 +1,7 @@
-//! The kernels' bounding volume hierarchy: eight children a node, 80 bytes a node.
+//! The kernels' bounding volume hierarchy: eight children per node, 80 bytes per node.
 //!
-//! Ylitie, Karras, Laine, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, HPG 2017.
-//! Twin: `shaders/shape/bvh/`, which reads these words.
+//! Ylitie, Karras, Laine, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, HPG 2017. Twin:
+//! `shaders/shape/bvh/`, which reads these words.
 
 mod cost;
 mod leaf;
@@ -18,28 +18,28 @@ pub use cost::Cost;
 pub use leaf::leaf_text;
 use quantise::{Grid, Planes};
 
-/// Words of 32 bits in a node.
+/// 32-bit words per node.
 pub const NODE_WORDS: usize = 20;
 
-/// A hierarchy as the kernels read it.
+/// A hierarchy in the kernels' format.
 ///
-/// Words of a node: 0–2 origin of its grid (`f32`); 3 exponents of x, y, z and the mask of inner children (a
-/// byte each); 4 first inner child; 5 first reference; 6–7 one byte a child: inner 0b001·11·slot, leaf: unary
-/// count and offset of its references, absent 0; 8–11, 12–15, 16–19 planes of x, y, z: a byte a child, eight
-/// lower ones, then eight upper ones. Inner children of a node follow one another in `nodes`, in slot order.
+/// Words of a node: 0–2 origin of its grid (`f32`); 3 exponents of x, y, z and the mask of inner children (a byte
+/// each); 4 first inner child; 5 first reference; 6–7 one byte per child: inner 0b001·11·slot, leaf: unary count and
+/// offset of its references, absent 0; 8–11, 12–15, 16–19 planes of x, y, z: one byte per child, eight lower ones, then
+/// eight upper ones. Inner children of a node are consecutive in `nodes`, in slot order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bvh {
     pub nodes: Vec<[u32; NODE_WORDS]>,
-    /// What leaves refer to, see [`reference::encode`].
+    /// The references of leaves, see [`reference::encode`].
     pub references: Vec<u32>,
-    /// Entries that a traversal's stack can come to hold at once, 1 at least (an array in GLSL has that many).
+    /// Maximum number of entries on a traversal's stack; at least 1, because it is the length of an array in GLSL.
     pub stack: u32,
     /// The largest absolute coordinate of any primitive.
     pub reach: f32,
     pub cost: Cost,
 }
 
-/// The hierarchy of all primitives of the given kinds. The same bits every time, on any number of cores.
+/// The hierarchy of all primitives of the given kinds. The result has the same bits on any number of cores.
 pub fn build(prepared: &Prepared, kinds: &[ShapeKind]) -> Bvh {
     let references = reference::references(prepared, kinds);
     let bounds: Vec<Extent> = references
@@ -52,10 +52,10 @@ pub fn build(prepared: &Prepared, kinds: &[ShapeKind]) -> Bvh {
     over(&references, &bounds)
 }
 
-/// The hierarchy of `references`, each within the box of the same index.
+/// The hierarchy of `references`; `bounds` has their boxes in the same order.
 fn over(references: &[u32], bounds: &[Extent]) -> Bvh {
     if references.is_empty() {
-        // One node without children: a traversal ends at once.
+        // One node without children: a traversal ends immediately.
         return Bvh {
             nodes: vec![[0; NODE_WORDS]],
             references: Vec::new(),
@@ -83,7 +83,7 @@ fn over(references: &[u32], bounds: &[Extent]) -> Bvh {
     }
 }
 
-/// The exact box of every node. Children stand behind their parents, so one pass from the end will do.
+/// The exact box of every node. Children come after their parents, so one pass from the end suffices.
 fn node_bounds(nodes: &[CwBvhNode], primitives: &[Extent]) -> Vec<Extent> {
     let mut boxes = vec![Extent::EMPTY; nodes.len()];
     for (i, node) in nodes.iter().enumerate().rev() {
@@ -131,8 +131,8 @@ fn words(node: &CwBvhNode, bounds: Extent, children: &[Option<Extent>; 8]) -> [u
     words
 }
 
-/// The most entries that the stack holds: the traversal goes into one child and pushes the rest, if there is
-/// any, as one entry. So a path from the root costs an entry for every node with two inner children or more.
+/// Bound on the stack: the traversal enters one child and pushes the others, if any, as one entry. So a path from the
+/// root costs one entry for every node with two or more inner children.
 fn stack_bound(nodes: &[CwBvhNode]) -> u32 {
     let mut bound = vec![0; nodes.len()];
     for (i, node) in nodes.iter().enumerate().rev() {

@@ -1,11 +1,11 @@
-//! Eight boxes on a grid of 8 bits a coordinate (Ylitie et al. 2017, section 3.2), never smaller than they are.
+//! Eight boxes on a grid of 8 bits per coordinate (Ylitie et al. 2017, section 3.2), rounded outwards.
 //!
-//! `obvhs` quantises too, but takes the exponent from a rounded `log2` and cuts at 255, so that a box can
-//! lose a few ulps; here the arithmetic is that of `f64`, exact but for coordinates of very different size.
+//! `obvhs` quantises too, but takes the exponent from a rounded `log2` and cuts at 255, so that a box can lose a few
+//! ulps; here the arithmetic is in `f64`, exact except for coordinates of very different magnitude.
 
 use crate::shape::Extent;
 
-/// A grid: plane q of axis k stands at origin[k] + q·2^(exponent[k] − 127), q in 0 … 255.
+/// A grid: plane q of axis k is at origin[k] + q·2^(exponent[k] − 127), q in 0 … 255.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
     pub origin: [f32; 3],
@@ -31,10 +31,10 @@ impl Grid {
         }
     }
 
-    /// The smallest planes that enclose `bounds`, which lies within the box that the grid covers.
+    /// The tightest planes that enclose `bounds`, which must be within the box that the grid covers.
     ///
-    /// The differences are exact in `f64` unless the two coordinates lie 2²⁹ apart in size; then they are
-    /// wrong by 2⁻⁵³ of the larger one, far below the padding of every ray.
+    /// The differences are exact in `f64` unless the two coordinates differ in magnitude by 2²⁹; then the error is 2⁻⁵³
+    /// of the larger one, far below the padding of every ray.
     pub fn planes(self, bounds: Extent) -> Planes {
         let cells = |x: f32, k: usize| (f64::from(x) - f64::from(self.origin[k])) / self.step(k);
         Planes {
@@ -43,7 +43,7 @@ impl Grid {
         }
     }
 
-    /// Distance of neighbouring planes, a power of two.
+    /// Distance between neighbouring planes, a power of two.
     pub fn step(self, axis: usize) -> f64 {
         2f64.powi(i32::from(self.exponent[axis]) - 127)
     }
@@ -74,7 +74,7 @@ mod tests {
         assert_eq!(finest_exponent(0.0), 1);
     }
 
-    /// Boxes with bounds on, just above and just below grid planes, at several places and sizes.
+    /// Boxes with bounds on, just above and just below grid planes, at several positions and sizes.
     #[test]
     fn planes_enclose_every_box() {
         for scale in [1e-30f32, 1e-5, 1.0, 3e4] {
@@ -93,7 +93,7 @@ mod tests {
                             lo: [x; 3],
                             hi: [x; 3],
                         });
-                        // What a difference of numbers of very different size may lose.
+                        // Rounding error of a difference between numbers of very different magnitude.
                         let lost = f64::EPSILON / 2.0 * f64::from(lo.abs().max(x.abs()));
                         for k in 0..3 {
                             let at = |q: u8| f64::from(lo) + f64::from(q) * grid.step(k);

@@ -2,7 +2,7 @@
 
 use crate::prepared::{Prepared, ShapeKind};
 
-/// Bits of a reference that hold the index; the two above hold the kind.
+/// Bits of a reference for the index; the two bits above are the kind.
 pub const INDEX_BITS: u32 = 30;
 pub const INDEX_MASK: u32 = (1 << INDEX_BITS) - 1;
 

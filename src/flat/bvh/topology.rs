@@ -1,9 +1,9 @@
-//! Which primitives lie together: the tree's shape, from crate `obvhs`.
+//! Clusters primitives: the tree's topology comes from the crate `obvhs`.
 //!
 //! PLOC (Meister & Bittner, Parallel Locally-Ordered Clustering for BVH Construction, TVCG 2018), improved by
-//! reinsertion (Meister & Bittner, Parallel Reinsertion for BVH Optimization, EG 2018), collapsed to eight
-//! children a node (Ylitie, Karras, Laine, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide
-//! BVHs, HPG 2017, section 3). On all cores; the tree is the same for any number of them.
+//! reinsertion (Meister & Bittner, Parallel Reinsertion for BVH Optimization, EG 2018), collapsed to eight children per
+//! node (Ylitie, Karras, Laine, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, HPG 2017,
+//! section 3). It uses all cores; the tree is the same for any number of them.
 
 use glam::Vec3A;
 use obvhs::aabb::Aabb;
@@ -17,13 +17,13 @@ use crate::shape::Extent;
 
 /// The paper's limit for leaves, given by the unary count of three bits.
 const PRIMITIVES_PER_LEAF: u32 = 3;
-/// Passes of PLOC that look at direct neighbours only, and the share of nodes reinserted: the middle one of the
-/// presets of `obvhs`. The costliest takes four times as long to build and is 2 to 8 per cent faster to traverse.
+/// Passes of PLOC that inspect only direct neighbours, and the share of nodes reinserted: the middle one of the presets
+/// of `obvhs`. The costliest takes four times as long to build and is 2 to 8 per cent faster to traverse.
 const NEIGHBOUR_PASSES: usize = 3;
 const REINSERTED: f32 = 0.05;
 
-/// The tree over `bounds`, which holds at least one box. Only its shape is of use: the boxes within it are
-/// not those of `bounds` but those of [`scattered`].
+/// The tree over `bounds`, at least one box. Only its topology is usable: its boxes are those of [`scattered`], not
+/// `bounds`.
 pub fn topology(bounds: &[Extent]) -> CwBvh {
     let boxes = scattered(bounds);
     let indices = (0..boxes.len() as u32).collect();
@@ -38,13 +38,13 @@ pub fn topology(bounds: &[Extent]) -> CwBvh {
     bvh2_to_cwbvh(&binary, PRIMITIVES_PER_LEAF, true, false)
 }
 
-/// The boxes moved and scaled into [−1, 1]³, so that no area under- or overflows, and every side pushed out
-/// by a random share of 2⁻¹⁰ of the box's length.
+/// The boxes moved and scaled into [−1, 1]³, so that no area under- or overflows, with every side pushed out by a
+/// random share of 2⁻¹⁰ of the box's length.
 ///
-/// PLOC merges two clusters that are each other's cheapest partner and among equal partners takes the last.
-/// Where all are equal (a regular grid, coincident triangles) only one pair would merge a pass: quadratic
-/// time and, for coincident ones, a tree as deep as it has leaves. (50,000 coincident triangles: .07 s, a
-/// stack of 12; unscattered a minute, then an overflow of the builder's own stack.)
+/// PLOC merges two clusters that are each other's cheapest partner, and picks the last among equal partners. Where all
+/// are equal (a regular grid, coincident triangles) only one pair would merge per pass: quadratic time and, for
+/// coincident ones, a tree as deep as it has leaves. (50,000 coincident triangles: .07 s, a stack of 12; unscattered a
+/// minute, then an overflow of the builder's own stack.)
 fn scattered(bounds: &[Extent]) -> Vec<Aabb> {
     let all = (bounds.par_iter().copied()).reduce(|| Extent::EMPTY, Extent::union);
     let lo = all.lo.map(f64::from);

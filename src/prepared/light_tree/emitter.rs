@@ -1,4 +1,4 @@
-//! What the tree knows of a light.
+//! A light as the tree sees it.
 
 use glam::DVec3;
 
@@ -7,12 +7,12 @@ use crate::prepared::placed::Placed;
 use crate::prepared::{Light, ShapeKind};
 use crate::shape::Bounds;
 
-/// A light that has a place.
+/// A light with a position.
 #[derive(Clone, Debug)]
 pub struct Emitter {
     pub light: u32,
     pub bounds: Bounds,
-    /// The ball about it.
+    /// The ball around it.
     pub centre: DVec3,
     pub radius: f64,
     pub cone: Cone,
@@ -21,7 +21,7 @@ pub struct Emitter {
 }
 
 impl Emitter {
-    /// The light of index `i`; `None` for the background.
+    /// The light with index `i`; `None` for the background.
     pub fn new(placed: &Placed, light: &Light, i: u32) -> Option<Self> {
         let shape = placed.shapes.get(light.shape as usize)?;
         let body = placed.body(shape);
@@ -44,7 +44,8 @@ impl Emitter {
     }
 }
 
-/// The cone about a mesh's normals, and how much of its area is seen at most; half of it where they point everywhere.
+/// The cone around a mesh's normals, and the largest share of its area that is visible at once; one half if they point
+/// everywhere.
 fn mesh(placed: &Placed, light: &Light) -> (Cone, f64) {
     let range = light.first as usize..(light.first + light.count) as usize;
     let normals = placed.primitives.triangles[range].iter().map(|t| {

@@ -1,4 +1,4 @@
-//! Where a node of the tree of lights is cut in two.
+//! Splits a node of the tree of lights.
 
 use glam::DVec3;
 
@@ -6,10 +6,10 @@ use super::cone::Cone;
 use super::emitter::Emitter;
 use crate::shape::Bounds;
 
-/// Slices of a node along an axis, between which it may be cut (pbrt 4, section 12.6.3).
+/// Slices of a node along an axis; it may be split between any two (pbrt 4, section 12.6.3).
 const SLICES: usize = 12;
 
-/// Two parts of `emitters`, at least two, neither of them empty, so that a tree of `depth` levels can hold either.
+/// Splits `emitters`, at least two, into two non-empty parts, each small enough for a tree of `depth` levels.
 pub fn halves(mut emitters: Vec<Emitter>, depth: u32) -> (Vec<Emitter>, Vec<Emitter>) {
     let n = emitters.len();
     if let Some(cut) = best(&emitters) {
@@ -21,12 +21,12 @@ pub fn halves(mut emitters: Vec<Emitter>, depth: u32) -> (Vec<Emitter>, Vec<Emit
         }
         emitters = first.into_iter().chain(second).collect();
     }
-    // All in one place, or so far apart that a fair cut would take too many levels.
+    // All at one position, or so far apart that a fair cut would take too many levels.
     let second = emitters.split_off(n / 2);
     (emitters, second)
 }
 
-/// Whether so many leaves fit below `depth` levels.
+/// Whether this many leaves fit below `depth` levels.
 fn fits(leaves: usize, depth: u32) -> bool {
     depth >= 63 || leaves as u64 <= 1 << depth
 }
@@ -47,7 +47,7 @@ impl Cut {
     }
 }
 
-/// The cut of least cost; `None` where all centres are one.
+/// The cut of least cost; `None` if all centres coincide.
 fn best(emitters: &[Emitter]) -> Option<Cut> {
     let centres = emitters.iter().map(|e| Bounds::point(e.bounds.centre()));
     let all = centres.reduce(Bounds::union)?;
@@ -70,7 +70,7 @@ fn best(emitters: &[Emitter]) -> Option<Cut> {
             let (Some(a), Some(b)) = (of(&slices[..=last]), of(&slices[last + 1..])) else {
                 continue;
             };
-            // Slices across a short axis are thin: the cost of either is that of a longer one.
+            // Slices across a short axis are thin, so both costs are scaled to the longest axis.
             let cost = (a.cost() + b.cost()) * extent.max_element() / extent[axis];
             if least.as_ref().is_none_or(|(c, _)| cost < *c) {
                 least = Some((cost, cut(last)));
@@ -108,8 +108,8 @@ impl Part {
         }
     }
 
-    /// Power times the size of its ball times that of its cone, which counts from 1 for one normal to 3.5 for all (Conty
-    /// Estevez & Kulla 2018, section 4.4).
+    /// Power times the size of its ball times the size of its cone, which ranges from 1 for a single normal to 3.5 for
+    /// all directions (Conty Estevez & Kulla 2018, section 4.4).
     fn cost(&self) -> f64 {
         let size: DVec3 = self.bounds.hi - self.bounds.lo;
         self.power * size.length_squared() * (3.5 - 2.5 * self.cone.cosine)

@@ -1,4 +1,4 @@
-//! Faces of shapes as pieces of planes, spheres and cylinders, and whether two of them coincide.
+//! Faces of shapes as pieces of planes, spheres and cylinders, and a test of whether two of them coincide.
 
 mod outline;
 mod overlap;
@@ -8,19 +8,19 @@ use glam::DVec3;
 use crate::shape::{Bounds, Cuboid, Cylinder, Sphere, Triangle};
 
 /// How far rounding may move a coordinate of 1: 16 half-ulps of single precision, as far as it may lift a ray's origin
-/// (`triangle_self_distance`). What is nearer than that is in one place.
+/// (`triangle_self_distance`). Surfaces closer than this coincide.
 const NEAR: f64 = 16.0 / (1u64 << 24) as f64;
 
-/// The place of one face.
+/// The geometry of one face.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Patch {
-    /// A face of a box: exact, for no rounding moves a plane across an axis.
+    /// A face of a box: exact, because rounding moves no plane across an axis.
     Rectangle {
         axis: usize,
         upper: bool,
         bounds: Bounds,
     },
-    /// Counter-clockwise about the outward unit normal.
+    /// Counter-clockwise around the outward unit normal.
     Triangle { v: [DVec3; 3], normal: DVec3 },
     /// `normal`: outward, of unit length.
     Disc {
@@ -56,7 +56,7 @@ impl Patch {
         }
     }
 
-    /// The faces of a box, as a hit's primitive numbers them: 2 axis + (1 for hi, 0 for lo).
+    /// The faces of a box, numbered like a hit's primitive: 2 axis + (1 for hi, 0 for lo).
     pub fn cuboid(b: &Cuboid) -> [Self; 6] {
         std::array::from_fn(|face| {
             let (axis, upper) = (face / 2, face % 2 == 1);
@@ -71,7 +71,7 @@ impl Patch {
         })
     }
 
-    /// Side, base and top of a cylinder, as a hit's primitive numbers them.
+    /// Side, base and top of a cylinder, numbered like a hit's primitive.
     pub fn cylinder(c: &Cylinder) -> [Self; 3] {
         let disc = |z: f64, normal: DVec3| Self::Disc {
             centre: c.base + c.w * z,
@@ -95,7 +95,7 @@ impl Patch {
         Some(Self::Triangle { v: t.v, normal })
     }
 
-    /// The box about it.
+    /// The bounding box.
     pub fn bounds(&self) -> Bounds {
         match *self {
             Self::Rectangle { bounds, .. } => bounds,
@@ -119,20 +119,20 @@ impl Patch {
         }
     }
 
-    /// Whether its bounds are.
+    /// Whether its bounds are finite.
     pub fn is_finite(&self) -> bool {
         let Bounds { lo, hi } = self.bounds();
         lo.is_finite() && hi.is_finite()
     }
 
-    /// How near two places on it, or beside it, are one.
+    /// The distance below which two points on or near it coincide.
     pub fn near(&self) -> f64 {
         let Bounds { lo, hi } = self.bounds();
         NEAR * lo.abs().max(hi.abs()).max_element()
     }
 }
 
-/// A disc of normal n reaches r √(1 − n_k²) along axis k.
+/// A disc of normal n extends r √(1 − n_k²) along axis k.
 fn disc_bounds(centre: DVec3, normal: DVec3, radius: f64) -> Bounds {
     let reach = (DVec3::ONE - normal * normal)
         .max(DVec3::ZERO)

@@ -1,4 +1,4 @@
-//! Normals and outlines of what is flat.
+//! Normals and outlines of flat patches.
 
 use std::ops::Deref;
 
@@ -8,7 +8,7 @@ use super::Patch;
 use crate::shape::Bounds;
 
 impl Patch {
-    /// The outward normal of what is flat.
+    /// The outward normal of a flat patch.
     pub(super) fn normal(&self) -> Option<DVec3> {
         match *self {
             Self::Rectangle { axis, upper, .. } => {
@@ -20,8 +20,8 @@ impl Patch {
         }
     }
 
-    /// Points of the outline of what is flat, counter-clockwise about its normal: the corners, or of a disc four points of
-    /// the rim.
+    /// Points on the outline of a flat patch, counter-clockwise around its normal: its corners, or four points on the
+    /// rim of a disc.
     pub(super) fn outline(&self) -> Outline {
         match *self {
             Self::Rectangle {

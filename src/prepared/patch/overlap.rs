@@ -1,11 +1,11 @@
-//! Whether two patches coincide.
+//! Tests whether two patches coincide.
 
 use glam::DVec3;
 
 use super::{Orientation, Patch};
 
 impl Patch {
-    /// Whether the two have a piece of a surface in common, not only a line.
+    /// Whether the two share a piece of surface, not only a line.
     pub fn coincides(&self, other: &Self) -> Option<Orientation> {
         let near = self.near().min(other.near());
         let coincide = match (self, other) {
@@ -26,7 +26,7 @@ impl Patch {
         };
         let same = match (self.normal(), other.normal()) {
             (Some(n), Some(m)) => n.dot(m) > 0.0,
-            // A solid's curved side turns its outside to the same side as the other's.
+            // The outside of a solid's curved side is on the same side as the other's.
             _ => true,
         };
         let orientation = match same {
@@ -37,7 +37,7 @@ impl Patch {
     }
 }
 
-/// Faces of boxes, whose planes are what single precision makes of them.
+/// Faces of boxes, whose planes are compared after rounding to single precision.
 fn rectangles(a: &Patch, b: &Patch) -> bool {
     let (
         Patch::Rectangle {
@@ -58,7 +58,7 @@ fn rectangles(a: &Patch, b: &Patch) -> bool {
         && (0..3).all(|k| k == *axis || common[k] > 0.0)
 }
 
-/// Sides about one axis: both ends of one lie on the other's axis.
+/// Sides of cylinders with a common axis: both ends of one lie on the other's axis.
 fn sides(a: &Patch, b: &Patch, near: f64) -> bool {
     let (
         &Patch::Side {
@@ -88,13 +88,14 @@ fn sides(a: &Patch, b: &Patch, near: f64) -> bool {
 fn in_plane(a: &Patch, n: DVec3, b: &Patch, near: f64) -> bool {
     let lie = |p: DVec3, points: &[DVec3]| points.iter().all(|q| n.dot(*q - p).abs() <= near);
     match (a, b) {
-        // Neighbours in a mesh come here most often: no outline is made of them.
+        // The most frequent case is neighbours in a mesh, for which no outline is built.
         (Patch::Triangle { v: [p, ..], .. }, Patch::Triangle { v, .. }) => lie(*p, v),
         _ => a.outline().first().is_some_and(|p| lie(*p, &b.outline())),
     }
 }
 
-/// Whether two flat patches of one plane have more in common than an edge: no edge of either has all of the other beyond it.
+/// Whether two flat patches in one plane share more than an edge: no edge of either has the whole other patch on its
+/// outer side.
 fn overlap(a: &Patch, b: &Patch, near: f64) -> bool {
     if let (
         Patch::Disc { centre, radius, .. },
@@ -110,7 +111,7 @@ fn overlap(a: &Patch, b: &Patch, near: f64) -> bool {
     !parts(a, b, near) && !parts(b, a, near)
 }
 
-/// Whether an edge of `a` parts it from `b`.
+/// Whether an edge of `a` separates it from `b`.
 fn parts(a: &Patch, b: &Patch, near: f64) -> bool {
     let (Some(n), false) = (a.normal(), matches!(a, Patch::Disc { .. })) else {
         return false;

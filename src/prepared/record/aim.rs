@@ -1,7 +1,7 @@
-//! What light paths are aimed at.
+//! The targets of light paths.
 
 crate::layout::record! {
-    /// A ball about shapes that gather light.
+    /// A ball around shapes that concentrate light.
     pub struct Aim<F> {
         centre: vec3,
         radius: float,

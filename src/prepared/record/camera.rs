@@ -13,7 +13,7 @@ crate::layout::record! {
         /// Length tan(fov_y / 2).
         up: vec3,
         (
-            /// Of the sampler.
+            /// Seed of the sampler.
             seed: uint
         ),
         /// Unit length.

@@ -1,13 +1,13 @@
 //! The lens.
 
 crate::layout::record! {
-    /// A thin lens about the eye, whose points are `right`·q.x + `up`·q.y from it, |q| ≤ 1.
+    /// A thin lens around the eye, whose points are `right`·q.x + `up`·q.y from it, |q| ≤ 1.
     pub struct Lens<F> {
-        /// As the camera's; its length is the lens's radius.
+        /// Along the camera's; its length is the lens's radius.
         right: vec3,
-        /// Pixels from the middle of what is infinitely far away to the edge of its blur.
+        /// Pixels from the centre of the image of an infinitely distant point to the edge of its blur.
         blur: float,
-        /// As the camera's; its length is the lens's radius.
+        /// Along the camera's; its length is the lens's radius.
         up: vec3,
         (pad0: uint),
     } and {

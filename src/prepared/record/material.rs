@@ -1,9 +1,9 @@
-//! Materials, with all that depends on them alone.
+//! Materials, with every constant that depends on them alone.
 
 use crate::scene::WordLines;
 use crate::settings::{Distribution, Fresnel};
 
-/// What a surface does with light; one file of `bsdf/` each.
+/// The interaction of a surface with light; one file of `bsdf/` each.
 ///
 /// The order counts: kinds before [`MaterialKind::RoughDielectric`] are opaque, those from it on transmit
 /// (`bsdf/choice/fresnel` of both renderers compares with it).
@@ -24,7 +24,7 @@ pub enum MaterialKind {
     SmoothDielectric = 5,
     /// Rough reflection, transmission that keeps one direction: α·|n − 1| < 1e-5. Kd possible.
     WeakDielectric = 6,
-    /// |ior − 1| < 1e-7: light goes straight through.
+    /// |ior − 1| < 1e-7: light passes straight through.
     NullInterface = 7,
 }
 
@@ -52,7 +52,7 @@ impl MaterialKind {
 }
 
 crate::layout::record! {
-    /// A material. Pairs hold the outer side first: for `wo` outside, inside.
+    /// A material. Pairs have the outer side first: for `wo` outside, inside.
     pub struct Material<F> {
         /// Diffuse reflectance.
         kd: vec3,
@@ -89,10 +89,10 @@ crate::layout::record! {
     } and {
         /// The scene file's line, 0 for the default material.
         pub line: usize,
-        /// Those whose words it goes by.
+        /// The lines of the words that apply to it.
         pub words: WordLines,
     }
 }
 
-/// σ of a channel with Kt = 0: finite, so that no product is NaN, and black after 1e-28 units. No σ is larger.
+/// σ of a channel with Kt = 0: finite, so that no product is NaN, and black after 1e-28 units. It is the largest σ.
 pub const OPAQUE_SIGMA: f64 = 1e30;

@@ -1,4 +1,4 @@
-//! Shapes: what they are made of, and their material.
+//! Shapes: their primitives and material.
 
 use std::ops::Range;
 
@@ -27,7 +27,7 @@ crate::layout::record! {
 }
 
 impl Shape {
-    /// The numbers of its faces, as a hit's primitive names them.
+    /// The numbers of its faces, as in a hit's primitive.
     pub fn faces(&self) -> Range<u32> {
         match self.kind {
             ShapeKind::Sphere => 0..1,

@@ -1,9 +1,9 @@
 //! A picture of all directions.
 
 crate::layout::record! {
-    /// Its axes in the world: z points up to its first row, x to the middle of the picture; and its size.
+    /// Its axes in the world (z points up to the first row, x to the middle of the picture) and its size.
     pub struct Surroundings<F> {
-        /// Of unit length, as y and z.
+        /// Unit length, like y and z.
         x: vec3,
         /// Texels.
         width: uint,
