@@ -1,6 +1,6 @@
-//! How a kernel sees a buffer.
+//! A kernel's access to a buffer.
 
-/// Which rules lay a buffer out, and what a kernel may do with it.
+/// The layout rules of a buffer, and the kernel's access to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BufferUse {
     /// Small, read only, std140: `layout(std140) uniform`.

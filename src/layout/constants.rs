@@ -27,7 +27,7 @@ fn line<T: Literal>(name: &str, value: T) -> String {
     format!("const {} {name} = {};\n", T::TYPE, value.literal())
 }
 
-/// The declaration of an unsigned constant in GLSL, as the lines of [`glsl`] are.
+/// The declaration of an unsigned constant in GLSL, in the format of [`glsl`].
 pub fn uint(name: &str, value: u32) -> String {
     line(name, value)
 }
@@ -46,7 +46,7 @@ macro_rules! constants {
             }
         )*
 
-        /// The text of a module in GLSL; `None` where there is no such module.
+        /// The text of a module in GLSL; `None` if there is no such module.
         pub fn glsl(module: &str) -> Option<String> {
             match module {
                 $( stringify!($module) => Some([
@@ -60,7 +60,7 @@ macro_rules! constants {
 }
 
 constants! {
-    /// What stands where an index has nothing to say.
+    /// The value of an absent index.
     mod none {
         /// No shape, no primitive, or air.
         NONE: u32 = u32::MAX;
@@ -68,22 +68,22 @@ constants! {
 
     /// The size of a workgroup.
     mod workgroup {
-        /// Threads of one, in every kernel that renders or examines a device.
+        /// Threads per workgroup, in every kernel that renders or examines a device.
         WORKGROUP: u32 = 64;
     }
 
-    /// Rays: how far they reach, and how one starts as a shape sees it.
+    /// Rays: their maximum length, and their start relative to a shape.
     mod ray {
-        /// Farther than anything: the limit of a ray that has none.
+        /// Farther than anything: the limit of an unlimited ray.
         FAR: f64 = 3.0e38;
-        /// Below this a component of a unit vector moves no ray by a noticeable part of its length: the ray counts as
-        /// parallel, and no quotient overflows.
+        /// If a component of a unit vector is below this, it moves no ray by a noticeable part of its length: the ray
+        /// counts as parallel, and no quotient overflows.
         PARALLEL: f64 = 1e-30;
-        /// It does not start on a surface, or not on that of the shape in question.
+        /// The ray does not start on a surface, or not on that of the shape in question.
         START_ELSEWHERE: u32 = 0;
-        /// It starts on the shape's surface and leaves to its outside.
+        /// The ray starts on the shape's surface and leaves to its outside.
         START_OUTSIDE: u32 = 1;
-        /// It starts on the shape's surface and leaves to its inside.
+        /// The ray starts on the shape's surface and leaves to its inside.
         START_INSIDE: u32 = 2;
     }
 
@@ -96,52 +96,52 @@ constants! {
         CYLINDER_TOP: u32 = 2;
     }
 
-    /// Which part of a BSDF a direction was drawn from.
+    /// The part of a BSDF that a direction was sampled from.
     mod lobe {
         /// No direction was found: the path ends.
         LOBE_NONE: u32 = 0;
         LOBE_DIFFUSE: u32 = 1;
         LOBE_REFLECTION: u32 = 2;
         LOBE_TRANSMISSION: u32 = 3;
-        /// Flag beside the lobe: the direction has no density, so no light connection could have found it.
+        /// Flag added to the lobe: the direction has no density, so no light connection could have found it.
         LOBE_DELTA: u32 = 4;
     }
 
-    /// Numbers of a path's bounces and of its random numbers.
+    /// Limits of a path's bounces and random numbers.
     mod path {
-        /// From this bounce on a path survives with at most .95: a lossless one (light in a smooth glass box, two
-        /// mirrors) would never end (model.md, "Roulette").
+        /// From this bounce on a path survives with probability .95 at most: a lossless one (light in a smooth glass
+        /// box, two mirrors) would never end (model.md, "Roulette").
         LONG_PATH: u32 = 1000;
         /// The blocks of random numbers of a light path begin here, far beyond those of any eye path, also after the
         /// multiplication by GROUPS in sampler/sobol.
         LIGHT_PATH: u32 = 1 << 30;
     }
 
-    /// The decisions of a path that its signature is made of.
+    /// The decisions of a path that enter its signature.
     mod decision {
         DECISION_SHAPE: u32 = 1;
         DECISION_LIGHT: u32 = 2;
         DECISION_ARRIVAL: u32 = 3;
         DECISION_LOBE: u32 = 4;
         DECISION_ESCAPE: u32 = 5;
-        /// What counts as no light, in a throughput or in W·sr⁻¹·m⁻²: 2⁻⁶⁴. The least normal number of f32 is 2⁻¹²⁶; that
-        /// leaves 2⁶² for what a factor that small may be multiplied by, the radiance of a light or the inverse of a density.
+        /// A throughput, or radiance in W·sr⁻¹·m⁻², below this counts as dark: 2⁻⁶⁴. The smallest normal f32 is 2⁻¹²⁶;
+        /// this leaves 2⁶² for further factors: the radiance of a light or the inverse of a density.
         DARK: f64 = 5.421010862427522e-20;
     }
 
-    /// How a vertex picks the light that it is connected to.
+    /// Picking the light that a vertex is connected to.
     mod lights {
-        /// Up to so many each is a candidate at every vertex; more are searched in a tree.
+        /// Up to this number, each light is a candidate at every vertex; more are searched in a tree.
         FEW_LIGHTS: u32 = 16;
     }
 
     /// Bidirectional paths.
     mod bidirectional {
-        /// Vertices of a light path that are kept for eye paths: two bring 92 to 97 % of what all would.
+        /// Vertices of a light path that are kept for eye paths: two give 92 to 97 % of the contribution of all.
         KEPT: u32 = 2;
     }
 
-    /// What an entry of `--trace` is about.
+    /// The events of `--trace`.
     mod record {
         RECORD_VERTEX: u32 = 1;
         RECORD_CONNECTION: u32 = 2;
@@ -167,7 +167,7 @@ const uint CYLINDER_TOP = 2u;
         assert_eq!(glsl("nonesuch"), None);
     }
 
-    /// naga reads a literal as f32 and rounds once, as `as f32` does.
+    /// naga parses a literal as f32 with a single rounding, like `as f32`.
     #[test]
     fn numbers_are_written_as_they_are() {
         assert_eq!(

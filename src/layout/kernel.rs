@@ -1,11 +1,11 @@
-//! The records that the path kernel keeps from one dispatch to the next, and what it is told at each.
+//! The records that the path kernel keeps from one dispatch to the next, and the parameters of each dispatch.
 
 crate::gpu_struct! {
-    /// The half-line o + t d, 0 < t < t_max, what it starts on and what it travels in.
+    /// The half-line o + t d, 0 < t < t_max, with its start and medium.
     pub struct Ray {
         /// Rendering space.
         o: vec3,
-        /// FAR where nothing limits it.
+        /// FAR if nothing limits it.
         t_max: float,
         /// Unit length.
         d: vec3,
@@ -15,21 +15,21 @@ crate::gpu_struct! {
         prim: uint,
         /// Which side of its shape it leaves to: START_…
         start: uint,
-        /// How far the origin's rounding error reaches along the ray, where it starts on a mesh; else 0.
+        /// How far the origin's rounding error reaches along the ray, if it starts on a mesh; else 0.
         t_self: float,
         /// The material that it travels in, or NONE.
         medium: uint,
     }
 
-    /// A connection under way.
+    /// A pending connection.
     pub struct ShadowRay {
         /// Ends at the point.
         ray: Ray,
-        /// What arrives if nothing stands in its way.
+        /// The contribution if nothing blocks the ray.
         contribution: vec3,
-        /// 1: it has still to be traced.
+        /// 1: still to be traced.
         pending: uint,
-        /// The shape, and the face of it, that the ray leads to: they do not stop the ray.
+        /// The shape and face that the ray aims at: they do not block it.
         target_shape: uint,
         target_prim: uint,
         /// The medium that a connection of two vertices must arrive in.
@@ -37,7 +37,7 @@ crate::gpu_struct! {
         pad0: uint,
     }
 
-    /// What carries over from one vertex of a path to the next, whichever end it began at.
+    /// The state carried from one vertex of an eye path or light path to the next.
     pub struct Subpath {
         /// The next ray.
         ray: Ray,
@@ -54,63 +54,63 @@ crate::gpu_struct! {
         alive: uint,
     }
 
-    /// A thread of path tracing between two bounces: the path, and the connection that its last vertex left pending.
+    /// A thread of path tracing between two bounces: the path, and the pending connection of its last vertex.
     pub struct PathState {
         path: Subpath,
         shadow: ShadowRay,
-        /// Of the sample under way, W·sr⁻¹·m⁻².
+        /// Of the current sample, W·sr⁻¹·m⁻².
         radiance: vec3,
         /// 1: the sample is complete but for its pending connection.
         ended: uint,
-        /// What the slot `pick` asks of the path's last vertex; 0 where it asks nothing.
+        /// Data of the slot `pick` about the path's last vertex; 0 if it needs none.
         pick_normal: vec3,
-        /// What the slot `record` keeps: events written down so far, or the chain of the path's vertices.
+        /// Data of the slot `record`: the number of events recorded so far, or the chain of the path's vertices.
         recorded: uint,
-        /// The same: the chain of its connections.
+        /// Data of the slot `record`: the chain of the path's connections.
         connected: uint,
         pad0: uint,
         pad1: uint,
         pad2: uint,
     }
 
-    /// A pixel's sum of samples, Σ = sum + comp, and what was counted on the way.
+    /// A pixel's sum of samples, Σ = sum + comp, and its counters.
     pub struct FilmPixel {
         sum: vec3,
-        /// Samples complete.
+        /// Complete samples.
         samples: uint,
         comp: vec3,
         rays: uint,
-        /// Samples dropped for a NaN.
+        /// Samples dropped because of a NaN.
         nan: uint,
-        /// Samples dropped for an infinity, or what adds up to one.
+        /// Samples dropped because of an infinity, or because they overflow the sum.
         infinite: uint,
-        /// Loops that ended before their own end condition held.
+        /// Loops cut off before their own end condition was met.
         loops: uint,
         /// Paths that reached the bounce from which even lossless ones may end.
         long_paths: uint,
-        /// Σ ± sample: + of the last, − of the one before, and so on by turns.
+        /// Σ ± sample with alternating signs: + for the last, − for the one before, and so on.
         contrast: vec3,
-        /// Paths that ended because f32 holds no less throughput.
+        /// Paths that ended because their throughput underflowed f32.
         underflows: uint,
         /// The brightest channel of all samples, W·sr⁻¹·m⁻².
         largest: float,
-        /// The index of the first sample that has it.
+        /// The index of the first sample with this value.
         largest_sample: uint,
         pad0: uint,
         pad1: uint,
     }
 
-    /// Of a pixel's samples.
+    /// Sums over a pixel's samples.
     pub struct FilmQuarters {
         /// Σ ± sample of even index, W·sr⁻¹·m⁻².
         even: vec3,
         pad0: uint,
-        /// Of odd index.
+        /// The same for odd indices.
         odd: vec3,
         pad1: uint,
     }
 
-    /// What a pixel's samples x tell of the error of their mean, each sum in two parts as the film's is.
+    /// Moments of a pixel's samples x, for the error of their mean; each sum is in two parts, as in the film.
     pub struct FilmMoments {
         /// W·sr⁻¹·m⁻².
         mean: vec3,
@@ -124,29 +124,29 @@ crate::gpu_struct! {
         pad3: uint,
     }
 
-    /// An event of a path, written down for `--trace`.
+    /// An event of a path, recorded for `--trace`.
     pub struct Record {
         /// RECORD_VERTEX, RECORD_CONNECTION or RECORD_ESCAPE.
         event: uint,
         /// The vertex's lobe; whether the connection arrived.
         lobe: uint,
-        /// Of the vertex, or of the light connected to.
+        /// The shape of the vertex, or of the light connected to.
         shape: uint,
         prim: uint,
-        /// The vertex; the direction of the connection or of the escape.
+        /// Position of the vertex; direction of the connection or of the escape.
         p: vec3,
         /// Density of the next direction.
         pdf: float,
-        /// After the vertex; what the connection brought, or as much of it as reached what blocks it.
+        /// After the vertex; the contribution of the connection, up to the surface that blocks it, if any.
         throughput: vec3,
-        /// Material that the path goes on in.
+        /// Material that the path continues in.
         medium: uint,
-        /// Of the sample so far, pending connection not counted.
+        /// Of the sample so far, without the pending connection.
         radiance: vec3,
         pad0: uint,
     }
 
-    /// What one sample came to, kept for `compare --paired`.
+    /// The result of one sample, kept for `compare --paired`.
     pub struct PathOutcome {
         /// W·sr⁻¹·m⁻².
         radiance: vec3,
@@ -154,20 +154,20 @@ crate::gpu_struct! {
         signature: uint,
     }
 
-    /// What one dispatch is to do.
+    /// The task of one dispatch.
     pub struct Slice {
         /// The tile, in pixels from the top left of the full picture.
         tile_x: uint,
         tile_y: uint,
         tile_width: uint,
         tile_height: uint,
-        /// Index of the sample that counts as number 0 of this rendering.
+        /// Index of the sample that counts as number 0 in this rendering.
         sample_begin: uint,
-        /// Each pixel is to have this many samples.
+        /// The number of samples of each pixel after this slice.
         sample_end: uint,
-        /// Loop steps after which a thread hands its path over to the next dispatch.
+        /// Loop steps after which a thread saves its path for the next dispatch.
         budget: uint,
-        /// Material that the eye stands in, or NONE.
+        /// Material that surrounds the eye, or NONE.
         eye_medium: uint,
     }
 
@@ -179,57 +179,57 @@ crate::gpu_struct! {
         power: vec3,
         /// Light paths begun, from the first sample on.
         index: uint,
-        /// The pixel, and the sample index, that the pending connection belongs to.
+        /// The pixel and sample index of the pending connection.
         pixel: uint,
         splat_sample: uint,
-        /// What the weights of bidirectional paths know along the path's ray: √dVCM and √dVC.
+        /// State of the weights of bidirectional paths along the path's ray: √dVCM and √dVC.
         vcm: float,
         vc: float,
-        /// Of the light path's first vertex: P p_A p/cos, the cosine of its ray, its light and the face of that.
+        /// For the light path's first vertex: P p_A p/cos, the cosine of its ray, its light, and the face of the light.
         emission: float,
         light_cosine: float,
         light: uint,
         light_prim: uint,
     }
 
-    /// A thread of the eye's side of bidirectional path tracing between two bounces: the path, and the connections that its last
-    /// vertex left pending.
+    /// A thread of the eye's side of bidirectional path tracing between two bounces: the path, and the pending
+    /// connections of its last vertex.
     pub struct EyeState {
         path: Subpath,
         to_light: ShadowRay,
         /// To the kept vertices of the light path.
         to_first: ShadowRay,
         to_second: ShadowRay,
-        /// Of the sample under way, W·sr⁻¹·m⁻².
+        /// Of the current sample, W·sr⁻¹·m⁻².
         radiance: vec3,
         /// 1: the sample is complete but for its pending connections.
         ended: uint,
-        /// What the slot `pick` asks of the path's last vertex; 0 where it asks nothing.
+        /// Data of the slot `pick` about the path's last vertex; 0 if it needs none.
         pick_normal: vec3,
         /// The sample index after the last complete one.
         done: uint,
-        /// What the weights know along the path's ray: √dVCM and √dVC.
+        /// State of the weights along the path's ray: √dVCM and √dVC.
         vcm: float,
         vc: float,
-        /// What the slot `record` keeps: the chains of the path's vertices and of its connections.
+        /// Data of the slot `record`: the chains of the path's vertices and of its connections.
         recorded: uint,
         connected: uint,
     }
 
-    /// How many vertices of a light path could have been kept.
+    /// The number of vertices of a light path that could have been kept.
     pub struct Reservoir {
         seen: uint,
-        /// What the slot `record` keeps: the chain of the light path's vertices.
+        /// Data of the slot `record`: the chain of the light path's vertices.
         decided: uint,
         pad0: uint,
         pad1: uint,
     }
 
-    /// What the eye path of a sample has brought.
+    /// The contribution of the eye path of a sample.
     pub struct Radiance {
         /// W·sr⁻¹·m⁻².
         value: vec3,
-        /// The hash of its decisions, where it is kept: see `reference::integrator::bidirectional::signature`.
+        /// The hash of its decisions, if requested: see `reference::integrator::bidirectional::signature`.
         signature: uint,
     }
 
@@ -242,44 +242,44 @@ crate::gpu_struct! {
         prim: uint,
         /// Shading normal on its side.
         ns: vec3,
-        /// The medium that the path came through.
+        /// The medium that the path arrived through.
         medium: uint,
-        /// Whence the path came, of unit length.
+        /// Direction back along the path, unit length.
         wo: vec3,
-        /// Vertices of the path up to this one, the light's own among them.
+        /// Vertices of the path up to this one, including the one on the light.
         count: uint,
-        /// Power that arrives, W.
+        /// Arriving power, W.
         power: vec3,
         pad0: uint,
-        /// What the weights know: √dVCM and √dVC.
+        /// State of the weights: √dVCM and √dVC.
         vcm: float,
         vc: float,
         pad1: uint,
         pad2: uint,
     }
 
-    /// What a thread of light tracing, or of the eye's side of bidirectional path tracing, did in one dispatch.
+    /// The results of one dispatch for a thread of light tracing, or of the eye's side of bidirectional path tracing.
     pub struct LightLane {
         /// Slots filled.
         splats: uint,
-        /// 1: there are light paths to go on with.
+        /// 1: some light paths are not finished.
         unfinished: uint,
         rays: uint,
-        /// Loops that ended before their own end condition held.
+        /// Loops cut off before their own end condition was met.
         loops: uint,
         /// Paths that reached the bounce from which even lossless ones may end.
         long_paths: uint,
-        /// Paths that ended because f32 holds no less throughput.
+        /// Paths that ended because their throughput underflowed f32.
         underflows: uint,
         /// Paths that ended because their throughput was NaN.
         nan: uint,
-        /// The same, infinite.
+        /// The same for infinity.
         infinite: uint,
     }
 
     /// Light that arrived at a pixel.
     pub struct Splat {
-        /// What it adds to the pixel's mean of one sample index, W·sr⁻¹·m⁻².
+        /// Its contribution to the pixel's mean of one sample index, W·sr⁻¹·m⁻².
         value: vec3,
         /// row · width + column of the full picture.
         pixel: uint,
@@ -290,7 +290,7 @@ crate::gpu_struct! {
         pad2: uint,
     }
 
-    /// What one dispatch of light tracing is to do.
+    /// The task of one dispatch of light tracing.
     pub struct LightSlice {
         /// The light paths: a rectangle of pixels from the top left of the full picture.
         tile_x: uint,
@@ -305,9 +305,9 @@ crate::gpu_struct! {
         /// The sample indices of this pass.
         sample_begin: uint,
         sample_end: uint,
-        /// Loop steps after which a thread hands its path over to the next dispatch.
+        /// Loop steps after which a thread saves its path for the next dispatch.
         budget: uint,
-        /// Material that the eye stands in, or NONE.
+        /// Material that surrounds the eye, or NONE.
         eye_medium: uint,
     }
 }

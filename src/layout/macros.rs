@@ -16,8 +16,8 @@
 /// assert_eq!(Sun::FIELDS[1].offset, 12);
 /// ```
 ///
-/// Field types are those of [`layout::types`](crate::layout::types). What std140 or std430 would lay out
-/// differently from `repr(C)` does not compile; here `b` would stand at 4 in Rust and at 16 in GLSL:
+/// Field types are those of [`layout::types`](crate::layout::types). Structs that std140 or std430 would lay out
+/// differently from `repr(C)` do not compile; here `b` would be at offset 4 in Rust and at 16 in GLSL:
 ///
 /// ```compile_fail
 /// vkpt::gpu_struct! {
@@ -61,7 +61,7 @@ macro_rules! gpu_struct {
         };
 
         impl $crate::layout::types::GlslType for $name {
-            // A multiple of 16 in size, it has the same offsets within std140, which asks for 16, and std430.
+            // Its size is a multiple of 16, so its offsets are the same in std140, which requires that, and in std430.
             const ALIGN: usize = 16;
         }
 

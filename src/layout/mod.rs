@@ -1,8 +1,8 @@
-//! One declaration → a `#[repr(C)]` struct, its GLSL text, and the offsets that both must share.
+//! One declaration → a `#[repr(C)]` struct, its GLSL text, and their common offsets.
 //!
-//! [`gpu_struct!`](crate::gpu_struct) declares what the kernels alone keep ([`kernel`]), [`record!`](crate::record) what
-//! they read of a scene, with the forms in which the CPU has it. [`types`] are the GLSL types that both are made of,
-//! [`constants`] the numbers that both must have.
+//! [`gpu_struct!`](crate::gpu_struct) declares structs that only kernels use ([`kernel`]), [`record!`](crate::record)
+//! the records of a scene that they read, with the CPU's forms of them. [`types`] has the GLSL types of their fields,
+//! [`constants`] the numbers that both sides need.
 
 mod buffer_use;
 pub mod constants;
@@ -21,16 +21,16 @@ pub use record::{OnDevice, Records, Vec3};
 
 /// A struct with the same bytes in Rust, in a uniform buffer (std140) and in a storage buffer (std430), alone and in an array.
 ///
-/// Implemented by [`gpu_struct!`](crate::gpu_struct), which refuses at compile time what would differ.
+/// Implemented by [`gpu_struct!`](crate::gpu_struct), which rejects structs with different layouts at compile time.
 pub trait GpuStruct: bytemuck::Pod + Default + PartialEq + std::fmt::Debug {
     /// The name in Rust and in GLSL.
     const NAME: &'static str;
-    /// What it is, line by line.
+    /// Its description, line by line.
     const DOC: &'static [&'static str];
     /// In declaration order.
     const FIELDS: &'static [Field];
 
-    /// The declaration in GLSL, doc comments and units kept as `//` comments.
+    /// The declaration in GLSL; doc comments and units become `//` comments.
     fn glsl() -> String {
         let mut text = comment(Self::DOC, "");
         text += &format!("struct {} {{\n", Self::NAME);

@@ -1,4 +1,4 @@
-//! The macro behind every record of a scene: its field list stands once, whoever reads it.
+//! The macro behind every record of a scene: its field list is written once for all readers.
 
 use glam::DVec3;
 
@@ -6,14 +6,14 @@ use super::GpuStruct;
 
 /// A record of a scene that the kernels read.
 pub trait OnDevice {
-    /// Its bytes on the device.
+    /// Its form on the device.
     type Record: GpuStruct;
 
-    /// Each number rounded once, from f64 to f32.
+    /// Rounds each number once, from f64 to f32.
     fn record(&self) -> Self::Record;
 }
 
-/// What is on the device as it is.
+/// Structs that the device reads unchanged.
 impl<T: GpuStruct> OnDevice for T {
     type Record = T;
 
@@ -22,17 +22,17 @@ impl<T: GpuStruct> OnDevice for T {
     }
 }
 
-/// An array of records, of whatever kind.
+/// An array of records of any type.
 pub trait Records {
     /// The name of their struct in GLSL.
     fn name(&self) -> &'static str;
 
-    /// Bytes of one on the device.
+    /// Bytes of one record on the device.
     fn size(&self) -> usize;
 
     fn count(&self) -> usize;
 
-    /// All of them as they lie on the device.
+    /// All records in their device form.
     fn bytes(&self) -> Vec<u8>;
 }
 
@@ -126,9 +126,9 @@ impl<F> Vec3<F> {
 /// assert_eq!(sun.record(), device::Sun { direction: [0.0, 0.0, 1.0], irradiance: 0.1 });
 /// ```
 ///
-/// Types are those of GLSL, in the order of the device. `kind: uint as MaterialKind` is that enum, and its number on the
-/// device. A field in parentheses is the device's alone, 0 until it is set; a field after `and` is f64's alone. A record
-/// without numbers leaves `<F>` out and has no `scalar` form. One record a module.
+/// Types are those of GLSL, in the order of the device. `kind: uint as MaterialKind` is that enum, and its number on
+/// the device. A field in parentheses exists only on the device, 0 until it is set; a field after `and` exists only in
+/// f64. A record without numbers omits `<F>` and has no `scalar` form. Each module has one record.
 #[macro_export]
 macro_rules! record {
     ($(#[doc = $doc:literal])* pub struct $name:ident<F> { $($body:tt)* } $(and { $($more:tt)* })?) => {
@@ -138,8 +138,8 @@ macro_rules! record {
         $crate::record!(@field { [$($doc)*] $name [] [$($($more)*)?] } [] [] [] $($body)*);
     };
 
-    // Field by field onto three lists: those that every form has, with their types in f64 and in F; those of the device;
-    // those that are the device's alone.
+    // Distributes the fields over three lists: those of every form, with their types in f64 and in F; those of the
+    // device; those that exist only on the device.
     (@field $head:tt [$($all:tt)*] [$($device:tt)*] $own:tt
      $(#[doc = $doc:literal])* $field:ident : uint as $kind:ident, $($rest:tt)*) => {
         $crate::record!(@field $head
@@ -213,7 +213,7 @@ macro_rules! record {
     };
     (@scalar [$($doc:literal)*] $name:ident $more:tt
      [$({ [$($field_doc:literal)*] $field:ident $glsl:tt $host:tt [$scalar:ty] })*]) => {
-        /// The record in the scalar of the CPU reference.
+        /// The record in the CPU reference's scalar type.
         pub mod scalar {
             #[allow(unused_imports, reason = "for the kinds, where a record has any")]
             use super::*;
@@ -225,7 +225,7 @@ macro_rules! record {
             }
 
             impl<F> $name<F> {
-                /// Each number rounded once, by `round`.
+                /// Rounds each number once, by `round`.
                 pub fn rounded(record: &super::$name, round: impl Fn(f64) -> F) -> Self {
                     Self { $( $field: $crate::record_field!(@scalar $glsl record.$field, round), )* }
                 }

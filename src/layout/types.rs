@@ -1,4 +1,4 @@
-//! The GLSL types that a shared struct may have, structs among them, and their alignment.
+//! The GLSL types allowed in a shared struct, including structs, and their alignment.
 
 #![allow(non_camel_case_types, reason = "a declaration reads as its GLSL does")]
 
