@@ -1,4 +1,4 @@
-//! One writer of a file at a time: of two that would take turns to replace it, the later one is refused.
+//! One writer per file at a time: a second writer of the same file is refused.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;
@@ -9,7 +9,7 @@ use same_file::Handle;
 use super::file::FileError;
 use super::place::{Place, folder};
 
-/// No other vkpt writes the file while this lives.
+/// While this exists, no other vkpt process writes the file.
 #[derive(Debug)]
 #[must_use = "the file is free again once this is dropped"]
 pub struct Claim {
@@ -17,11 +17,11 @@ pub struct Claim {
 }
 
 impl Claim {
-    /// Claims the file that `path` leads to. Devices and pipes take any number of writers; and where no lock can be had, as
-    /// on a file system without any, the file is written all the same.
+    /// Claims the file that `path` resolves to. Devices and pipes accept any number of writers. If locking is not
+    /// possible, as on a file system without locks, the file is written without one.
     ///
     /// # Errors
-    /// Where another has claimed it.
+    /// Another process has claimed it.
     pub fn new(path: &Path) -> Result<Self, FileError> {
         let error = |cause| FileError {
             path: path.to_owned(),
@@ -40,7 +40,7 @@ impl Claim {
     }
 }
 
-/// Where the lock of a file is. The name is vkpt's own, so that nobody loses a file of theirs to it.
+/// The path of a file's lock. The name is specific to vkpt, so that no other file is overwritten.
 fn beside(file: &Path) -> PathBuf {
     let mut name = std::ffi::OsString::from(".vkpt-");
     name.push(file.file_name().unwrap_or_default());
@@ -48,7 +48,7 @@ fn beside(file: &Path) -> PathBuf {
     folder(file).join(name)
 }
 
-/// A locked file. The system unlocks it however the process ends; what a process that was killed leaves bars nobody.
+/// A locked file. The system unlocks it however the process ends; a lock file left by a killed process blocks nobody.
 #[derive(Debug)]
 struct Lock {
     path: PathBuf,
@@ -60,7 +60,8 @@ impl Lock {
         loop {
             let file = open(&path).map_err(TryLockError::Error)?;
             file.try_lock()?;
-            // Between the opening and the locking its holder may have removed it: that lock would bar nobody.
+            // Between opening and locking, the previous owner may have removed the file: a lock on it would block
+            // nobody.
             let there = Handle::from_path(&path);
             let own = file.try_clone().and_then(Handle::from_file);
             if own.is_ok_and(|own| there.is_ok_and(|there| there == own)) {
@@ -72,12 +73,12 @@ impl Lock {
 
 impl Drop for Lock {
     fn drop(&mut self) {
-        // While it is locked: nobody else removes it, and whoever has opened it finds that it is gone.
+        // The file is still locked: nobody else removes it, and a process that has it open will find it gone.
         let _ = fs::remove_file(&self.path);
     }
 }
 
-/// Opens it, or makes it. What another user has left may be only read, which is enough for a lock.
+/// Opens or creates it. A file of another user may be read-only, which is enough for a lock.
 fn open(path: &Path) -> io::Result<File> {
     let mut all = OpenOptions::new();
     let made = all.read(true).write(true).create(true).truncate(false);
@@ -123,14 +124,14 @@ mod tests {
     #[test]
     fn a_claim_without_a_lock_is_no_error() {
         let folder = tempfile::tempdir().expect("a folder");
-        // Its lock's name is longer than a name may be.
+        // The name of its lock would exceed the maximum length.
         let path = folder.path().join("a".repeat(250));
         let _both = [Claim::new(&path), Claim::new(&path)].map(|claim| claim.expect("claimed"));
         assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 0);
         assert!(Claim::new(folder.path()).is_err(), "a folder");
     }
 
-    /// Each removes the lock file that the others may have open.
+    /// Each writer removes the lock file, which the others may have open.
     #[test]
     fn of_many_that_come_and_go_one_at_a_time_has_it() {
         let folder = tempfile::tempdir().expect("a folder");

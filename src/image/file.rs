@@ -1,4 +1,4 @@
-//! Files that appear whole or not at all.
+//! Writes files atomically: the complete file or nothing.
 
 use std::fs::{self, OpenOptions, Permissions};
 use std::io::{self, BufWriter, Cursor, ErrorKind, Seek, Write};
@@ -9,7 +9,7 @@ use tempfile::{Builder, NamedTempFile};
 use super::place::{Place, folder};
 use super::straight;
 
-/// Why a file could not be written.
+/// The reason why a file could not be written.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {cause}", path.display())]
 pub struct FileError {
@@ -17,19 +17,19 @@ pub struct FileError {
     pub cause: io::Error,
 }
 
-/// What is written to: encoders of pictures go back to fill in sizes.
+/// The output of an encoder; picture encoders seek back to fill in sizes.
 pub trait Sink: Write + Seek {}
 
 impl<T: Write + Seek> Sink for T {}
 
-/// Where the standard errors of a picture stand: `NAME-stderr.exr` beside `NAME.png` or `NAME.exr`.
+/// The path of a picture's standard errors: `NAME-stderr.exr` for `NAME.png` or `NAME.exr`.
 pub fn stderr_path(picture: &Path) -> PathBuf {
     let mut name = picture.file_stem().unwrap_or_default().to_os_string();
     name.push("-stderr.exr");
     picture.with_file_name(name)
 }
 
-/// `NAME-denoised.EXT` beside the picture `NAME.EXT`.
+/// `NAME-denoised.EXT` next to the picture `NAME.EXT`.
 pub fn denoised_path(picture: &Path) -> PathBuf {
     let mut name = picture.file_stem().unwrap_or_default().to_os_string();
     name.push("-denoised");
@@ -40,11 +40,11 @@ pub fn denoised_path(picture: &Path) -> PathBuf {
     picture.with_file_name(name)
 }
 
-/// Whether `path` can be written, found out before a rendering is spent on it. Leaves no trace.
+/// Checks before a rendering whether `path` can be written. Leaves no trace.
 pub fn check_writable(path: &Path) -> Result<(), FileError> {
     let check = || match Place::of(path)? {
         Place::File(path) => {
-            // What may not be written may not be replaced either, though its folder would allow it.
+            // A read-only file must not be replaced either, even if its folder would allow it.
             if path.exists() {
                 OpenOptions::new().write(true).open(&path)?;
             }
@@ -58,9 +58,9 @@ pub fn check_writable(path: &Path) -> Result<(), FileError> {
     })
 }
 
-/// Writes what `fill` writes: to a temporary name in the same folder, renamed once all of it is there. On an
-/// error the temporary file is removed and what stood at `path` stays. A link stays too: the file that it leads to is
-/// replaced. So do devices and pipes: they are written to.
+/// Writes the output of `fill` to a temporary file in the same folder and renames it when it is complete. On an error
+/// the temporary file is removed and the file at `path` stays. Links stay too: the file that they resolve to is
+/// replaced. Devices and pipes are written directly.
 pub fn write_whole<E>(
     path: &Path,
     fill: impl FnOnce(&mut dyn Sink) -> Result<(), E>,
@@ -82,7 +82,7 @@ where
     })
 }
 
-/// Puts a new file in the place of what is at `path`, with the permissions of that.
+/// Replaces the file at `path`, keeping its permissions.
 fn replace<E>(path: &Path, fill: impl FnOnce(&mut dyn Sink) -> Result<(), E>) -> io::Result<()>
 where
     E: std::error::Error + Send + Sync + 'static,
@@ -93,16 +93,16 @@ where
     out.flush()?;
     drop(out);
     if let Ok(there) = fs::metadata(path) {
-        // A file system without permissions is no reason to lose the file.
+        // A file system without permissions must not cost the file.
         let _ = temporary.as_file().set_permissions(there.permissions());
     }
-    // Else the new name may be on the disk before what it names, and a machine that stops leaves neither file.
+    // Otherwise the rename may reach the disk before the content, and a crash would lose both files.
     temporary.as_file().sync_data()?;
     temporary.persist(path)?;
     Ok(())
 }
 
-/// A file beside `path`, removed when dropped; it gets the permissions of any new file.
+/// A file next to `path`, removed when dropped, with the permissions of any new file.
 fn temporary(path: &Path) -> io::Result<NamedTempFile> {
     let mut builder = Builder::new();
     builder.prefix(".vkpt-");
@@ -118,8 +118,8 @@ fn temporary(path: &Path) -> io::Result<NamedTempFile> {
     }
 }
 
-/// The cause alone: `tempfile` adds the temporary name, which nobody has asked for. Of a folder that may not be written it
-/// is that folder.
+/// The cause without the temporary name that `tempfile` adds, which means nothing to the user. For a read-only folder
+/// the cause is the folder.
 fn nameless(error: io::Error) -> io::Error {
     let text = error.to_string();
     let cause = text
@@ -170,7 +170,7 @@ mod tests {
         assert_eq!(names(folder.path()), ["a.png"]);
     }
 
-    /// A link stands for the device itself, which a failing test would cost the whole machine.
+    /// Uses a link to the device, because a failing test on the device itself would cost the whole machine.
     #[cfg(unix)]
     #[test]
     fn a_device_stays_where_it_is() {
@@ -197,7 +197,7 @@ mod tests {
             write_whole(&link, |out| out.write_all(b"new")).expect("written");
             let there = fs::symlink_metadata(&path).expect("a file");
             assert!(there.is_file() && link.is_symlink());
-            // A new file has those that the umask leaves.
+            // A new file has the permissions that the umask leaves.
             assert!(mode == 0o666 || there.permissions().mode() & 0o777 == mode);
         }
         assert_eq!(fs::read(&path).expect("the file"), b"new");

@@ -1,4 +1,4 @@
-//! Pictures in files: films written and films read, and files that appear whole or not at all.
+//! Reads and writes pictures; files appear whole or not at all.
 
 pub mod claim;
 pub mod file;
@@ -22,14 +22,14 @@ use std::path::Path;
 pub enum Format {
     /// 8 bit sRGB.
     Png,
-    /// Linear RGB in bytes with an exponent in common.
+    /// Linear RGB in bytes with a common exponent.
     Hdr,
     /// Linear f32 RGB.
     Exr,
 }
 
 impl Format {
-    /// The format that a file's ending asks for, in upper or lower case.
+    /// The format of a file's extension, in any case.
     pub fn of(path: &Path) -> Option<Self> {
         let ending = path.extension()?;
         match () {
@@ -40,9 +40,9 @@ impl Format {
         }
     }
 
-    /// The format of a file by its first bytes, whatever its name.
+    /// The format given by a file's first bytes, regardless of its name.
     pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
-        // Radiance writes the first, its imitators the second.
+        // Radiance writes the first, other programs the second.
         let hdr: [&[u8]; 2] = [b"#?RADIANCE", b"#?RGBE"];
         match () {
             () if bytes.starts_with(b"\x89PNG\r\n\x1a\n") => Some(Self::Png),

@@ -1,23 +1,23 @@
-//! Where a file to be written comes to stand, through the links that its name leads along.
+//! Resolves the links of an output path.
 
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{self, Path, PathBuf};
 
-/// What a name of a file to be written stands for.
+/// The target of an output path.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
-    /// A file, there or to be made, by the name that links lead to: another file may take its place.
+    /// A regular file, existing or new, with links resolved: it may be replaced.
     File(PathBuf),
-    /// A device, a pipe, or what somebody has opened: nothing may take its place.
+    /// A device, a pipe, or an open file of a process: it must not be replaced.
     Straight(PathBuf),
 }
 
-/// A chain of more links is a circle, as Linux sees it.
+/// A longer chain of links counts as a loop, as in Linux.
 const MOST_LINKS: usize = 40;
 
 impl Place {
-    /// What `path` stands for; an error where it can be no file.
+    /// The target of `path`; an error if it cannot be a file.
     pub fn of(path: &Path) -> io::Result<Self> {
         let path = followed(path)?;
         match fs::metadata(&path) {
@@ -36,7 +36,7 @@ impl Place {
     }
 }
 
-/// The folder that a file of this name is in.
+/// The folder of a file with this name.
 pub fn folder(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if folder != Path::new("") => folder,
@@ -44,7 +44,7 @@ pub fn folder(path: &Path) -> &Path {
     }
 }
 
-/// The name at the end of the links at `path`, whether something is there or not.
+/// The path at the end of the links at `path`, whether or not it exists.
 pub fn followed(path: &Path) -> io::Result<PathBuf> {
     let mut path = path.to_owned();
     for _ in 0..MOST_LINKS {
@@ -56,8 +56,8 @@ pub fn followed(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("its links lead in a circle"))
 }
 
-/// Whether the name is one of Linux's for what a process has opened, such as /proc/self/fd/1. Its text is only a hint: the
-/// file that it names may have another name by now, or none.
+/// Whether Linux uses the name for an open file of a process, such as /proc/self/fd/1. The link's text is only a hint:
+/// the file that it names may have been renamed or removed.
 fn is_opened(path: &Path) -> bool {
     let folder = folder(path).canonicalize();
     path.is_symlink() && folder.is_ok_and(|folder| folder.starts_with("/proc"))

@@ -1,8 +1,8 @@
-//! How far a stored value may be from the one that was written.
+//! Bounds the difference between stored and original values.
 
 use super::srgb;
 
-/// How a picture's values were rounded when it was written.
+/// The rounding of a picture's values in its file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// EXR's `FLOAT`: f32.
@@ -11,18 +11,17 @@ pub enum Precision {
     Pxr24,
     /// EXR's `HALF`: f16.
     Half,
-    /// HDR: bytes with an exponent in common.
+    /// HDR: bytes with a common exponent.
     Rgbe,
     /// PNG: sRGB codes from 0 to 2^`bits` − 1.
     Srgb { bits: u8 },
-    /// EXR's B44 and DWA, whose error depends on the pixels around.
+    /// EXR's B44 and DWA, whose error depends on neighbouring pixels.
     Lossy,
 }
 
 impl Precision {
-    /// For a pixel as it was read: for each channel the largest distance of what was written, in linear
-    /// radiance; nothing where there is no bound. Holds for values that the format spans: what was clamped to the
-    /// ends of a PNG or an HDR is no rounding.
+    /// For a pixel as read: the largest rounding error of each channel, in linear radiance; `None` if there is no
+    /// bound. The bound applies within the format's range: clamping to the limits of a PNG or an HDR is not rounding.
     pub fn rounding(self, rgb: [f32; 3]) -> Option<[f64; 3]> {
         // Half a unit in the last place: |x|·2^-(significant bits), or half the smallest subnormal.
         let float = |significant: i32, smallest: i32| {
@@ -40,7 +39,7 @@ impl Precision {
         }
     }
 
-    /// That of a picture which has channels of both.
+    /// The precision of a picture with channels of both.
     pub(super) fn coarser(self, other: Self) -> Self {
         let rank = |precision| match precision {
             Self::Single => 0,
@@ -58,15 +57,15 @@ impl Precision {
     }
 }
 
-/// A whole step, since most writers truncate: 2⁻⁷ of the largest channel, whose m is at least 128. What is below
+/// A whole step, because most writers truncate: 2⁻⁷ of the largest channel, whose m is at least 128. Values below
 /// [`super::rgbe::BLACK`] may have become 0.
 fn rgbe(rgb: [f32; 3]) -> f64 {
     let largest = rgb.into_iter().fold(0.0, f32::max);
     (f64::from(largest) / 128.0).max(f64::from(super::rgbe::BLACK))
 }
 
-/// Half a code above: the inverse transfer is convex, so the distance to half a code below is no larger. The
-/// film's own f32 comes on top.
+/// Half a code upwards: the inverse transfer is convex, so the distance to half a code below is no larger. The film's
+/// own f32 rounding is added.
 fn code(x: f32, bits: u8) -> f64 {
     let x = f64::from(x);
     let half = 0.5 / (power_of_2(i32::from(bits)) - 1.0);

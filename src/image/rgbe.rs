@@ -1,16 +1,16 @@
-//! RGBE (Ward, "Real Pixels", Graphics Gems II, 1991): three bytes m and one exponent e in common.
+//! RGBE (Ward, "Real Pixels", Graphics Gems II, 1991): three bytes m and one common exponent e.
 //!
 //! A channel is m · 2^(e − 136), where the largest m of a pixel is at least 128; e = 0 is black. (Radiance itself reads
-//! m + ½, and truncates when it writes; every other reader that we know of takes m as it stands.)
+//! m + ½, and truncates when it writes; every other reader that we know of uses m unchanged.)
 
-/// The largest value, m = 255 and e = 255. What is larger becomes this.
+/// The largest value, m = 255 and e = 255. Larger values are clamped to it.
 pub const LARGEST: f32 = 255.0 * (1u128 << 119) as f32;
 
-/// A pixel with no channel above this is black, as Ward's `setcolr` has it.
+/// A pixel with no channel above this is black, as in Ward's `setcolr`.
 pub const BLACK: f32 = 1e-32;
 
-/// The pixel of the format that is nearest to a linear one: at most half a step away, 2⁻⁸ of the largest channel.
-/// Negative values and NaN are 0.
+/// The pixel of the format nearest to a linear one: at most half a step away, 2⁻⁸ of the largest channel. Negative
+/// values and NaN become 0.
 pub fn nearest(rgb: [f32; 3]) -> [f32; 3] {
     let held = |channel: f32| {
         if channel > 0.0 {
@@ -25,7 +25,7 @@ pub fn nearest(rgb: [f32; 3]) -> [f32; 3] {
         return [0.0; 3];
     }
     let step = match step(largest) {
-        // The largest m would round to 256: the exponent above has it as 128.
+        // The largest m would round to 256; with the next exponent it is 128.
         step if (largest / step).round() > 255.0 => 2.0 * step,
         step => step,
     };
@@ -33,8 +33,8 @@ pub fn nearest(rgb: [f32; 3]) -> [f32; 3] {
     rgb.map(|channel| (channel / step).round() * step)
 }
 
-/// The distance of neighbours, 2^(e − 136) with 128 ≤ largest/step < 256; `largest` is a normal number, and
-/// its step too.
+/// The distance between neighbouring values, 2^(e − 136) with 128 ≤ largest/step < 256; `largest` and its step are
+/// normal numbers.
 fn step(largest: f32) -> f32 {
     let power = f32::from_bits(largest.to_bits() & 0x7f80_0000);
     power / 128.0
@@ -46,7 +46,7 @@ mod tests {
 
     #[test]
     fn what_the_format_holds_is_kept() {
-        // 128 · 2^(23 − 136) is the first that is not black.
+        // 128 · 2^(23 − 136) is the smallest value that is not black.
         for e in 23..=255 {
             for m in [128.0f64, 129.0, 200.0, 255.0] {
                 let at = |m: f64| (m * f64::from(e - 136).exp2()) as f32;
@@ -58,7 +58,7 @@ mod tests {
 
     #[test]
     fn the_rest_is_rounded_to_half_a_step() {
-        // Step 2⁻⁷ from 1 to 2: by hand.
+        // Step 2⁻⁷ from 1 to 2, computed by hand.
         let step = 1.0 / 128.0;
         assert_eq!(
             nearest([1.0, 0.49 * step, 0.51 * step]),
@@ -67,7 +67,7 @@ mod tests {
         );
         assert_eq!(nearest([1.0 + 1.4 * step; 3]), [1.0 + step; 3]);
         assert_eq!(nearest([1.0 + 1.6 * step; 3]), [1.0 + 2.0 * step; 3]);
-        // Half-way between 255 and 256 steps the exponent changes, and with it the step.
+        // Half-way between 255 and 256 steps the exponent changes, and the step with it.
         assert_eq!(
             nearest([1.0 + 127.4 * step, step, 0.0])[..2],
             [1.0 + 127.0 * step, step]

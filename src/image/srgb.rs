@@ -1,6 +1,6 @@
 //! The sRGB transfer function (IEC 61966-2-1), exact and piecewise.
 
-/// The encoded value in [0, 1] of a linear one; what lies outside [0, 1] is clamped, NaN is 0.
+/// The encoded value in [0, 1] of a linear one, clamped to [0, 1]; NaN becomes 0.
 pub fn transfer(linear: f64) -> f64 {
     // C = 12.92 L for L ≤ 0.0031308, 1.055 L^(1/2.4) − 0.055 above
     match linear {
@@ -13,11 +13,11 @@ pub fn transfer(linear: f64) -> f64 {
 
 /// The 8-bit code nearest to the encoded value of a linear one.
 pub fn quantise(linear: f64) -> u8 {
-    // At most 255, never negative nor NaN: `as` loses nothing but the fraction that was rounded away.
+    // In [0, 255] and never NaN, so the cast is exact.
     (255.0 * transfer(linear)).round() as u8
 }
 
-/// The linear value of an encoded one in [0, 1]; goes on above 1 by the same power.
+/// The linear value of an encoded one in [0, 1]; the same power continues above 1.
 pub fn linear(encoded: f64) -> f64 {
     // L = C/12.92 for C ≤ 0.04045, ((C + 0.055)/1.055)^2.4 above
     if encoded <= 0.04045 {
@@ -37,7 +37,7 @@ mod tests {
             let c = f64::from(code);
             assert_eq!(quantise(linear(c / 255.0)), code);
             if code < 255 {
-                // The codes change half-way between two encoded values, a hair to either side of it.
+                // Codes change half-way between two encoded values; these are just to either side.
                 assert_eq!(quantise(linear((c + 0.499_99) / 255.0)), code);
                 assert_eq!(quantise(linear((c + 0.500_01) / 255.0)), code + 1);
             }

@@ -1,13 +1,13 @@
-//! Writing to what no file may take the place of: devices, pipes, and what somebody has opened.
+//! Writes to targets that must not be replaced: devices, pipes and open files of processes.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
-/// Whether it can be written to.
+/// Checks that it can be written.
 pub(super) fn check(path: &Path) -> io::Result<()> {
     match kind(path)? {
-        // Whoever reads a pipe would take a writer that goes away again for its end.
+        // A reader of a pipe would take the end of a trial write for the end of the data.
         Kind::Pipe => Ok(()),
         Kind::Socket => Err(io::Error::other(
             "is a socket, which cannot be opened by its name",
@@ -21,7 +21,7 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     unless_gone(open(path)?.write_all(bytes))
 }
 
-/// What became of writing to a pipe: a reader that has gone away has read enough, which is no error.
+/// Ignores a broken pipe: a reader that has closed it has read enough.
 pub fn unless_gone(written: io::Result<()>) -> io::Result<()> {
     match written {
         Err(cause) if cause.kind() == ErrorKind::BrokenPipe => Ok(()),
@@ -29,7 +29,7 @@ pub fn unless_gone(written: io::Result<()>) -> io::Result<()> {
     }
 }
 
-/// Opens it. A file that somebody else has opened may have something in it already.
+/// Opens it for writing. An open file of another process may already have content, so it is appended to.
 fn open(path: &Path) -> io::Result<File> {
     let is_file = fs::metadata(path)?.is_file();
     OpenOptions::new().write(true).append(is_file).open(path)

@@ -1,4 +1,4 @@
-//! Meshes as binary PLY files, each triangle where the scene has it; and boxes as meshes.
+//! Meshes as binary PLY files, each triangle at its place in the scene; and boxes as meshes.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use super::{Beside, Subject};
 use vkpt::prepared::{Material, Prepared};
 use vkpt::scene::{Geometry, Mesh, flip, signed_volume};
 
-/// The triangles of a box, wound as one sees them from outside: two for each face, by its [`corners`].
+/// The triangles of a box, counter-clockwise seen from outside: two for each face, with the corners of [`corners`].
 pub const BOX: [[u32; 3]; 12] = [
     [0, 4, 6],
     [0, 6, 2],
@@ -25,8 +25,7 @@ pub const BOX: [[u32; 3]; 12] = [
     [4, 7, 6],
 ];
 
-/// The corners of the box from `lo` to `hi`: bit 0 of a corner's number says whether its x is that of `hi`, bit 1 its y,
-/// bit 2 its z.
+/// The corners of the box from `lo` to `hi`: bit 0 of a corner's number selects x of `hi`, bit 1 y, bit 2 z.
 pub fn corners(lo: DVec3, hi: DVec3) -> [DVec3; 8] {
     std::array::from_fn(|i| {
         let is_hi = BVec3::from_array([0, 1, 2].map(|bit| i >> bit & 1 == 1));
@@ -34,12 +33,12 @@ pub fn corners(lo: DVec3, hi: DVec3) -> [DVec3; 8] {
     })
 }
 
-/// The name of the mesh of a line.
+/// The file name of a mesh, given its line.
 pub fn file_name(stem: &str, line: usize) -> String {
     format!("{stem}-{line}.ply")
 }
 
-/// Those of all meshes that can be seen.
+/// The files of all visible meshes.
 pub fn files(subject: &Subject) -> Vec<Beside> {
     let meshes = seen(subject).filter_map(|(shape, material)| match &shape.geometry {
         Geometry::Mesh(mesh) => Some((shape.line, outwards(mesh, material))),
@@ -52,7 +51,7 @@ pub fn files(subject: &Subject) -> Vec<Beside> {
     meshes.map(file).collect()
 }
 
-/// Glass and lights have an outside: their triangles are wound as one sees them from there.
+/// Glass and lights have an outside: their triangles are wound counter-clockwise as seen from there.
 pub fn outwards<'m>(mesh: &'m Mesh, material: &Material) -> Cow<'m, Mesh> {
     let has_outside = Prepared::is_transmissive(material) || material.radiance != DVec3::ZERO;
     if !has_outside || signed_volume(mesh) >= 0.0 {

@@ -1,5 +1,5 @@
-//! A scene in the words of other programs: a folder each. What such a program has no equal of is refused, by line; where it
-//! has another model of the same thing, that is said. docs/exchange.md has all of both.
+//! Exports a scene to other programs, one folder each. Features without an equivalent are refused, by line; differences
+//! between the models give a warning. docs/exchange.md lists both.
 
 pub mod command;
 pub mod gltf;
@@ -19,28 +19,28 @@ use vkpt::prepared::Prepared;
 use vkpt::scene::Scene;
 use vkpt::settings::Model;
 
-/// What is to be said in another renderer's words.
+/// The scene to export.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject<'a> {
     pub scene: &'a Scene,
-    /// The same, by the settings and at the size of the picture.
+    /// The scene prepared with the settings and at the size of the picture.
     pub prepared: &'a Prepared,
     pub model: &'a Model,
-    /// First column and row, then those behind the last, from the top left.
+    /// First column and row, then one past the last, from the top left.
     pub crop: Option<[u32; 4]>,
-    /// What the names of files beside the scene begin with.
+    /// The prefix of the names of additional files.
     pub stem: &'a str,
 }
 
-/// What the other renderer reads.
+/// The input for the other renderer.
 #[derive(Clone, Debug)]
 pub struct Export {
     text: Text,
-    /// To stand beside the scene, which has their names.
+    /// Additional files, which the scene refers to by name.
     pub beside: Vec<Beside>,
-    /// Where the picture will not be quite the same, each once, in the order of the file.
+    /// Differences of the pictures, each once, in file order.
     pub warnings: Vec<Remark<String>>,
-    /// What is good to know.
+    /// A note for the user.
     pub note: Option<Remark<String>>,
 }
 
@@ -50,7 +50,7 @@ enum Text {
     Bytes(Vec<u8>),
 }
 
-/// A file to stand beside the scene.
+/// An additional file.
 #[derive(Clone, Debug)]
 pub struct Beside {
     pub name: String,

@@ -1,16 +1,16 @@
-//! Places in which two programs see different things: inside a light, and where faces coincide.
+//! Situations that two programs render differently: the eye inside a light, and coincident faces.
 
 use vkpt::prepared::patch::{Orientation, Patch};
 use vkpt::prepared::{NONE, Prepared, Shape, ShapeKind};
 
-/// The lines of the lights that the eye stands in.
+/// The lines of the lights that contain the eye.
 pub fn lights_about_eye(prepared: &Prepared) -> impl Iterator<Item = usize> {
     let lights = prepared.shapes.iter().filter(|shape| shape.light != NONE);
     let around = lights.filter(|shape| contains_eye(prepared, shape));
     around.map(|shape| shape.line)
 }
 
-/// The line of each shape with a face where one of another shape is, and the line of that.
+/// For each shape with a face that coincides with one of another shape: both lines.
 pub fn coincident(prepared: &Prepared) -> impl Iterator<Item = (usize, usize)> {
     let shapes = prepared.shapes.iter().enumerate();
     shapes.filter_map(|(i, shape)| Some((shape.line, other_in_place(prepared, i, shape)?.line)))
@@ -23,7 +23,7 @@ fn contains_eye(prepared: &Prepared, shape: &Shape) -> bool {
     body.contains(prepared.camera.eye)
 }
 
-/// The first shape with a face where this one has one, if rays may meet it there.
+/// The first shape with a face that coincides with one of this shape, if rays may hit it there.
 fn other_in_place<'a>(prepared: &'a Prepared, i: usize, shape: &Shape) -> Option<&'a Shape> {
     let coincident = &prepared.primitives.coincident;
     let listed = (shape.faces()).find_map(|prim| coincident.of(i as u32, prim).first());
@@ -33,7 +33,7 @@ fn other_in_place<'a>(prepared: &'a Prepared, i: usize, shape: &Shape) -> Option
     }
 }
 
-/// Boxes of two materials with faces in one plane, seen from one side. vkpt needs no table to tell which of them is there.
+/// Boxes of two materials with faces in one plane, seen from one side. vkpt needs no table to decide between them.
 fn flush_boxes(prepared: &Prepared, a: &Shape, b: &Shape) -> bool {
     let boxes = [a, b].iter().all(|shape| shape.kind == ShapeKind::Box);
     if !boxes || a.material == b.material {

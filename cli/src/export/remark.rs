@@ -1,13 +1,13 @@
-//! What is said of a line of the scene: that the other renderer cannot have it, or has it otherwise.
+//! Remarks on lines of the scene: a feature that the other renderer lacks, or treats differently.
 
 use std::fmt;
 
-/// A line of the scene, and what is said of it.
+/// A line of the scene and a remark on it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Remark<R> {
     pub line: usize,
     pub reason: R,
-    /// Lines after it of which the same is said.
+    /// Number of later lines with the same remark.
     pub more: usize,
 }
 
@@ -22,7 +22,7 @@ impl<R> Remark<R> {
 }
 
 impl<R: fmt::Display> Remark<R> {
-    /// The same, its reason in words.
+    /// The same with its reason as text.
     pub fn told(self) -> Remark<String> {
         Remark {
             line: self.line,
@@ -43,7 +43,7 @@ impl<R: fmt::Display> fmt::Display for Remark<R> {
     }
 }
 
-/// In the order of the file, each reason once.
+/// In file order, each reason once.
 pub fn gathered<R: PartialEq>(mut remarks: Vec<Remark<R>>) -> Vec<Remark<R>> {
     remarks.sort_by_key(|remark| remark.line);
     let mut gathered: Vec<Remark<R>> = Vec::new();

@@ -1,4 +1,4 @@
-//! What can be seen of a scene: all shapes but those whose surface is not there.
+//! The visible part of a scene: all shapes except index-matched interfaces without absorption.
 
 use glam::DVec3;
 
@@ -11,12 +11,12 @@ pub fn absorbs(material: &Material) -> bool {
     Prepared::is_transmissive(material) && material.sigma != DVec3::ZERO
 }
 
-/// Whether there is anything to be seen of it: a null interface without absorption is not there.
+/// Whether it has any visible effect: an index-matched interface without absorption has none.
 pub fn is_there(material: &Material) -> bool {
     material.kind != MaterialKind::NullInterface || absorbs(material)
 }
 
-/// The materials of shapes that can be seen.
+/// The materials of visible shapes.
 pub fn used(prepared: &Prepared) -> impl Iterator<Item = &Material> {
     let mut has_shape = vec![false; prepared.materials.len()];
     for shape in &prepared.shapes {
@@ -28,7 +28,7 @@ pub fn used(prepared: &Prepared) -> impl Iterator<Item = &Material> {
         .map(|(material, _)| material)
 }
 
-/// The shapes of the scene that can be seen, with what they are made of.
+/// The visible shapes of the scene, with their materials.
 pub fn seen<'a>(subject: &Subject<'a>) -> impl Iterator<Item = (&'a Shape, &'a Material)> {
     let materials = &subject.prepared.materials;
     let all = subject.scene.shapes.iter();

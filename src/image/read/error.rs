@@ -1,9 +1,9 @@
-//! Why a picture could not be read.
+//! Errors in reading a picture.
 
 use std::io;
 use std::path::PathBuf;
 
-/// A file and what is wrong with it.
+/// A file and its error.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {cause}", path.display())]
 pub struct ReadError {
@@ -11,7 +11,7 @@ pub struct ReadError {
     pub cause: DecodeError,
 }
 
-/// What is wrong with a file, or with what vkpt can do with it.
+/// A fault of a file, or a limit of vkpt.
 #[derive(Debug, thiserror::Error)]
 pub enum DecodeError {
     #[error("{0}")]
@@ -24,7 +24,7 @@ pub enum DecodeError {
     Empty,
     #[error("is no picture that vkpt reads: EXR, HDR or PNG")]
     Unknown,
-    /// What the format's crate says.
+    /// The message of the format's crate.
     #[error("is broken: {0}")]
     Broken(String),
     #[error("vkpt can't read that: {0}")]
@@ -64,8 +64,8 @@ pub enum DecodeError {
 }
 
 impl DecodeError {
-    /// The same without characters that could do something to a terminal: names, and what a crate quotes, are the
-    /// file's own.
+    /// The same without control characters that a terminal might interpret: names, and text quoted by a crate, come
+    /// from the file.
     pub(super) fn printable(mut self) -> Self {
         let texts = match &mut self {
             Self::Broken(text) | Self::Unsupported(text) | Self::Colours(text) => {

@@ -1,4 +1,4 @@
-//! OpenEXR: the R, G and B of one layer, at the place of its data window.
+//! OpenEXR: the R, G and B of one layer, placed at its data window.
 
 mod blocks;
 mod channels;
@@ -18,12 +18,12 @@ use crate::film::Film;
 use crate::image::{Precision, primaries};
 use channels::Rgb;
 
-/// R, G and B.
+/// Decodes R, G and B.
 pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     chosen(bytes, channels::choose)
 }
 
-/// The channels of a layer.
+/// Decodes the channels of a layer.
 pub fn decode_layer(bytes: &[u8], layer: &str) -> Result<Picture, DecodeError> {
     chosen(bytes, |headers| channels::layer(headers, layer))
 }
@@ -81,7 +81,7 @@ fn side(pixels: usize) -> Result<u32, DecodeError> {
     u32::try_from(pixels).map_err(|_| broken("a side of 2³² pixels"))
 }
 
-/// Without the attribute, the standard says, it is BT.709's.
+/// By the standard, a missing attribute means BT.709.
 fn check_primaries(given: Option<Chromaticities>) -> Result<(), DecodeError> {
     let xy = |Vec2(x, y): Vec2<f32>| [f64::from(x), f64::from(y)];
     match given {
@@ -92,7 +92,7 @@ fn check_primaries(given: Option<Chromaticities>) -> Result<(), DecodeError> {
     }
 }
 
-/// That of the coarsest of the three channels.
+/// The precision of the coarsest of the three channels.
 fn precision(header: &Header, rgb: &Rgb) -> Result<Precision, DecodeError> {
     let mut coarsest = Precision::Single;
     for channel in rgb.channels.map(|index| &header.channels.list[index]) {

@@ -10,7 +10,7 @@ use crate::film::Film;
 use crate::image::{Precision, primaries};
 
 pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
-    // The crate wants Radiance's own first line.
+    // The crate requires Radiance's own first line.
     let first_line = bytes.iter().take_while(|&&byte| byte != b'\n').count();
     let decoder = HdrDecoder::new(SIGNATURE.chain(&bytes[first_line..]))?;
     let header = decoder.metadata();
@@ -28,7 +28,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     Ok(Picture::whole(film, Precision::Rgbe))
 }
 
-/// What radiance was multiplied by before it was written.
+/// The factor that radiance was multiplied by before writing.
 fn exposure(header: &HdrMetadata) -> Result<f32, DecodeError> {
     match header.exposure.unwrap_or(1.0) {
         exposure if exposure > 0.0 && exposure.is_finite() => Ok(exposure),
@@ -36,7 +36,7 @@ fn exposure(header: &HdrMetadata) -> Result<f32, DecodeError> {
     }
 }
 
-/// `PRIMARIES` are xy of red, green, blue and white; `COLORCORR` scales each channel.
+/// `PRIMARIES` are xy of red, green, blue and white; `COLORCORR` is a factor for each channel.
 fn check_colours(header: &HdrMetadata) -> Result<(), DecodeError> {
     if header
         .color_correction

@@ -1,4 +1,4 @@
-//! Pictures of any program: linear RGB, where the pixels are, and how they were rounded.
+//! Reads pictures of any program: linear RGB, position of the pixels, and rounding.
 
 mod error;
 mod exr;
@@ -14,29 +14,29 @@ pub use error::{DecodeError, ReadError};
 use super::{Format, Precision};
 use crate::film::Film;
 
-/// The largest picture that is read: what 16384² pixels need, 3 GiB.
+/// The largest picture that is read: 16384² pixels, 3 GiB.
 const MOST_PIXELS: u64 = 1 << 28;
 
-/// No file is shortened further. Black pixels are at best: deflate (RFC 1951) makes one byte of 1032, and EXR's DWA does
-/// so with one value out of 64.
+/// Maximum compression factor of a file. Black pixels compress best: deflate (RFC 1951) makes one byte of 1032, and
+/// EXR's DWA does so with one value out of 64.
 const MOST_SHORTENED: u64 = 1 << 17;
 
-/// A picture as a file holds it.
+/// A picture as stored in a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    /// The pixels that are there, all finite. Negative ones are legal: other renderers filter.
+    /// The stored pixels, all finite. Negative values are legal: other renderers filter.
     pub film: Film,
     /// Column and row of the film's top left pixel in the full picture; [0, 0] but for an EXR's data window.
     pub origin: [i32; 2],
-    /// Width and height of the full picture: the film's, or an EXR's display window.
+    /// Width and height of the full picture: the film's, or those of an EXR's display window.
     pub full: [u32; 2],
     pub precision: Precision,
-    /// What the file says of itself: an EXR's `comments`, where vkpt tells what the picture was made from.
+    /// The file's description of itself: an EXR's `comments`, where vkpt writes how the picture was made.
     pub notes: String,
 }
 
 impl Picture {
-    /// A film that is the full picture.
+    /// A film that covers the full picture.
     fn whole(film: Film, precision: Precision) -> Self {
         let full = [film.width, film.height];
         Self {
@@ -49,7 +49,7 @@ impl Picture {
     }
 }
 
-/// Reads an EXR, an HDR or a PNG, told apart by their first bytes: [`decode`] says what of them.
+/// Reads an EXR, an HDR or a PNG, identified by its first bytes; see [`decode`].
 pub fn read(path: &Path) -> Result<Picture, ReadError> {
     read_as(path, decode)
 }
@@ -74,19 +74,19 @@ fn read_as(
     })
 }
 
-/// Reads a layer of an EXR, as [`read`] reads its picture: NAME.R, G and B, NAME.X, Y and Z, or the channel NAME alone, which is
-/// then all three.
+/// Reads a layer of an EXR like [`read`]: NAME.R, G and B, NAME.X, Y and Z, or the single channel NAME, which is then
+/// used for all three.
 pub fn read_layer(path: &Path, layer: &str) -> Result<Picture, ReadError> {
     read_as(path, |bytes| decode_layer(bytes, layer))
 }
 
-/// The picture that a file's bytes hold.
+/// Decodes a picture from a file's bytes.
 ///
-/// EXR: flat, any of the compressions but HTJ2K, scan lines or tiles (of which the finest level), half or float. R, G and
-/// B are those of the first part that has them; otherwise those of the only layer (`color.R` …) that does.
-/// HDR: RGBE with the rows from the top; `EXPOSURE` is undone. PNG: 1 to 16 bits, grey, palette or RGB, as sRGB
-/// codes. Alpha and all other channels are ignored. Primaries other than sRGB's are refused, and so is a PNG that
-/// says its codes are not sRGB.
+/// EXR: flat, any of the compressions but HTJ2K, scan lines or tiles (the finest level), half or float. R, G and B are
+/// those of the first part that has them; otherwise those of the only layer (`color.R` …) that does. HDR: RGBE with the
+/// rows from the top; `EXPOSURE` is undone. PNG: 1 to 16 bits, grey, palette or RGB, as sRGB codes. Alpha and all other
+/// channels are ignored. Primaries other than sRGB's are refused, and so is a PNG that declares that its codes are not
+/// sRGB.
 pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     if bytes.is_empty() {
         return Err(DecodeError::Empty);
@@ -99,7 +99,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     checked(|| decode(bytes))
 }
 
-/// The layer of an EXR's bytes, as [`read_layer`] says.
+/// Decodes a layer from the bytes of an EXR, see [`read_layer`].
 fn decode_layer(bytes: &[u8], layer: &str) -> Result<Picture, DecodeError> {
     match Format::of_bytes(bytes) {
         Some(Format::Exr) => checked(|| exr::decode_layer(bytes, layer)),
@@ -107,7 +107,7 @@ fn decode_layer(bytes: &[u8], layer: &str) -> Result<Picture, DecodeError> {
     }
 }
 
-/// What a decoder makes of a file.
+/// Runs a decoder and checks its result.
 fn checked(decode: impl Fn() -> Result<Picture, DecodeError>) -> Result<Picture, DecodeError> {
     // The crates are hardened against broken files, but not proved to be.
     let picture = catch_unwind(AssertUnwindSafe(decode))
@@ -117,7 +117,7 @@ fn checked(decode: impl Fn() -> Result<Picture, DecodeError>) -> Result<Picture,
     Ok(picture)
 }
 
-/// How many pixels a picture has: not none, and no more than can be in the file.
+/// The number of pixels of a picture: at least one, and no more than the file can contain.
 fn pixels(
     width: u64,
     height: u64,
@@ -141,7 +141,7 @@ fn pixels(
     }
 }
 
-/// Refuses NaN and infinity: every mean over such a picture would be one.
+/// Refuses NaN and infinity: every mean over the picture would be one.
 fn check_finite(picture: &Picture) -> Result<(), DecodeError> {
     let values = picture.film.rgb.as_flattened();
     let mut bad = values.iter().enumerate().filter(|(_, v)| !v.is_finite());

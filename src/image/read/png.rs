@@ -1,4 +1,4 @@
-//! PNG: sRGB codes of 1 to 16 bits, made linear.
+//! PNG: sRGB codes of 1 to 16 bits, converted to linear.
 
 use std::io::Cursor;
 
@@ -10,7 +10,7 @@ use crate::image::{Precision, primaries, srgb};
 
 pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
-    // Palettes become RGB, codes of fewer bits than 8 become the same share of 255.
+    // Palettes become RGB; codes of fewer than 8 bits are scaled to 255.
     decoder.set_transformations(Transformations::EXPAND);
     decoder.set_ignore_text_chunk(true);
     let mut reader = decoder.read_info()?;
@@ -37,7 +37,7 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     Ok(Picture::whole(Film { width, height, rgb }, precision))
 }
 
-/// Bits of a code in the file. A palette's colours have 8, whatever its indices.
+/// Bits per code in the file. A palette's colours have 8, at any size of its indices.
 fn bits(info: &Info) -> u8 {
     match info.color_type {
         ColorType::Indexed => 8,
@@ -45,7 +45,7 @@ fn bits(info: &Info) -> u8 {
     }
 }
 
-/// Encoded values in [0, 1], as many a pixel as the colour type has, of which the last may be alpha.
+/// Encoded values in [0, 1], one per sample of the colour type; the last sample of a pixel may be alpha.
 fn film(encoded: impl Iterator<Item = f64>, colour: ColorType) -> Vec<[f32; 3]> {
     let linear: Vec<f32> = encoded.map(|e| srgb::linear(e) as f32).collect();
     let pixel = |samples: &[f32]| match *samples {
@@ -57,8 +57,9 @@ fn film(encoded: impl Iterator<Item = f64>, colour: ColorType) -> Vec<[f32; 3]> 
     linear.chunks_exact(colour.samples()).map(pixel).collect()
 }
 
-/// Takes a file that says nothing as sRGB, which is the custom, and one that says gamma 1/2.2, by which old
-/// writers mean sRGB (PNG 11.3.2.5). Any other statement about colours is refused: what is compared must be radiance.
+/// Accepts a file without a statement about colours as sRGB, which is the convention, and one with gamma 1/2.2, by
+/// which old writers mean sRGB (PNG 11.3.2.5). Any other statement about colours is refused, because comparisons need
+/// radiance.
 fn check_colours(info: &Info) -> Result<(), DecodeError> {
     let refuse = |what: &str| Err(DecodeError::Colours(what.to_owned()));
     if let Some(cicp) = info.coding_independent_code_points {

@@ -1,4 +1,4 @@
-//! OpenEXR: linear f32 RGB, with what the picture was made from in its header.
+//! OpenEXR: linear f32 RGB, with the origin of the picture in its header.
 
 use std::io::{Seek, SeekFrom, Write};
 
@@ -6,10 +6,10 @@ use ::exr::prelude::*;
 
 use super::{EncodeError, Frame, Labels};
 
-/// Writes the film; its data window is the frame's place in the display window, the full picture.
+/// Writes the film. Its data window is the frame's place in the display window, which is the full picture.
 ///
-/// The notes share the standard attribute `comments`: the crate keeps attributes of one's own in a hash map
-/// and writes them in an order that changes from run to run.
+/// The notes share the standard attribute `comments`: the crate keeps custom attributes in a hash map and writes them
+/// in an order that changes from run to run.
 pub fn encode(
     frame: &Frame,
     labels: &Labels,
@@ -46,8 +46,8 @@ pub fn encode(
     }
 }
 
-/// Says in a file that begins at `begin` that names may be long, which the crate forgets. No other flag is set in a file of one
-/// layer of scan lines.
+/// Sets the flag for long names in a file that begins at `begin`, which the crate omits. No other flag is set in a file
+/// with one layer of scan lines.
 fn flag_long_names(begin: u64, out: &mut (impl Write + Seek + ?Sized)) -> ::exr::error::UnitResult {
     out.seek(SeekFrom::Start(begin + FLAGS))?;
     out.write_all(&[LONG_NAMES])?;
@@ -55,14 +55,14 @@ fn flag_long_names(begin: u64, out: &mut (impl Write + Seek + ?Sized)) -> ::exr:
     Ok(())
 }
 
-/// Bytes of a name that any reader takes.
+/// Length in bytes of a name that any reader accepts.
 const SHORT_NAME: usize = 31;
-/// Where the flags of the version field are, and that of names of up to 255 bytes, bit 10 of it (OpenEXR File Layout, "Version
-/// Field").
+/// Position of the flags in the version field, and the flag for names of up to 255 bytes, bit 10 of that field (OpenEXR
+/// File Layout, "Version Field").
 const FLAGS: u64 = 5;
 const LONG_NAMES: u8 = 4;
 
-/// R, G and B and the channels beside them, which the format wants in the order of their names.
+/// R, G, B and the additional channels, sorted by name as the format requires.
 fn all(frame: &Frame) -> AnyChannels<FlatSamples> {
     let channel = |name: &str, values| AnyChannel::new(name, FlatSamples::F32(values));
     let of_film = |(i, name)| channel(name, frame.film.rgb.iter().map(|rgb| rgb[i]).collect());
@@ -81,7 +81,7 @@ fn lines(notes: &[(&'static str, String)]) -> String {
         .collect()
 }
 
-/// UTF-8 as it stands: the format prescribes no encoding.
+/// UTF-8 unchanged: the format prescribes no encoding.
 fn text(s: &str) -> Text {
     Text::from_bytes_unchecked(s.bytes().collect())
 }

@@ -1,4 +1,4 @@
-//! Radiance HDR: linear RGB in four bytes a pixel.
+//! Radiance HDR: linear RGB in four bytes per pixel.
 
 use std::io::Write;
 
@@ -9,10 +9,10 @@ use super::EncodeError;
 use crate::film::Film;
 use crate::image::rgbe;
 
-/// Writes the film, each pixel rounded to the nearest that the format holds.
+/// Writes the film, each pixel rounded to the nearest in the format.
 ///
-/// The crate's encoder truncates, and wraps the exponent of what is too large or too small; what it is given here
-/// is already a pixel of the format, which it keeps to the bit.
+/// The crate's encoder truncates, and wraps the exponent of values that are too large or too small; here it receives
+/// pixels of the format, which it preserves exactly.
 pub fn encode(film: &Film, out: &mut (impl Write + ?Sized)) -> Result<(), EncodeError> {
     let pixels: Vec<_> = film.rgb.iter().map(|&p| Rgb(rgbe::nearest(p))).collect();
     let (width, height) = (film.width as usize, film.height as usize);

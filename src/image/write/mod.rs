@@ -1,4 +1,4 @@
-//! A film as a PNG to look at, an HDR to light with or an EXR to compute with.
+//! Writes a film as a PNG for viewing, an HDR for lighting or an EXR for computing.
 
 mod exr;
 mod hdr;
@@ -17,12 +17,12 @@ pub struct Frame<'a> {
     pub origin: [u32; 2],
     /// Width and height of the full picture.
     pub full: [u32; 2],
-    /// EXR only: what stands beside R, G and B, a value for each pixel of the film.
+    /// EXR only: further channels, one value per pixel of the film.
     pub channels: &'a [Channel],
 }
 
 impl<'a> Frame<'a> {
-    /// A film that is the full picture, alone.
+    /// A film that covers the full picture, without further channels.
     pub fn whole(film: &'a Film) -> Self {
         Self {
             film,
@@ -33,18 +33,18 @@ impl<'a> Frame<'a> {
     }
 }
 
-/// What is told beside the pixels.
+/// Metadata and settings of a picture file.
 #[derive(Clone, Copy, Debug)]
 pub struct Labels<'a> {
-    /// PNG only: stops by which radiance is scaled before it is mapped; EXR and HDR keep radiance as it is.
+    /// PNG only: stops by which radiance is scaled before the mapping; EXR and HDR keep radiance unchanged.
     pub exposure: f64,
     /// EXR only: the program and its version.
     pub software: &'a str,
-    /// EXR only: names and values for the header's `comments`, a line each. Must not change from run to run.
+    /// EXR only: names and values for the header's `comments`, one per line. Must not change from run to run.
     pub notes: &'a [(&'static str, String)],
 }
 
-/// Why a picture could not be encoded.
+/// Errors in encoding a picture.
 #[derive(Debug, thiserror::Error)]
 pub enum EncodeError {
     #[error("{0}")]
@@ -61,8 +61,8 @@ pub enum EncodeError {
     },
 }
 
-/// Writes the frame in the format. Equal input gives equal bytes. EXR alone tells the film's place in the full
-/// picture; PNG and HDR hold the film and nothing around it.
+/// Writes the frame in the format. Equal input gives equal bytes. Only EXR stores the film's place in the full picture;
+/// PNG and HDR store only the film.
 pub fn encode(
     frame: &Frame,
     format: Format,

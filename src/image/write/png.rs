@@ -1,4 +1,4 @@
-//! PNG: 8-bit sRGB, to look at.
+//! PNG: 8-bit sRGB, for viewing.
 
 use std::io::Write;
 
@@ -6,7 +6,7 @@ use super::EncodeError;
 use crate::film::Film;
 use crate::image::srgb;
 
-/// Writes the film × 2^`exposure`, through the sRGB transfer, clamped.
+/// Writes the film × 2^`exposure`, clamped, with the sRGB transfer.
 pub fn encode(
     film: &Film,
     exposure: f64,

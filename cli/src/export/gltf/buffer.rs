@@ -1,17 +1,17 @@
-//! The buffer: vertices and triangles one after the other, each array with its view and its accessor.
+//! The buffer: vertices and triangles in sequence, each array with its view and accessor.
 
 use glam::DVec3;
 use serde_json::{Value, json};
 
-/// glTF's numbers for the type of a component.
+/// glTF's codes for component types.
 const FLOAT: u32 = 5126;
 const UNSIGNED_INT: u32 = 5125;
 
-/// And for what a view is used as.
+/// glTF's codes for the targets of views.
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
-/// A buffer under way. All its values take 4 bytes, so all arrays are aligned.
+/// A buffer under construction. All its values are 4 bytes, so all arrays are aligned.
 #[derive(Default)]
 pub struct Buffer {
     bytes: Vec<u8>,
@@ -26,7 +26,7 @@ impl Buffer {
         let points: Vec<[f32; 3]> = points.iter().map(|p| p.as_vec3().to_array()).collect();
         self.bytes
             .extend_from_slice(&little_endian(points.as_flattened(), f32::to_le_bytes));
-        // glTF asks for the bounds of positions, and allows them of all else.
+        // glTF requires the bounds of positions, and allows them for all other accessors.
         let bound = |first: f32, of: fn(f32, f32) -> f32| {
             [0, 1, 2].map(|axis| points.iter().map(|p| p[axis]).fold(first, of))
         };
@@ -54,7 +54,7 @@ impl Buffer {
         self.add(start, ELEMENT_ARRAY_BUFFER, accessor)
     }
 
-    /// Adds an accessor of all that was added from `start` on.
+    /// Adds an accessor of all data added from `start` on.
     fn add(&mut self, start: usize, target: u32, mut accessor: Value) -> usize {
         accessor["bufferView"] = json!(self.views.len());
         self.views.push(json!({
@@ -75,7 +75,7 @@ impl Buffer {
         &self.accessors
     }
 
-    /// In bytes.
+    /// Length in bytes.
     pub fn len(&self) -> usize {
         self.bytes.len()
     }

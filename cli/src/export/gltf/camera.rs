@@ -1,4 +1,4 @@
-//! The camera, and what is outside.
+//! The camera and the background.
 
 use glam::DVec3;
 use serde_json::{Value, json};
@@ -7,10 +7,10 @@ use super::{Reason, Remark};
 use crate::export::Subject;
 use vkpt::prepared::Prepared;
 
-/// Width of the picture that vkpt's reader makes of an aspect ratio.
+/// Width of the picture when vkpt reads an aspect ratio.
 const WIDTH: u32 = 400;
 
-/// What is refused of the eye and of what is outside.
+/// Refusals that concern the lens and the background.
 pub fn refusals(subject: &Subject) -> Vec<Remark<Reason>> {
     let scene = subject.scene;
     let lens = scene.lens.filter(|lens| lens.radius > 0.0);
@@ -21,7 +21,7 @@ pub fn refusals(subject: &Subject) -> Vec<Remark<Reason>> {
         (false, DVec3::ZERO) => Some(Reason::Dark),
         _ => Some(Reason::Background),
     };
-    // Where nothing says what is outside, the camera sees it.
+    // Without a line for the background, the remark goes to the camera's line.
     let line = match scene.background_line {
         0 => scene.camera_line,
         line => line,
@@ -30,14 +30,14 @@ pub fn refusals(subject: &Subject) -> Vec<Remark<Reason>> {
     lens.into_iter().chain(outside).collect()
 }
 
-/// Whether a shape does.
+/// Whether a shape emits light.
 fn shines(prepared: &Prepared) -> bool {
     let material = |i: u32| &prepared.materials[i as usize];
     let mut shapes = prepared.shapes.iter();
     shapes.any(|shape| material(shape.material).radiance != DVec3::ZERO)
 }
 
-/// glTF knows the shape of a picture and not its size.
+/// glTF stores the aspect ratio of a picture but not its size.
 pub fn note(subject: &Subject) -> Option<Remark<String>> {
     let camera = &subject.prepared.camera;
     let [width, height] = [camera.width, camera.height];
@@ -56,7 +56,7 @@ fn aspect(subject: &Subject) -> f64 {
     f64::from(camera.width) / f64::from(camera.height)
 }
 
-/// Both look down −Z, X right, Y up.
+/// Both cameras look down −Z, X right, Y up.
 pub fn node(subject: &Subject) -> Value {
     let camera = &subject.scene.camera;
     json!({
@@ -76,12 +76,12 @@ pub fn camera(subject: &Subject) -> Value {
         "perspective": {
             "yfov": 2.0 * subject.scene.camera.ry.atan(),
             "aspectRatio": f64::from(eye.width) / f64::from(eye.height),
-            // It must be given. vkpt cuts nothing off.
+            // glTF requires a near plane; vkpt clips nothing.
             "znear": NEAR * unit,
         },
     })
 }
 
-/// In units of rendering space, where no shape is farther than 4 from the eye: before it is what single precision does not
-/// tell from the eye.
+/// In units of rendering space, where no shape is farther than 4 from the eye: in single precision anything nearer is
+/// indistinguishable from the eye.
 const NEAR: f64 = 1.0 / 65536.0;

@@ -1,4 +1,4 @@
-//! The file: a GLB (glTF 2.0, section 4, *GLB File Format Specification*), or JSON with its buffer beside it.
+//! The file: a GLB (glTF 2.0, section 4, *GLB File Format Specification*), or JSON with a separate buffer.
 
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use serde_json::{Value, json};
@@ -6,21 +6,21 @@ use serde_json::{Value, json};
 use super::buffer::Buffer;
 use crate::export::Beside;
 
-/// What holds the document.
+/// The container of the document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Container {
     Glb,
-    /// `.gltf`, and a `.bin` beside it.
+    /// `.gltf` with a separate `.bin`.
     Json,
 }
 
 const VERSION: u32 = 2;
 
-/// Bytes of the header, and of that of a chunk.
+/// Length in bytes of the header, and of a chunk's header.
 const HEADER: usize = 12;
 const CHUNK: usize = 8;
 
-/// What `uri` leaves as it is (RFC 3986, section 2.3, *Unreserved Characters*).
+/// The characters that `uri` keeps unencoded (RFC 3986, section 2.3, *Unreserved Characters*).
 const ENCODED: &AsciiSet = &NON_ALPHANUMERIC
     .remove(b'-')
     .remove(b'.')
@@ -28,10 +28,10 @@ const ENCODED: &AsciiSet = &NON_ALPHANUMERIC
     .remove(b'~');
 
 impl Container {
-    /// The largest buffer of a GLB, whose length is a `u32`: half a GiB is for the JSON.
+    /// The largest buffer of a GLB, whose length is a `u32`: half a GiB is reserved for the JSON.
     pub const MOST: usize = 0xE000_0000;
 
-    /// The bytes of the file, and of the one beside it.
+    /// The bytes of the file, and of its separate buffer.
     pub fn around(
         self,
         mut document: Value,

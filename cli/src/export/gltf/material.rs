@@ -1,4 +1,4 @@
-//! A material: the one of glTF's that vkpt's reader makes the scene's own of (docs/gltf.md, "Materials").
+//! A material: the glTF material that vkpt's reader converts back to the scene's own (docs/gltf.md, "Materials").
 
 use glam::DVec3;
 use serde_json::{Value, json};
@@ -8,7 +8,7 @@ use vkpt::prepared::{Material, MaterialKind, Prepared};
 use vkpt::scene::{self, Brdf};
 use vkpt::settings::{Distribution, Fresnel};
 
-/// What `own` is by the settings is `prepared`.
+/// Converts the material `own`; `prepared` is the same with the settings applied.
 pub fn material(own: &scene::Material, prepared: &Material) -> Result<Value, Reason> {
     let mut material = match &own.kind {
         scene::MaterialKind::Light(radiance) => light(*radiance),
@@ -24,7 +24,7 @@ pub fn material(own: &scene::Material, prepared: &Material) -> Result<Value, Rea
     Ok(material)
 }
 
-/// Black but for what it emits: a factor of at most 1, times a strength.
+/// Black except for its emission: a factor of at most 1, times a strength.
 fn light(radiance: DVec3) -> Value {
     let strength = radiance.max_element().max(1.0);
     let mut extensions = json!({ "KHR_materials_specular": { "specularFactor": 0.0 } });
@@ -39,8 +39,8 @@ fn light(radiance: DVec3) -> Value {
     })
 }
 
-/// Ks alone is metal, and Kd the base colour of what is none: its F0 is Ks if the index is 0, which stands for a dielectric
-/// that would mirror all.
+/// Ks alone is a metal; otherwise Kd is the base colour of a non-metal. Its F0 is Ks if the index is 0, which means a
+/// dielectric that reflects everything.
 fn opaque(brdf: &Brdf, roughness: f64) -> Value {
     if brdf.kd == DVec3::ZERO && brdf.ks != DVec3::ZERO {
         return json!({
@@ -62,7 +62,7 @@ fn opaque(brdf: &Brdf, roughness: f64) -> Value {
     })
 }
 
-/// A solid: Kt is what the length `kt_length` lets through, and F0 = Ks.
+/// A solid: Kt is the transmittance over the length `kt_length`, and F0 = Ks.
 fn glass(brdf: &Brdf, prepared: &Material, roughness: f64) -> Result<Value, Reason> {
     let has_surface = prepared.kind != MaterialKind::NullInterface;
     if brdf.kd != DVec3::ZERO && has_surface {
@@ -75,13 +75,13 @@ fn glass(brdf: &Brdf, prepared: &Material, roughness: f64) -> Result<Value, Reas
         return Err(Reason::ThinIndex);
     }
     let ior = if has_surface { brdf.ior } else { 1.0 };
-    // The reflectance along the normal by the index alone.
+    // The reflectance at normal incidence, from the index alone.
     let by_index = ((ior - 1.0) / (ior + 1.0)).powi(2);
     let tint = match has_surface {
         true => brdf.ks / by_index,
         false => DVec3::ONE,
     };
-    // Of the thickness only whether there is one counts: the triangles know it.
+    // Only the presence of a thickness matters: the triangles define it.
     let mut volume = json!({ "thicknessFactor": 1.0 });
     if brdf.kt != DVec3::ONE {
         volume["attenuationColor"] = json!(brdf.kt.to_array());
@@ -106,7 +106,7 @@ fn pbr(base: DVec3, metallic: f64, roughness: f64) -> Value {
     })
 }
 
-/// α = roughness²; 1 of what has no facets.
+/// α = roughness²; 1 for surfaces without facets.
 fn roughness(m: &Material) -> Result<f64, Reason> {
     use MaterialKind::{Glossy, Mirror, RoughDielectric, SmoothDielectric, WeakDielectric};
     match (m.kind, m.distribution) {

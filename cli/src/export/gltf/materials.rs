@@ -1,4 +1,4 @@
-//! The materials of shapes that can be seen, each once.
+//! The materials of visible shapes, each once.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -9,16 +9,16 @@ use super::{Reason, Remark};
 use crate::export::Subject;
 use crate::export::seen::seen;
 
-/// Those so far, and what they need.
+/// The materials so far, and the extensions that they need.
 pub struct Materials {
     all: Vec<Value>,
-    /// The place of each material of the scene that is in use.
+    /// The index in the file of each material of the scene in use.
     places: HashMap<usize, usize>,
     extensions: BTreeSet<String>,
 }
 
 impl Materials {
-    /// Adds what is refused.
+    /// Converts the materials in use; adds refusals to `refusals`.
     pub fn of(subject: &Subject, refusals: &mut Vec<Remark<Reason>>) -> Self {
         let mut materials = Self {
             all: Vec::new(),
@@ -47,12 +47,12 @@ impl Materials {
         self.all.push(material);
     }
 
-    /// The number in the file of a material of the scene.
+    /// The index in the file of a material of the scene.
     pub fn place(&self, material: usize) -> Option<usize> {
         self.places.get(&material).copied()
     }
 
-    /// All of them, and the extensions that they have.
+    /// All materials, and the extensions that they use.
     pub fn into_json(self) -> (Vec<Value>, BTreeSet<String>) {
         (self.all, self.extensions)
     }

@@ -1,4 +1,5 @@
-//! glTF 2.0, as a GLB or as JSON with a buffer beside it: what vkpt's own reader makes the same scene of (docs/gltf.md).
+//! glTF 2.0, as a GLB or as JSON with a separate buffer; vkpt's own reader converts it back to the same scene
+//! (docs/gltf.md).
 
 mod buffer;
 mod camera;
@@ -18,10 +19,10 @@ use serde_json::{Value, json};
 use super::remark::{Remark, gathered};
 use super::{Export, Subject, Text};
 
-/// The scene as glTF. [`setting`] has nothing against the model.
+/// The scene as glTF. [`setting`] must have accepted the model.
 ///
 /// # Errors
-/// All that glTF has no equal of, each reason once, in the order of the file.
+/// Every feature without an equivalent in glTF, each reason once, in file order.
 pub fn export(subject: &Subject, container: Container) -> Result<Export, Vec<Remark<Reason>>> {
     let mut refusals = camera::refusals(subject);
     let materials = Materials::of(subject, &mut refusals);
@@ -49,7 +50,7 @@ pub fn export(subject: &Subject, container: Container) -> Result<Export, Vec<Rem
     })
 }
 
-/// All but the buffer itself.
+/// Everything but the buffer itself.
 fn document(
     subject: &Subject,
     materials: Materials,
@@ -74,7 +75,7 @@ fn document(
         "accessors": buffer.accessors(),
         "bufferViews": buffer.views(),
     });
-    // A list may be left out, and may not be empty.
+    // A list may be omitted, but not empty.
     if !extensions.is_empty() {
         document["extensionsUsed"] = json!(extensions);
     }

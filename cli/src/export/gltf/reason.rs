@@ -1,8 +1,8 @@
-//! What glTF 2.0 has no equal of, as vkpt reads it.
+//! Features without an equivalent in glTF 2.0 as vkpt reads it.
 
 use vkpt::settings::{Absorption, Model};
 
-/// Why.
+/// The reason for a refusal.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Reason {
     #[error("Kd beside Kt: glTF's surfaces scatter or transmit")]
@@ -37,7 +37,7 @@ pub enum Reason {
     Large,
 }
 
-/// The flag whose value glTF has no equal of, and why.
+/// The flag whose value has no equivalent in glTF, and why.
 pub fn setting(model: &Model, crop: Option<[u32; 4]>) -> Option<&'static str> {
     if model.absorption == Absorption::Term {
         Some("--absorption term: glTF's volumes absorb along every stretch")

@@ -1,4 +1,4 @@
-//! Shapes: each a mesh of one primitive at a node of its own, which has its place and its scale in f64.
+//! Shapes: each is a mesh of one primitive at its own node, which has its position and scale in f64.
 
 use glam::DVec3;
 use serde_json::{Value, json};
@@ -17,7 +17,7 @@ pub struct Placed {
     pub node: Value,
 }
 
-/// Those of all that can be seen; adds what is refused.
+/// The meshes of all visible shapes; adds refusals to `refusals`.
 pub fn meshes(
     subject: &Subject,
     materials: &Materials,
@@ -63,7 +63,7 @@ fn placed(
     }
 }
 
-/// The primitive from 0 to 1 that all boxes share.
+/// The cube from 0 to 1, the primitive that all boxes share.
 fn unit_cube(buffer: &mut Buffer) -> Value {
     let corners = mesh::corners(DVec3::ZERO, DVec3::ONE);
     json!({

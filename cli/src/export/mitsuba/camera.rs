@@ -7,18 +7,19 @@ use super::surface::medium_id;
 use crate::export::Subject;
 use crate::export::seen::absorbs;
 
-/// Mitsuba leaves out what is nearer than one plane or farther than another. In units of rendering space, where no shape is
-/// farther than 4 from the eye: before the one is what single precision does not tell from the eye.
+/// Mitsuba clips everything nearer than one plane or farther than another. In units of rendering space, where no shape
+/// is farther than 4 from the eye: in single precision anything before the near plane is indistinguishable from the
+/// eye.
 const NEAR: f64 = 1.0 / 65536.0;
 const FAR: f64 = 1024.0;
 
-/// The sensor. Uniform points in a pixel, counted alike, make the box filter that vkpt has.
+/// The sensor. Uniform points in a pixel with equal weights are vkpt's box filter.
 pub fn node(subject: &Subject) -> Node {
     let Subject {
         scene, prepared, ..
     } = subject;
     let camera = &scene.camera;
-    // No material where the eye is in air.
+    // `None` if the eye is in air.
     let (unit, medium) = (prepared.space.unit, prepared.eye_medium);
     let lens = scene.lens.filter(|lens| lens.radius > 0.0);
     let kind = match lens {
@@ -30,7 +31,7 @@ pub fn node(subject: &Subject) -> Node {
         .float("fov", 2.0 * camera.ry.atan().to_degrees())
         .float("near_clip", NEAR * unit)
         .float("far_clip", FAR * unit)
-        // It looks along +Z with X to its left, vkpt along −Z with X to its right.
+        // Mitsuba's camera looks along +Z with X to its left, vkpt's along −Z with X to its right.
         .placed(
             DMat4::from_rotation_translation(camera.orientation, camera.eye)
                 * DMat4::from_scale((-1.0, 1.0, -1.0).into()),
@@ -38,7 +39,7 @@ pub fn node(subject: &Subject) -> Node {
         .with(film(subject))
         .with(Node::plugin("sampler", "independent").integer("sample_count", SAMPLES));
     let sensor = match lens {
-        // Both planes are normal to the direction of view.
+        // Both planes are perpendicular to the direction of view.
         Some(lens) => {
             (sensor.float("aperture_radius", lens.radius)).float("focus_distance", lens.focus)
         }
@@ -50,7 +51,7 @@ pub fn node(subject: &Subject) -> Node {
     }
 }
 
-/// As many as vkpt takes where nobody says.
+/// vkpt's default number of samples.
 const SAMPLES: i64 = 64;
 
 fn film(subject: &Subject) -> Node {

@@ -79,7 +79,7 @@ impl Node {
         )
     }
 
-    /// Where the plugin stands: p' = `matrix` · p.
+    /// The transform of the plugin: p' = `matrix` · p.
     pub fn placed(self, matrix: DMat4) -> Self {
         let rows = matrix.transpose().to_cols_array();
         let matrix = Self::new("matrix").attribute("value", spaced(&rows));
@@ -87,18 +87,18 @@ impl Node {
         self.with(transform.with(matrix))
     }
 
-    /// The plugin that has this id.
+    /// A reference to the plugin with this id.
     pub fn reference(self, id: &str) -> Self {
         self.with(Self::new("ref").attribute("id", id))
     }
 
-    /// The same as the parameter `name`.
+    /// The same with the parameter name `name`.
     pub fn named_reference(self, name: &str, id: &str) -> Self {
         let reference = Self::new("ref").attribute("name", name);
         self.with(reference.attribute("id", id))
     }
 
-    /// Writes the document whose root it is.
+    /// Writes the document with this element as its root.
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         self.element(&mut Writer::new_with_indent(&mut *out, b' ', 2))?;
         out.write_all(b"\n")

@@ -1,5 +1,4 @@
-//! Mitsuba 3: XML, and its meshes as PLY files. What that program converges to is the same picture (measured:
-//! `benches/peers/`).
+//! Mitsuba 3: XML, with meshes as PLY files. Both programs converge to the same picture (measured: `benches/peers/`).
 
 mod camera;
 mod document;
@@ -16,10 +15,10 @@ use super::{Export, Subject, Text, mesh, place};
 use vkpt::prepared::Prepared;
 use vkpt::scene::Scene;
 
-/// The scene in Mitsuba 3's words. [`setting`] has nothing against the model.
+/// The scene for Mitsuba 3. [`setting`] must have accepted the model.
 ///
 /// # Errors
-/// All that Mitsuba has no equal of, each reason once, in the order of the file.
+/// Every feature without an equivalent in Mitsuba, each reason once, in file order.
 pub fn export(subject: &Subject) -> Result<Export, Vec<Remark<Reason>>> {
     let mut refusals = places(subject.prepared);
     if subject.scene.surroundings.is_some() {
@@ -46,7 +45,7 @@ pub fn export(subject: &Subject) -> Result<Export, Vec<Remark<Reason>>> {
     })
 }
 
-/// What is refused for where it is.
+/// Refusals because of the geometry.
 fn places(prepared: &Prepared) -> Vec<Remark<Reason>> {
     let about_eye = place::lights_about_eye(prepared);
     let about_eye = about_eye.map(|line| Remark::new(line, Reason::EyeInLight));

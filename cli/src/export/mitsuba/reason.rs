@@ -1,8 +1,8 @@
-//! What Mitsuba has no equal of.
+//! Features without an equivalent in Mitsuba.
 
 use vkpt::settings::{Absorption, Model};
 
-/// Why.
+/// The reason for a refusal.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Reason {
     #[error("Kd beside Ks or Kt: Mitsuba mixes two surfaces, but adds none to another")]
@@ -47,7 +47,7 @@ pub enum Reason {
     Coincident(usize),
 }
 
-/// The flag whose value Mitsuba has no equal of, and why.
+/// The flag whose value has no equivalent in Mitsuba, and why.
 pub fn setting(model: &Model) -> Option<&'static str> {
     if model.absorption == Absorption::Term {
         Some("--absorption term: Mitsuba absorbs along every stretch in a medium")

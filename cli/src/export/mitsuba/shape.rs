@@ -1,4 +1,4 @@
-//! Shapes where the scene has them, and the light of those that shine.
+//! Shapes at their places in the scene, and the emission of lights.
 
 use glam::{DMat4, DQuat, DVec3};
 
@@ -10,7 +10,7 @@ use crate::export::{Subject, mesh};
 use vkpt::prepared::{Material, MaterialKind};
 use vkpt::scene::{Edges, Geometry, Mesh, Shape, edges};
 
-/// All shapes that can be seen; adds what is refused.
+/// All visible shapes; adds refusals to `refusals`.
 pub fn nodes(subject: &Subject, refusals: &mut Vec<Remark<Reason>>) -> Vec<Node> {
     let mut nodes = Vec::new();
     for (shape, material) in seen(subject) {
@@ -49,14 +49,14 @@ fn made_of(piece: Node, material: &Material) -> Node {
     }
 }
 
-/// A shape of Mitsuba's, or several that bound the solid together.
+/// One shape of Mitsuba's, or several that together bound the solid.
 fn pieces(shape: &Shape, stem: &str) -> Vec<Node> {
     match &shape.geometry {
         Geometry::Sphere { centre, radius } => {
             let sphere = Node::plugin("shape", "sphere");
             vec![sphere.point("center", *centre).float("radius", *radius)]
         }
-        // From −1 to 1 on each axis.
+        // Mitsuba's cube is from −1 to 1 on each axis.
         Geometry::Box { corner, diagonal } => {
             let (half, centre) = (diagonal.abs() / 2.0, corner + diagonal / 2.0);
             let matrix = DMat4::from_translation(centre) * DMat4::from_scale(half);
@@ -78,7 +78,7 @@ fn pieces(shape: &Shape, stem: &str) -> Vec<Node> {
     }
 }
 
-/// A disc whose outside is where `normal` points.
+/// A disc with its outside in the direction of `normal`.
 fn cap(centre: DVec3, normal: DVec3, radius: f64) -> Node {
     let turn = DQuat::from_rotation_arc(DVec3::Z, normal.normalize());
     let scale = DVec3::new(radius, radius, 1.0);

@@ -1,4 +1,4 @@
-//! Materials: the bsdf that has the same value for every pair of directions, and the medium behind it.
+//! Materials: the BSDF with the same value for every pair of directions, and the interior medium.
 
 use glam::DVec3;
 
@@ -8,20 +8,20 @@ use crate::export::seen::{absorbs, used};
 use vkpt::prepared::{Material, MaterialKind, OPAQUE_SIGMA, Prepared};
 use vkpt::settings::{Distribution, Fresnel};
 
-/// Mitsuba's `principled` is no smoother.
+/// The minimum width of Mitsuba's `principled`.
 const LEAST_WIDTH: f64 = 1e-3;
 
-/// What the shape of a material refers to its bsdf by.
+/// The id of a material's BSDF.
 pub fn bsdf_id(material: &Material) -> String {
     format!("bsdf-{}", material.line)
 }
 
-/// What its inside refers to its medium by.
+/// The id of the interior medium.
 pub fn medium_id(material: &Material) -> String {
     format!("medium-{}", material.line)
 }
 
-/// The bsdfs and media of all that can be seen; adds what is refused.
+/// The BSDFs and media of all visible shapes; adds refusals to `refusals`.
 pub fn nodes(prepared: &Prepared, refusals: &mut Vec<Remark<Reason>>) -> Vec<Node> {
     let mut nodes = Vec::new();
     for material in used(prepared) {
@@ -56,7 +56,7 @@ fn bsdf(m: &Material) -> Result<Node, Reason> {
     }
 }
 
-/// Opaque surfaces of Mitsuba's are black on the inside, vkpt's alike on both sides.
+/// Mitsuba's opaque surfaces are black on the inside, vkpt's are the same on both sides.
 fn both_sides(bsdf: Node) -> Node {
     Node::plugin("bsdf", "twosided").with(bsdf)
 }
@@ -82,7 +82,7 @@ fn gloss(m: &Material) -> Result<Node, Reason> {
     }
 }
 
-/// Every object stands in air, whose index is 1 here and 1.00028 where Mitsuba is not told.
+/// Every object is surrounded by air, whose index is 1 here; Mitsuba's default is 1.00028.
 fn glass(m: &Material, kind: &str) -> Result<Node, Reason> {
     let [_, ior] = m.eta;
     match m.fresnel {
@@ -97,7 +97,7 @@ fn ggx(m: &Material, bsdf: Node) -> Result<Node, Reason> {
     Ok(plain_ggx(m, bsdf)?.string("distribution", "ggx"))
 }
 
-/// The plugin, if the material's distribution is GGX.
+/// Passes the plugin through if the material's distribution is GGX.
 fn plain_ggx(m: &Material, bsdf: Node) -> Result<Node, Reason> {
     match m.distribution {
         Distribution::Ggx => Ok(bsdf),
@@ -106,16 +106,16 @@ fn plain_ggx(m: &Material, bsdf: Node) -> Result<Node, Reason> {
     }
 }
 
-/// Beer's law: nothing scatters. `unit` is the length of rendering space's in the scene.
+/// Beer's law without scattering. `unit` is the length of rendering space's unit in the scene.
 fn medium(m: &Material, unit: f64) -> Node {
     let sigma = (m.sigma / unit).min(DVec3::splat(OPAQUE_SIGMA));
-    // A colour of Mitsuba's is at most 1.
+    // A colour of Mitsuba's is at most 1, so the scale is separate.
     let scale = sigma.max_element();
     Node::plugin("medium", "homogeneous")
         .attribute("id", medium_id(m))
         .float("albedo", 0.0)
         .rgb("sigma_t", sigma / scale)
         .float("scale", scale)
-        // Nothing is connected to where light ends.
+        // Nothing scatters in the medium, so no point in it is connected to emitters.
         .boolean("sample_emitters", false)
 }

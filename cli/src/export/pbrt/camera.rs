@@ -1,4 +1,4 @@
-//! What stands before `WorldBegin`: the camera, its film and its samples, and the integrator.
+//! The statements before `WorldBegin`: the camera, its film, sampler and integrator.
 
 use glam::{DMat4, DVec3};
 
@@ -7,17 +7,17 @@ use super::surface::medium_name;
 use crate::export::Subject;
 use crate::export::seen::absorbs;
 
-/// As many as vkpt takes where nobody says.
+/// vkpt's default number of samples.
 const SAMPLES: u32 = 64;
 
-/// More bounces than any path has: pbrt counts them in an `int`, and takes 5 where it is not told.
+/// More bounces than any path has: pbrt counts them in an `int`, and its default is 5.
 const UNLIMITED: u32 = i32::MAX as u32;
 
-/// The statements, the camera's place among them.
+/// The statements, including the camera's transform.
 pub fn statements(subject: &Subject) -> Vec<Statement> {
     let mut statements = vec![
         film(subject),
-        // Uniform points in a pixel, counted alike.
+        // Uniform points in a pixel with equal weights.
         Statement::new("PixelFilter")
             .word("box")
             .float("xradius", 0.5)
@@ -25,13 +25,13 @@ pub fn statements(subject: &Subject) -> Vec<Statement> {
         Statement::new("Sampler")
             .word("independent")
             .integer("pixelsamples", SAMPLES),
-        // Bounces, as vkpt counts them.
+        // Both programs count bounces.
         Statement::new("Integrator")
             .word("volpath")
             .integer("maxdepth", subject.model.max_depth.unwrap_or(UNLIMITED)),
     ];
     let eye_medium = (subject.prepared.materials).get(subject.prepared.eye_medium as usize);
-    // What is outside of nothing is the camera's medium.
+    // The interior is empty; the exterior is the medium around the camera.
     let medium = eye_medium.filter(|glass| absorbs(glass)).map(medium_name);
     let inside = medium.map(|name| Statement::new("MediumInterface").word("").word(&name));
     statements.extend(inside);
@@ -53,7 +53,7 @@ fn film(subject: &Subject) -> Statement {
     }
 }
 
-/// From the world to the camera, which looks along +Z where vkpt's looks along −Z; X is to the right of both.
+/// From the world to the camera, which looks along +Z where vkpt's looks along −Z; X is to the right in both.
 fn to_camera(subject: &Subject) -> DMat4 {
     let camera = &subject.scene.camera;
     let turned = DMat4::from_quat(camera.orientation.conjugate());
@@ -62,7 +62,7 @@ fn to_camera(subject: &Subject) -> DMat4 {
 
 fn camera(subject: &Subject) -> Statement {
     let picture = &subject.prepared.camera;
-    // The field of view is that of the shorter side, `ry` that of the height.
+    // pbrt's field of view is that of the shorter side, `ry` that of the height.
     let shorter = f64::from(picture.width.min(picture.height)) / f64::from(picture.height);
     let fov = 2.0 * (subject.scene.camera.ry * shorter).atan();
     let camera = Statement::new("Camera")

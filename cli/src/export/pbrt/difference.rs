@@ -1,4 +1,4 @@
-//! What pbrt-v4 has, but by another model: the picture is nearly the same, and not the same.
+//! Features that pbrt-v4 models differently: the picture is nearly the same.
 
 use glam::DVec3;
 
@@ -7,7 +7,7 @@ use crate::export::remark::{Remark, gathered};
 use crate::export::seen::{absorbs, used};
 use vkpt::prepared::{Material, MaterialKind};
 
-/// How it differs.
+/// The difference.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Difference {
     #[error(
@@ -20,7 +20,7 @@ pub enum Difference {
     Masking,
 }
 
-/// Each difference once, at the first line that has it.
+/// Each difference once, at its first line.
 pub fn all(subject: &Subject) -> Vec<Remark<String>> {
     let scene = subject.scene;
     let mut all = Vec::new();

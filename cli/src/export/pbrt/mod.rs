@@ -1,5 +1,5 @@
-//! pbrt-v4: a text, and its meshes as PLY files. Where that program has another model of the same thing, the export says so
-//! (docs/exchange.md, "pbrt").
+//! pbrt-v4: a text file, with meshes as PLY files. Where its model differs, the export warns (docs/exchange.md,
+//! "pbrt").
 
 mod camera;
 mod difference;
@@ -15,10 +15,10 @@ use statement::{Statement, text};
 use super::remark::{Remark, gathered};
 use super::{Export, Subject, Text, mesh, place};
 
-/// The scene in pbrt-v4's words. [`setting`] has nothing against the model.
+/// The scene for pbrt-v4. [`setting`] must have accepted the model.
 ///
 /// # Errors
-/// All that pbrt has no equal of, each reason once, in the order of the file.
+/// Every feature without an equivalent in pbrt, each reason once, in file order.
 pub fn export(subject: &Subject) -> Result<Export, Vec<Remark<Reason>>> {
     let coincident = place::coincident(subject.prepared);
     let coincident = coincident.map(|(line, other)| Remark::new(line, Reason::Coincident(other)));

@@ -1,8 +1,8 @@
-//! What pbrt-v4 has no equal of.
+//! Features without an equivalent in pbrt-v4.
 
 use vkpt::settings::{Absorption, Model};
 
-/// Why.
+/// The reason for a refusal.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Reason {
     #[error("Kd beside Ks or Kt: pbrt has layers of surfaces, but adds none to another")]
@@ -42,7 +42,7 @@ pub enum Reason {
     Coincident(usize),
 }
 
-/// The flag whose value pbrt has no equal of, and why.
+/// The flag whose value has no equivalent in pbrt, and why.
 pub fn setting(model: &Model) -> Option<&'static str> {
     if model.absorption == Absorption::Term {
         Some("--absorption term: pbrt absorbs along every stretch in a medium")

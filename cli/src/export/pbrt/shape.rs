@@ -1,4 +1,4 @@
-//! Shapes where the scene has them, and the light of those that shine.
+//! Shapes at their places in the scene, and the emission of lights.
 
 use glam::{DMat4, DQuat, DVec3};
 
@@ -10,7 +10,7 @@ use crate::export::{Subject, mesh};
 use vkpt::prepared::{Material, MaterialKind};
 use vkpt::scene::{Geometry, Shape};
 
-/// All shapes that can be seen; adds what is refused.
+/// All visible shapes; adds refusals to `refusals`.
 pub fn statements(subject: &Subject, refusals: &mut Vec<Remark<Reason>>) -> Vec<Statement> {
     let mut statements = Vec::new();
     for (shape, material) in seen(subject) {
@@ -28,7 +28,7 @@ pub fn statements(subject: &Subject, refusals: &mut Vec<Remark<Reason>>) -> Vec<
     statements
 }
 
-/// What the shapes that follow are of.
+/// The material, medium and emission of the shapes that follow.
 fn made_of(material: &Material) -> Vec<Statement> {
     let inside = match absorbs(material) {
         true => medium_name(material),
@@ -36,7 +36,7 @@ fn made_of(material: &Material) -> Vec<Statement> {
     };
     let mut statements = vec![
         Statement::new("NamedMaterial").word(&name(material)),
-        // The camera's, which stands before, is not that of the world.
+        // The exterior is reset, because the medium set earlier applies only to the camera.
         Statement::new("MediumInterface").word(&inside).word(""),
     ];
     let shines = material.radiance != DVec3::ZERO;
@@ -49,7 +49,7 @@ fn made_of(material: &Material) -> Vec<Statement> {
     statements
 }
 
-/// A shape of pbrt's, or several that bound the solid together, each at its place.
+/// One shape of pbrt's, or several that together bound the solid, each with its transform.
 fn pieces(shape: &Shape, stem: &str) -> Vec<Statement> {
     let plugin = |kind| Statement::new("Shape").word(kind);
     match &shape.geometry {
@@ -89,7 +89,7 @@ fn pieces(shape: &Shape, stem: &str) -> Vec<Statement> {
     }
 }
 
-/// Where what follows stands.
+/// Sets the transform of the statements that follow.
 fn at(matrix: DMat4) -> Statement {
     Statement::new("ConcatTransform").matrix(matrix)
 }

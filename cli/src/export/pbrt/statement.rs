@@ -1,13 +1,13 @@
-//! Statements of pbrt's format: a directive, its words, and parameters, each `"type name" [ values ]`.
+//! Statements of pbrt's format: a directive, its words, and parameters of the form `"type name" [ values ]`.
 
 use std::fmt::Write;
 
 use glam::{DMat4, DVec3};
 
-/// Wavelengths in nm that hold all that is visible.
+/// Range of wavelengths in nm that covers all visible light.
 const VISIBLE: [f64; 2] = [360.0, 830.0];
 
-/// A statement, on a line of its own.
+/// A statement, on its own line.
 #[derive(Clone, Debug)]
 pub struct Statement(String);
 
@@ -16,7 +16,7 @@ impl Statement {
         Self(directive.to_owned())
     }
 
-    /// A word in quotes: the name of a plugin, a material, a medium.
+    /// A quoted word: the name of a plugin, a material, a medium.
     pub fn word(mut self, word: &str) -> Self {
         self.0.push(' ');
         self.0.push_str(&quoted(word));
@@ -30,7 +30,7 @@ impl Statement {
 
     fn values<T: ToString>(mut self, values: &[T]) -> Self {
         let values: Vec<String> = values.iter().map(T::to_string).collect();
-        // To a String nothing fails.
+        // Writing to a String cannot fail.
         let _ = write!(self.0, " [ {} ]", values.join(" "));
         self
     }
@@ -59,12 +59,12 @@ impl Statement {
         self.parameter("string", name, &[quoted(value)])
     }
 
-    /// Linear RGB with sRGB's primaries, of which pbrt makes a spectrum.
+    /// Linear RGB with sRGB's primaries, which pbrt converts to a spectrum.
     pub fn rgb(self, name: &str, value: DVec3) -> Self {
         self.parameter("rgb", name, &value.to_array())
     }
 
-    /// The same at every wavelength.
+    /// The same value at every wavelength.
     pub fn flat(self, name: &str, value: f64) -> Self {
         let [from, to] = VISIBLE;
         self.parameter("spectrum", name, &[from, value, to, value])
@@ -76,13 +76,13 @@ impl Statement {
     }
 }
 
-/// The file of these statements.
+/// The file with these statements.
 pub fn text(statements: &[Statement]) -> String {
     let lines = statements.iter().map(|statement| &*statement.0);
     lines.flat_map(|line| [line, "\n"]).collect()
 }
 
-/// In quotes, with what pbrt reads after a backslash.
+/// Quotes a word, with pbrt's backslash escapes.
 fn quoted(word: &str) -> String {
     let mut quoted = String::from('"');
     for letter in word.chars() {

@@ -1,4 +1,5 @@
-//! Materials: the one of pbrt's that has the same value for every pair of directions, masking aside, and the medium behind it.
+//! Materials: the pbrt material with the same value for every pair of directions, masking aside, and the interior
+//! medium.
 
 use glam::DVec3;
 
@@ -8,20 +9,20 @@ use crate::export::seen::{absorbs, used};
 use vkpt::prepared::{Material, MaterialKind, OPAQUE_SIGMA, Prepared};
 use vkpt::settings::{Distribution, Fresnel};
 
-/// pbrt takes all that is narrower as smooth.
+/// pbrt treats narrower lobes as smooth.
 const LEAST_WIDTH: f64 = 1e-3;
 
-/// What the shapes of a material refer to it by.
+/// The name of a material.
 pub fn name(material: &Material) -> String {
     format!("material-{}", material.line)
 }
 
-/// What its inside refers to its medium by.
+/// The name of the interior medium.
 pub fn medium_name(material: &Material) -> String {
     format!("medium-{}", material.line)
 }
 
-/// Those of all that can be seen; adds what is refused.
+/// The materials of all visible shapes; adds refusals to `refusals`.
 pub fn statements(prepared: &Prepared, refusals: &mut Vec<Remark<Reason>>) -> Vec<Statement> {
     let mut statements = Vec::new();
     for material in used(prepared) {
@@ -37,7 +38,7 @@ pub fn statements(prepared: &Prepared, refusals: &mut Vec<Remark<Reason>>) -> Ve
     statements
 }
 
-/// What is inside those that absorb.
+/// The interior media of absorbing materials.
 pub fn media(prepared: &Prepared) -> Vec<Statement> {
     let absorbing = used(prepared).filter(|material| absorbs(material));
     absorbing
@@ -64,7 +65,7 @@ fn surface(named: Statement, m: &Material) -> Result<Statement, Reason> {
     }
 }
 
-/// A metal of the index 0 + i reflects all light at every angle; one of `reflectance` 1 is taken as .9999.
+/// A metal of the index 0 + i reflects all light at every angle; pbrt reduces a `reflectance` of 1 to .9999.
 fn lossless(named: Statement, m: &Material) -> Result<Statement, Reason> {
     match m.f0 == DVec3::ONE {
         true => Ok(named
@@ -83,7 +84,7 @@ fn glass(named: Statement, m: &Material) -> Result<Statement, Reason> {
     }
 }
 
-/// pbrt's one distribution is GGX, called after Trowbridge and Reitz.
+/// pbrt's only distribution is GGX, named after Trowbridge and Reitz.
 fn rough(smooth: Statement, m: &Material) -> Result<Statement, Reason> {
     match m.distribution {
         Distribution::Beckmann => Err(Reason::Beckmann),
@@ -95,12 +96,12 @@ fn rough(smooth: Statement, m: &Material) -> Result<Statement, Reason> {
     }
 }
 
-/// A spectrum that is smooth cannot be endless at one colour and finite at the others.
+/// A smooth spectrum cannot be infinite at one colour and finite at the others.
 fn is_opaque_in_a_channel(m: &Material) -> bool {
     absorbs(m) && m.sigma.max_element() >= OPAQUE_SIGMA
 }
 
-/// Beer's law: nothing scatters. `unit` is the length of rendering space's in the scene.
+/// Beer's law without scattering. `unit` is the length of rendering space's unit in the scene.
 fn medium(m: &Material, unit: f64) -> Statement {
     Statement::new("MakeNamedMedium")
         .word(&medium_name(m))

@@ -1,4 +1,4 @@
-//! The blocks of an EXR, copied into a film.
+//! Copies the blocks of an EXR into a film.
 
 use std::collections::HashSet;
 use std::io::Cursor;
@@ -17,8 +17,8 @@ use super::channels::Rgb;
 use super::dwa;
 use crate::film::Film;
 
-/// Copies the blocks of the part's finest level into the film. As many chunks are read as blocks are awaited, and no block
-/// comes twice: so all of them come.
+/// Copies the blocks of the part's finest level into the film. As many chunks are read as blocks are expected, and no
+/// block may occur twice, so all of them are present.
 pub fn fill(
     film: &mut Film,
     reader: Reader<Cursor<&[u8]>>,
@@ -47,7 +47,7 @@ pub fn fill(
     Ok(())
 }
 
-/// A block stores a row of each channel after the other.
+/// A block stores one row after another, each channel by channel.
 fn copy(
     film: &mut Film,
     block: &UncompressedBlock,
@@ -56,7 +56,7 @@ fn copy(
 ) -> Result<(), Error> {
     for line in block.lines(&header.channels) {
         let channel = line.location.channel;
-        // A layer of one channel has it in all three places.
+        // The channel of a single-channel layer fills all three places.
         let places = |&i: &usize| rgb.channels[i] == channel;
         for component in (0..3).filter(places) {
             let Vec2(x, y) = line.location.position;

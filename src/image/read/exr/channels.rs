@@ -1,4 +1,4 @@
-//! Which of an EXR's channels are the picture.
+//! Selects the channels of an EXR that form the picture.
 
 use ::exr::meta::header::Header;
 
@@ -9,11 +9,11 @@ use crate::image::DecodeError;
 pub struct Rgb {
     /// Index of the part's header.
     pub part: usize,
-    /// Places of R, G and B in that header's list.
+    /// Indices of R, G and B in that header's list.
     pub channels: [usize; 3],
 }
 
-/// Those of the first part with R, G and B; where there is none, those of the only layer that has them.
+/// The channels of the first part with R, G and B; otherwise those of the only layer that has them.
 pub fn choose(headers: &[Header]) -> Result<Rgb, DecodeError> {
     if let Some(plain) = (0..headers.len()).find_map(|part| rgb(headers, part, "")) {
         return Ok(plain);
@@ -39,7 +39,7 @@ pub fn choose(headers: &[Header]) -> Result<Rgb, DecodeError> {
     }
 }
 
-/// Those of a layer: three that end in R, G and B or X, Y and Z, or one alone.
+/// The channels of a layer: three that end in R, G and B or X, Y and Z, or a single one.
 pub fn layer(headers: &[Header], layer: &str) -> Result<Rgb, DecodeError> {
     let of = |part: usize, channels: [String; 3]| {
         let place = |name: &String| names(&headers[part]).position(|channel| channel == *name);
@@ -62,7 +62,7 @@ pub fn layer(headers: &[Header], layer: &str) -> Result<Rgb, DecodeError> {
         })
 }
 
-/// The three channels of a part that have this prefix, if all are there.
+/// The three channels of a part with this prefix, if all are present.
 fn rgb(headers: &[Header], part: usize, prefix: &str) -> Option<Rgb> {
     let place = |letter| {
         let name = format!("{prefix}{letter}");

@@ -1,4 +1,4 @@
-//! What a chunk compressed by DWA claims, before it is believed: the crate makes room for it unseen.
+//! Checks the sizes that a DWA chunk declares, because the crate allocates memory for them unchecked.
 
 use ::exr::block::chunk::{Chunk, CompressedBlock};
 use ::exr::compression::Compression;
@@ -7,9 +7,9 @@ use ::exr::meta::header::Header;
 
 /// Refuses a chunk whose parts are larger unpacked than its block of pixels can be.
 ///
-/// A chunk begins with 11 u64 (OpenEXR, internal_dwa_compressor.h, `DataSizesSingle`), of which these are sizes
-/// after unpacking: of channels that are kept as they are (1), of runs packed (6) and unpacked (7), and
-/// how many coefficients other than the mean (8) and means (9) all 8×8 blocks have.
+/// A chunk begins with 11 u64 (OpenEXR, internal_dwa_compressor.h, `DataSizesSingle`). These are sizes after unpacking:
+/// of channels stored unchanged (1), of runs packed (6) and unpacked (7), and the numbers of coefficients other than
+/// the mean (8) and of means (9) of all 8×8 blocks.
 pub fn check(chunk: &Chunk, header: &Header) -> Result<(), Error> {
     let bytes = match (&chunk.compressed_block, header.compression) {
         (CompressedBlock::ScanLine(b), Compression::DWAA(_) | Compression::DWAB(_)) => {
@@ -24,11 +24,11 @@ pub fn check(chunk: &Chunk, header: &Header) -> Result<(), Error> {
     let size = header.get_absolute_block_pixel_coordinates(tile)?.size;
     let bytes_per_pixel = header.channels.bytes_per_pixel;
     if bytes.len() == size.area() * bytes_per_pixel {
-        // Stored as it is, where compression did not help.
+        // Stored uncompressed, because compression did not help.
         return Ok(());
     }
     let whole_blocks = size.width().next_multiple_of(8) * size.height().next_multiple_of(8);
-    // Twice: bytes without runs grow by 1/128 when they are packed.
+    // The factor 2 is generous: bytes without runs grow by 1/128 when they are packed.
     let most = (whole_blocks * bytes_per_pixel * 2) as u64;
     let counter = |i: usize| bytes.as_chunks().0.get(i).copied().map(u64::from_le_bytes);
     if [1, 6, 7, 8, 9]
