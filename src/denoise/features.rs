@@ -1,4 +1,4 @@
-//! What is seen of the surfaces, which has little noise: where it changes, light may change.
+//! Features of the visible surfaces, which have little noise: where they change, light may change.
 
 use crate::film::{Channel, Film};
 
@@ -10,7 +10,7 @@ pub struct Features {
 }
 
 impl Features {
-    /// From the layers `albedo*` and `normal*` of a picture of this size; `None` where one is missing.
+    /// From the layers `albedo*` and `normal*` of a picture of this size; `None` if one is missing.
     pub fn new(layers: &[Channel], [width, height]: [u32; 2]) -> Option<Self> {
         let film = |names: [&str; 3]| {
             let channel = |name: &str| layers.iter().find(|channel| channel.name == name);

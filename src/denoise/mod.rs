@@ -1,6 +1,6 @@
-//! Pictures without their noise, made from pictures with it: never the truth, and sometimes near it.
+//! Denoises pictures: the result is never the truth, but sometimes close to it.
 //!
-//! Pure functions of films; Open Image Denoise's part is done by its library ([`crate::gpu::oidn`]).
+//! Pure functions of films, except that Open Image Denoise uses its library ([`crate::gpu::oidn`]).
 
 mod features;
 mod nlm;
@@ -14,14 +14,14 @@ pub use oidn::{Oidn, usual_places};
 use crate::film::Film;
 pub use crate::gpu::oidn::OidnError;
 
-/// A noisy picture, and the two independent halves of its samples.
+/// A noisy picture and the two independent halves of its samples.
 #[derive(Clone, Copy, Debug)]
 pub struct Noisy<'a> {
     pub mean: &'a Film,
     pub halves: [&'a Film; 2],
 }
 
-/// What denoises.
+/// A denoising method.
 pub enum Denoiser {
     Oidn(Oidn),
     /// vkpt's own: non-local means.
@@ -29,10 +29,11 @@ pub enum Denoiser {
 }
 
 impl Denoiser {
-    /// The denoised picture, of the same size. `features`: of the same pixels, by samples that `noisy` has not.
+    /// The denoised picture, of the same size. `features` must belong to the same pixels, but come from other samples
+    /// than `noisy`.
     ///
     /// # Errors
-    /// What Open Image Denoise says.
+    /// Errors of Open Image Denoise.
     pub fn denoise(&self, noisy: &Noisy, features: &Features) -> Result<Film, OidnError> {
         match self {
             Self::Oidn(oidn) => oidn.denoise(noisy.mean, features),

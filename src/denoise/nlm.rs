@@ -1,7 +1,8 @@
-//! Non-local means: each pixel becomes the mean of those about it that look alike.
+//! Non-local means: each pixel becomes the mean of similar pixels around it.
 //!
-//! Rousselle, Knaus and Zwicker, Adaptive Rendering with Non-Local Means Filtering, SIGGRAPH Asia 2012. The weights for one half of
-//! the samples come from the other, so that a firefly has no part in its own weight: their noise is independent.
+//! Rousselle, Knaus and Zwicker, Adaptive Rendering with Non-Local Means Filtering, SIGGRAPH Asia 2012. The weights for
+//! one half of the samples come from the other half, so that a firefly does not affect its own weight: their noise is
+//! independent.
 
 use std::ops::Range;
 
@@ -11,15 +12,16 @@ use super::Features;
 use super::weights::{Planes, box_sums, feature_distance};
 use crate::film::Film;
 
-/// Half the widths of the window that pixels come from, and of the patches that are compared.
+/// Half widths of the search window and of the compared patches.
 const WINDOW: isize = 8;
 const PATCH: usize = 3;
-/// k of equation 5: pixels count as alike whose patches are k standard deviations apart.
+/// k of equation 5: pixels count as similar if their patches are k standard deviations apart.
 const K: f32 = 0.45;
-/// Rows that a thread does at once.
+/// Rows that a thread processes at once.
 const BAND: usize = 16;
 
-/// The mean of both halves, denoised. `halves`: pictures of one size by samples of their own; `features`: of their pixels.
+/// The mean of both halves, denoised. `halves`: pictures of one size from separate samples; `features`: of the same
+/// pixels.
 pub fn nlm([a, b]: [&Film; 2], features: &Features) -> Film {
     let planes = [Planes::new(a, b), Planes::new(b, a)];
     let height = a.height as usize;
@@ -38,14 +40,14 @@ pub fn nlm([a, b]: [&Film; 2], features: &Features) -> Film {
     }
 }
 
-/// Rows under way.
+/// A band of rows.
 struct Band<'a> {
     like: &'a Planes,
     features: &'a Features,
     rows: Range<usize>,
-    /// Those, and what patches reach beyond them.
+    /// The rows of the band and of the patches that extend beyond it.
     around: Range<usize>,
-    /// Of a row each.
+    /// One element per row of `around`.
     distances: Vec<Vec<f32>>,
 }
 
@@ -71,19 +73,19 @@ impl<'a> Band<'a> {
                 self.add(of, dx, dy, &mut sums);
             }
         }
-        // A pixel is like itself: no sum of weights is 0.
+        // A pixel is similar to itself, so no sum of weights is 0.
         let mean = |[r, g, b, weight]: &[f32; 4]| [r / weight, g / weight, b / weight];
         sums.iter().map(mean).collect()
     }
 
-    /// The place that (`dx`, `dy`) is away from (`x`, `y`).
+    /// The index of the pixel at the offset (`dx`, `dy`) from (`x`, `y`).
     fn beside(&self, x: usize, y: usize, dx: isize, dy: isize) -> Option<usize> {
         let x = x.checked_add_signed(dx).filter(|&x| x < self.like.width)?;
         let y = y.checked_add_signed(dy).filter(|&y| y < self.like.height)?;
         Some(y * self.like.width + x)
     }
 
-    /// The distances of all pixels to those (`dx`, `dy`) away, summed along rows of patches.
+    /// The distances of all pixels to those at the offset (`dx`, `dy`), summed along rows of patches.
     fn compare(&mut self, dx: isize, dy: isize) {
         let width = self.like.width;
         let mut row = vec![0.0; width];
@@ -96,7 +98,7 @@ impl<'a> Band<'a> {
         }
     }
 
-    /// Of two pixels, over the channels.
+    /// The distance of two pixels, summed over the channels.
     fn distance(&self, p: usize, q: usize) -> f32 {
         let mut sum = 0.0;
         for (value, variance) in self.like.values.iter().zip(&self.like.variance) {
@@ -108,7 +110,7 @@ impl<'a> Band<'a> {
         sum
     }
 
-    /// Adds the pixels (`dx`, `dy`) away by their weights.
+    /// Adds the pixels at the offset (`dx`, `dy`) with their weights.
     fn add(&self, of: &Film, dx: isize, dy: isize, sums: &mut [[f32; 4]]) {
         let width = self.like.width;
         for y in self.rows.clone() {

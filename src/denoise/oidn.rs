@@ -1,4 +1,4 @@
-//! Open Image Denoise: where its library is, and pictures to and fro.
+//! Open Image Denoise: finds its library, and converts pictures.
 
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
@@ -7,10 +7,10 @@ use super::{Features, OidnError};
 use crate::film::Film;
 use crate::gpu::oidn::{Oidn as Library, Pixels};
 
-/// The library, loaded.
+/// The loaded library.
 pub struct Oidn(Library);
 
-/// Its names: the loader knows where libraries are that a package manager has installed.
+/// Its names; the system's loader finds libraries installed by a package manager.
 #[cfg(target_os = "windows")]
 const NAMES: [&str; 1] = ["OpenImageDenoise.dll"];
 #[cfg(target_os = "macos")]
@@ -18,14 +18,14 @@ const NAMES: [&str; 2] = ["libOpenImageDenoise.2.dylib", "libOpenImageDenoise.dy
 #[cfg(not(any(target_os = "windows", target_os = "macos")))]
 const NAMES: [&str; 2] = ["libOpenImageDenoise.so.2", "libOpenImageDenoise.so"];
 
-/// Where PyPI's `pyoidn` keeps it below a folder of Python's packages.
+/// Its path in PyPI's `pyoidn`, relative to a folder of Python packages.
 const IN_PACKAGES: &str = "pyoidn/oidn/lib";
 
 impl Oidn {
-    /// Loads the library `path`, or the one in the folder `path`.
+    /// Loads the library at `path`, or in the folder `path`.
     ///
     /// # Errors
-    /// Where it is not there, too old or broken.
+    /// It is missing, too old or broken.
     pub fn at(path: &Path) -> Result<Self, OidnError> {
         let file = match path.is_dir() {
             true => NAMES
@@ -36,7 +36,7 @@ impl Oidn {
         };
         match file {
             Some(file) if file.exists() => {
-                // A bare name would be looked for elsewhere.
+                // The loader would search for a bare name elsewhere.
                 let file = std::path::absolute(&file).unwrap_or(file);
                 Library::load(file.as_os_str()).map(Self)
             }
@@ -44,11 +44,10 @@ impl Oidn {
         }
     }
 
-    /// Loads the library from where the system's loader looks for libraries, or else from one of `folders`; `None` where it is not
-    /// there.
+    /// Loads the library through the system's loader, or else from one of `folders`; `None` if it is in none of these.
     ///
     /// # Errors
-    /// The first place that has it has a broken one, or one that is too old.
+    /// The first one found is broken or too old.
     pub fn found(folders: &[PathBuf]) -> Result<Option<Self>, OidnError> {
         for name in NAMES {
             match Library::load(OsStr::new(name)) {
@@ -86,8 +85,8 @@ fn pixels(film: &Film) -> Pixels {
     }
 }
 
-/// The folders of the packages of Python, where `pip install pyoidn` puts it: of the virtual environment, the user's and the
-/// system's.
+/// The folders of Python packages in which `pip install pyoidn` puts it: those of the virtual environment, the user and
+/// the system.
 pub fn usual_places(variable: impl Fn(&str) -> Option<OsString>) -> Vec<PathBuf> {
     let roots = [
         variable("VIRTUAL_ENV").map(PathBuf::from),

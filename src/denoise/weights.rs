@@ -1,9 +1,9 @@
-//! How alike two pixels are, for non-local means.
+//! The similarity of two pixels, for non-local means.
 
 use super::Features;
 use crate::film::Film;
 
-/// A plane of a picture for each channel, and of its variance.
+/// A plane for each channel of a picture, and for its variance.
 pub struct Planes {
     pub width: usize,
     pub height: usize,
@@ -11,13 +11,14 @@ pub struct Planes {
     pub variance: [Vec<f32>; 3],
 }
 
-/// Half the width of the square over which variances are smoothed: two samples of noise a pixel say little.
+/// Half the width of the square over which variances are smoothed: two samples of noise per pixel say little.
 const SMOOTH: usize = 3;
-/// Below this a variance counts as this, relative to the square of the value.
+/// Variances are raised to at least this, relative to the square of the value.
 const LEAST: f32 = 1e-6;
 
 impl Planes {
-    /// Of one of two halves of equal variance: that of either is half the square of their difference, on average.
+    /// For one of two halves with equal variance: the variance of either is half the square of their difference, on
+    /// average.
     pub fn new(half: &Film, other: &Film) -> Self {
         let (width, height) = (half.width as usize, half.height as usize);
         let plane = |film: &Film, c: usize| film.rgb.iter().map(|p| p[c]).collect::<Vec<f32>>();
@@ -39,7 +40,7 @@ impl Planes {
     }
 }
 
-/// The mean over the square of 2 `r` + 1 pixels about each, as far as it is in the picture.
+/// The mean over the square of 2 `r` + 1 pixels around each, clipped to the picture.
 pub fn box_mean(plane: &[f32], width: usize, height: usize, r: usize) -> Vec<f32> {
     let mut rows = vec![0.0; plane.len()];
     let mut row_of = vec![0.0; width];
@@ -60,7 +61,8 @@ pub fn box_mean(plane: &[f32], width: usize, height: usize, r: usize) -> Vec<f32
     mean
 }
 
-/// Sums over 2 `r` + 1 neighbours, as far as they are there. Added anew for each: no rounding wanders along.
+/// Sums over 2 `r` + 1 neighbours, clipped to the row. Each sum is computed anew, so that rounding errors do not
+/// accumulate.
 pub fn box_sums(row: &[f32], r: usize, sums: &mut [f32]) {
     for (x, sum) in sums.iter_mut().enumerate() {
         let (left, right) = (x.saturating_sub(r), (x + r + 1).min(row.len()));
@@ -68,11 +70,11 @@ pub fn box_sums(row: &[f32], r: usize, sums: &mut [f32]) {
     }
 }
 
-/// Squared distance below which features count as equal: their own noise, edges aside.
+/// Squared distance below which features count as equal: their own noise, apart from edges.
 const ALBEDO: f32 = 0.01;
 const NORMAL: f32 = 0.03;
 
-/// How far the features of two pixels are apart, 0 where they are equal.
+/// The distance between the features of two pixels, 0 if they are equal.
 pub fn feature_distance(features: &Features, p: usize, q: usize) -> f32 {
     let square = |film: &Film| {
         let (a, b) = (film.rgb[p], film.rgb[q]);

@@ -1,44 +1,47 @@
-//! How wrong a denoised picture is, at most: by two noisy pictures that are independent of it and of each other.
+//! An upper bound on the error of a denoised picture, from two noisy pictures that are independent of it and of each
+//! other.
 //!
-//! A denoised picture has an error that its own noise does not show. Let D be it, r what a renderer converges to, and b₁ and b₂
-//! unbiased pictures by samples of their own:
+//! A denoised picture has an error that its own noise does not show. Let D be the denoised picture, r the picture that
+//! the renderer converges to, and b₁ and b₂ unbiased pictures from separate samples:
 //!
 //! ```text
 //! E (D − b₁)(D − b₂) = (D − r)²
 //! ```
 //!
-//! so w (D − b₁)(D − b₂), w = 1/(D² + ε), is on average what a pixel adds to the relMSE of D, taken relative to D itself. It may be
-//! negative, and is mostly noise: an upper end is all that it tells.
+//! so w (D − b₁)(D − b₂), w = 1/(D² + ε), is on average the contribution of a pixel to the relMSE of D, taken relative
+//! to D itself. It may be negative and is mostly noise, so only an upper end is meaningful.
 //!
-//! How far it may be off by chance cannot be read from how these products spread: where paths that bring much light are rare, a
-//! product is large only where both pictures have met one in the same pixel, and most pairs of pictures have no such pixel, a small
-//! sum and a small spread. One of the two suffices for the second moments, whose product bounds the variance of the product:
+//! Its random error cannot be estimated from the spread of these products: where paths with large contributions are
+//! rare, a product is large only if both pictures have sampled one in the same pixel, and most pairs of pictures have
+//! no such pixel, a small sum and a small spread. One of the two pictures suffices for the second moments, whose
+//! product bounds the variance of the product:
 //!
 //! ```text
 //! Var (D − b₁)(D − b₂) ≤ E(D − b₁)² E(D − b₂)²
 //! ```
 //!
-//! They are taken for alike in a pixel and its neighbours. The sum is skewed, so the end is that of any distribution by the
-//! one-sided inequality of Cantelli (Sui confini della probabilità, 1928): P(x ≤ μ − kσ) ≤ 1/(1 + k²).
+//! The second moments are assumed to be the same in a pixel and its neighbours. The sum is skewed, so the end is that
+//! of any distribution, by the one-sided inequality of Cantelli (Sui confini della probabilità, 1928): P(x ≤ μ − kσ) ≤
+//! 1/(1 + k²).
 
 use super::MetricsError;
 use super::pair::{check, same_size};
 use super::rel_mse::relative;
 use crate::film::Film;
 
-/// What is known of the mean of (D − r)²/(D² + 0.01) over pixels and channels.
+/// Estimate and bound of the mean of (D − r)²/(D² + 0.01) over pixels and channels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bound {
     /// Unbiased; may be below 0.
     pub estimate: f64,
-    /// Below this with a probability of 95 % or more, and never below 0.
+    /// The error is below this with a probability of 95 % or more; never below 0.
     pub upper: f64,
 }
 
 /// √(.95/.05): 1/(1 + k²) = .05.
 const CANTELLI: f64 = 4.358_898_943_540_674;
 
-/// What a pixel says: means over its channels.
+/// The terms of a pixel: means over its channels.
 #[derive(Clone, Copy)]
 struct Terms {
     /// w (D − b₁)(D − b₂).
@@ -47,10 +50,10 @@ struct Terms {
     moment: f64,
 }
 
-/// The bound of `denoised`, by pictures of equally many samples.
+/// The bound for `denoised`, from pictures with equal numbers of samples.
 ///
 /// # Errors
-/// If the films differ in size, have no pixels, or hold what is not finite.
+/// If the films differ in size, have no pixels, or contain values that are not finite.
 pub fn bound(denoised: &Film, [a, b]: [&Film; 2]) -> Result<Bound, MetricsError> {
     for (film, name) in [(denoised, "denoised picture"), (a, "first"), (b, "second")] {
         check(film, name)?;
@@ -61,7 +64,7 @@ pub fn bound(denoised: &Film, [a, b]: [&Film; 2]) -> Result<Bound, MetricsError>
     let size = [denoised.width as usize, denoised.height as usize];
     let pixels = terms.len() as f64;
     let estimate = terms.iter().map(|t| t.product).sum::<f64>() / pixels;
-    // The spread of a mean over channels is at most the mean of theirs.
+    // The spread of a mean over channels is at most the mean of their spreads.
     let moments = (0..terms.len()).map(|i| around(&terms, size, i));
     let spread = moments.map(|m| m * m).sum::<f64>().sqrt() / pixels;
     Ok(Bound {
@@ -83,7 +86,7 @@ impl Terms {
     }
 }
 
-/// The mean second moment of pixel `i` and those that touch it.
+/// The mean second moment of pixel `i` and its eight neighbours.
 fn around(terms: &[Terms], [width, height]: [usize; 2], i: usize) -> f64 {
     let near = |x: usize, size: usize| x.saturating_sub(1)..(x + 2).min(size);
     let (columns, rows) = (near(i % width, width), near(i / width, height));

@@ -1,15 +1,16 @@
-//! Where two pictures of the same samples differ, and which is the brighter there: signed relative differences as colours.
+//! Signed relative differences between two pictures of the same samples, as colours: where they differ, and which is
+//! brighter.
 
 use super::paired::DARK;
 use crate::film::Film;
 use crate::image::srgb;
 
 /// Relative differences of the palest and the strongest colour, of either sign; between them the scale is logarithmic.
-/// f32 holds none below 6e-8 (2⁻²⁴). It is fixed, so that two maps can be compared.
+/// f32 represents none below 6e-8 (2⁻²⁴). The range is fixed, so that two maps can be compared.
 pub const DIFFERENCE_RANGE: [f64; 2] = [1e-8, 1.0];
 
-/// (a − b)/max(|a|, |b|, [`DARK`]) of the channel in which that is largest: in [−1, 1] for radiances of one sign, 0 where
-/// they are equal, NaN where one is not finite.
+/// (a − b)/max(|a|, |b|, [`DARK`]) of the channel in which that is largest: in [−1, 1] for radiances of one sign, 0 if
+/// they are equal, NaN if one is not finite.
 pub fn signed_difference(a: [f64; 3], b: [f64; 3]) -> f64 {
     let of = |c: usize| (a[c] - b[c]) / a[c].abs().max(b[c].abs()).max(DARK);
     let larger = |x: f64, y: f64| {
@@ -19,11 +20,11 @@ pub fn signed_difference(a: [f64; 3], b: [f64; 3]) -> f64 {
             y
         }
     };
-    // ∞/∞ is NaN, and a NaN is larger than anything.
+    // ∞/∞ is NaN, and a NaN counts as largest.
     larger(larger(of(0), of(1)), of(2))
 }
 
-/// Each difference as a colour. The film's PNG at exposure 0 has exactly the colours of [`difference_colour`].
+/// Each difference as a colour. The PNG of the film at exposure 0 has exactly the colours of [`difference_colour`].
 pub fn difference_map(width: u32, height: u32, differences: &[f64]) -> Film {
     let linear = |code: u8| srgb::linear(f64::from(code) / 255.0) as f32;
     let colours = differences
@@ -36,14 +37,14 @@ pub fn difference_map(width: u32, height: u32, differences: &[f64]) -> Film {
     }
 }
 
-/// sRGB codes: red for what is above 0, blue for what is below, nearly white for 0 (RdBu of ColorBrewer, which the
-/// colour-blind tell apart too), black for what is no number.
+/// sRGB codes: red for positive values, blue for negative ones, nearly white for 0 (RdBu of ColorBrewer, which
+/// colour-blind people can distinguish too), black for NaN.
 pub fn difference_colour(difference: f64) -> [u8; 3] {
     if difference.is_nan() {
         return [0; 3];
     }
     let [low, high] = DIFFERENCE_RANGE.map(f64::log10);
-    // The logarithm of 0 is −∞, which is clamped like all that is below the range.
+    // The logarithm of 0 is −∞, which is clamped like everything below the range.
     let size = (difference.abs().log10() - low) / (high - low);
     let place = 0.5 - 0.5 * size.clamp(0.0, 1.0).copysign(difference);
     let code = colorous::RED_BLUE.eval_continuous(place);
@@ -73,7 +74,7 @@ mod tests {
         assert_eq!(signed_difference([1.0, 0.5, 1.0], [1.25, 1.0, 1.0]), -0.5);
         assert_eq!(signed_difference([1.0, 1.0, 4.0], [1.25, 1.0, 1.0]), 0.75);
         assert_eq!(signed_difference([0.0; 3], [0.0; 3]), 0.0);
-        // Both dark.
+        // Both are dark.
         assert!(signed_difference([1e-30; 3], [0.0; 3]) < 1e-9);
         for broken in [f64::NAN, f64::INFINITY] {
             for c in 0..3 {
@@ -96,7 +97,7 @@ mod tests {
         assert!(red > blue, "red is above 0");
         let [red, _, blue] = difference_colour(-1e-3);
         assert!(red < blue, "blue is below 0");
-        // One rounding of f32 is seen; what no f32 holds is not.
+        // One rounding step of f32 is visible; smaller differences are not.
         assert_ne!(difference_colour(6e-8), difference_colour(0.0));
         assert_eq!(difference_colour(1e-9), difference_colour(0.0));
         assert_eq!(difference_colour(7.0), difference_colour(1.0));

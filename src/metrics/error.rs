@@ -1,7 +1,7 @@
-//! What cannot be compared.
+//! Reasons why pictures cannot be compared.
 
-/// Why two pictures could not be compared. `picture` names the culprit: `test picture`, `reference` …; rows count from
-/// the top.
+/// Why two pictures could not be compared. `picture` names the one at fault: `test picture`, `reference` …; rows count
+/// from the top.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MetricsError {
     #[error(

@@ -1,8 +1,8 @@
-//! How far a picture is from another: pure functions over films, every sum in f64.
+//! Errors of pictures: pure functions over films, every sum in f64.
 //!
-//! [`Pair`] checks two pictures once, so that no metric has to. [`Errors`] are single numbers;
-//! [`flip`], [`heatmap()`], [`difference_map`] and [`worst_pixels`] show where they come from; [`blocks`] tests whether chance explains them;
-//! [`convergence`] how fast they fall.
+//! [`Pair`] checks two pictures once, so that no metric has to. [`Errors`] are single numbers; [`flip`], [`heatmap()`],
+//! [`difference_map`] and [`worst_pixels`] show where they come from; [`blocks`] tests whether chance explains them;
+//! [`convergence`] measures how fast they fall.
 
 pub mod blocks;
 pub mod convergence;
@@ -33,7 +33,7 @@ pub use worst::{WorstPixel, worst_pixels};
 
 use crate::film::Film;
 
-/// What [`Pair`]'s test picture is off by, as single numbers: each metric is a mean over pixels and channels.
+/// The error of [`Pair`]'s test picture as single numbers: each metric is a mean over pixels and channels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Errors {
     /// Mean of (x − r)², in the square of radiance.
@@ -79,7 +79,7 @@ pub fn symmetric_errors(pair: &Pair) -> Vec<f64> {
     pair.per_pixel(smape::symmetric_error)
 }
 
-/// Mean RGB; NaN of a film without pixels.
+/// Mean RGB; NaN for a film without pixels.
 pub fn mean(film: &Film) -> [f64; 3] {
     let n = film.rgb.len() as f64;
     [0, 1, 2].map(|c| {

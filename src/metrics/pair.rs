@@ -1,9 +1,9 @@
-//! Two pictures that can be compared.
+//! Two comparable pictures.
 
 use super::MetricsError;
 use crate::film::Film;
 
-/// A test picture and its reference: of one size, not empty, finite in every channel.
+/// A test picture and its reference: of the same size, not empty, finite in every channel.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<'a> {
     test: &'a Film,
@@ -37,12 +37,12 @@ impl<'a> Pair<'a> {
     }
 }
 
-/// A film that metrics take: it has pixels, as many as it says, and all of them are finite.
+/// Checks that a film has pixels, as many as its size requires, and that all are finite.
 pub(super) fn check(film: &Film, picture: &'static str) -> Result<(), MetricsError> {
     check_values(film, picture, f32::is_finite)
 }
 
-/// The same of standard errors, which are not below 0 either.
+/// The same for standard errors, which must not be negative either.
 pub(super) fn check_errors(film: &Film, picture: &'static str) -> Result<(), MetricsError> {
     check_values(film, picture, |v| v.is_finite() && v >= 0.0)
 }
@@ -81,7 +81,7 @@ fn check_values(
     })
 }
 
-/// Two films with their names.
+/// Checks that two films, given with their names, have the same size.
 pub(super) fn same_size(
     (a, picture): (&Film, &'static str),
     (b, other): (&Film, &'static str),

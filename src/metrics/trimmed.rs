@@ -1,17 +1,17 @@
-//! A mean, and what of it is not due to a few pixels.
+//! A mean, and the same without the worst pixels.
 
-/// A mean over pixels, and the mean without the worst 1 % of them: a caustic's fireflies dominate the one and are
-/// gone from the other.
+/// A mean over pixels, and the mean without the worst 1 % of them: a caustic's fireflies dominate the first and are
+/// absent from the second.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trimmed {
     pub all: f64,
-    /// Without the ⌊n/100⌋ worst of n pixels: never more than 1 %, none of fewer than a hundred (the rounding
-    /// of `scipy.stats.trim_mean`). A biased estimator of the mean, always below it.
+    /// Without the ⌊n/100⌋ worst of n pixels: never more than 1 %, none of fewer than a hundred (the rounding of
+    /// `scipy.stats.trim_mean`). A biased estimator of the mean, always below it.
     pub without_worst: f64,
 }
 
 impl Trimmed {
-    /// Both numbers through `f`.
+    /// Both numbers mapped by `f`.
     pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Self {
             all: f(self.all),
@@ -20,7 +20,7 @@ impl Trimmed {
     }
 }
 
-/// The means of per-pixel errors, ranked by themselves; NaN of none.
+/// The means of per-pixel errors, trimmed by their own order; NaN for none.
 pub fn trimmed(errors: &[f64]) -> Trimmed {
     let kept = errors.len() - errors.len() / 100;
     let mut ranked = errors.to_vec();

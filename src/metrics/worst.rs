@@ -1,8 +1,8 @@
-//! Which pixels make most of a picture's error.
+//! The pixels with the largest share of a picture's error.
 
 use super::{Pair, relative_squared_errors};
 
-/// A pixel and what it is off by.
+/// A pixel and its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorstPixel {
     /// Column and row from the top left.
@@ -11,11 +11,12 @@ pub struct WorstPixel {
     pub reference: [f32; 3],
     /// Its relative squared error, mean over its channels.
     pub error: f64,
-    /// Its part of the sum over all pixels; 0 where there is no error at all.
+    /// Its share of the sum over all pixels; 0 if there is no error at all.
     pub share: f64,
 }
 
-/// The `count` pixels of the largest relative squared error, the worst first; of equals the first in the picture.
+/// The `count` pixels with the largest relative squared errors, the worst first; among equals, the first in the
+/// picture.
 pub fn worst_pixels(pair: &Pair, count: usize) -> Vec<WorstPixel> {
     let errors = relative_squared_errors(pair);
     let sum: f64 = errors.iter().sum();
@@ -23,7 +24,7 @@ pub fn worst_pixels(pair: &Pair, count: usize) -> Vec<WorstPixel> {
     order.sort_by(|&i, &j| errors[j].total_cmp(&errors[i]));
     let width = pair.test().width as usize;
     let pixel = |i: usize| WorstPixel {
-        // As many as fit u32: the film has them.
+        // The film's size fits u32, so these do too.
         at: [i % width, i / width].map(|side| side as u32),
         test: pair.test().rgb[i],
         reference: pair.reference().rgb[i],
@@ -46,7 +47,7 @@ mod tests {
             rgb: vec![[0.0; 3]; 6],
         };
         let mut test = black.clone();
-        // x²/0.01 in one channel of three: 1/3·100 x². By hand: 12, 3 and 3.
+        // x²/0.01 in one channel of three: 1/3·100 x². Computed by hand: 12, 3 and 3.
         test.rgb[4] = [0.0, 0.6, 0.0];
         test.rgb[1] = [0.3, 0.0, 0.0];
         test.rgb[2] = [0.0, 0.0, 0.3];

@@ -1,11 +1,11 @@
-//! Where the blocks are, and the z of one.
+//! The positions of blocks, and the z of one block.
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 use statrs::function::erf::erfc;
 
 use super::Estimate;
 
-/// Width and height of a block in pixels; the last of a row or column takes the remainder, up to 49.
+/// Width and height of a block in pixels; the last in a row or column includes the remainder, up to 49.
 const BLOCK: usize = 25;
 
 /// A block in one channel.
@@ -17,22 +17,22 @@ pub struct Block {
     pub size: [u32; 2],
     /// 0, 1, 2: red, green, blue.
     pub channel: usize,
-    /// Of the first picture and of the second.
+    /// Of the first and the second picture.
     pub means: [f64; 2],
     /// Standard error of the means' difference.
     pub stderr: f64,
-    /// Its degrees of freedom; infinite where it is known exactly.
+    /// Its degrees of freedom; infinite if it is known exactly.
     pub freedom: f64,
-    /// First less second, beyond what rounding explains, in standard errors; ±∞ where there are none.
+    /// First minus second, beyond rounding, in standard errors; ±∞ if these are 0.
     pub z: f64,
-    /// How likely agreeing pictures have as large a |z|.
+    /// The probability that agreeing pictures have at least as large a |z|.
     pub p: f64,
 }
 
-/// A run of columns or rows: the first, and the one behind the last.
+/// A range of columns or rows: the first, and one past the last.
 pub(super) type Span = [usize; 2];
 
-/// Blocks of [`BLOCK`], the last one with the remainder; one if there are not enough for two.
+/// Blocks of [`BLOCK`], the last one with the remainder; a single block if two do not fit.
 pub(super) fn spans(size: usize) -> Vec<Span> {
     let count = (size / BLOCK).max(1);
     let end = |i: usize| {
@@ -51,13 +51,13 @@ pub(super) struct Area {
     pub rows: Span,
 }
 
-/// A block's mean in one channel, and how far rounding may have moved it.
+/// A block's mean in one channel, and the bound on its rounding error.
 #[derive(Clone, Copy, Default)]
 struct BlockMean {
     mean: f64,
     /// The square of its standard error.
     variance: f64,
-    /// Σ v²/ν of the pixels' parts v of that, each with ν degrees of freedom: half of its own variance.
+    /// Half the variance of `variance`: Σ v²/ν of the pixels' parts v, each with ν degrees of freedom.
     doubt: f64,
     rounding: f64,
 }
@@ -79,7 +79,7 @@ impl Area {
         };
         let difference = a.mean - b.mean;
         let beyond = (difference.abs() - a.rounding - b.rounding).max(0.0);
-        // z = (ā − b̄)/√(se_a² + se_b²); a difference within rounding is none, whatever the errors.
+        // z = (ā − b̄)/√(se_a² + se_b²); a difference within rounding counts as 0, whatever the errors.
         let z = if beyond == 0.0 {
             0.0
         } else {
@@ -121,14 +121,15 @@ impl Area {
         })
     }
 
-    /// Where the pixels are in a film.
+    /// The indices of the pixels in a film.
     fn pixels(&self, width: usize) -> impl Iterator<Item = usize> {
         let [[left, right], [top, bottom]] = [self.columns, self.rows];
         (top..bottom).flat_map(move |y| (left..right).map(move |x| y * width + x))
     }
 }
 
-/// How likely |T| > |z| is, T of Student's distribution; of the normal one where the standard error is known exactly.
+/// The probability of |T| > |z|, T of Student's distribution, or of the normal one if the standard error is known
+/// exactly.
 fn p_of(z: f64, freedom: f64) -> f64 {
     match StudentsT::new(0.0, 1.0, freedom) {
         Ok(t) if freedom.is_finite() => 2.0 * t.sf(z.abs()),

@@ -1,10 +1,10 @@
-//! Do two pictures agree within their standard errors? A z-test on the means of 25×25 blocks.
+//! Tests whether two pictures agree within their standard errors: a z-test on the means of 25×25 blocks.
 //!
-//! Tested pixel by pixel, a correct renderer would fail (fireflies have no normal distribution), and 1 % of bias
-//! would pass (it hides below a pixel's noise). The mean of a block of 625 pixels is close to normal, and its
-//! error 25 times smaller. Where the errors are estimates themselves, of few degrees of freedom a pixel, the test is one
-//! by Student's t, whose degrees of freedom come from all pixels of a block together. Fireflies so rare that a block has but a few still break that, and reject more often
-//! than the level says.
+//! Tested pixel by pixel, a correct renderer would fail (fireflies have no normal distribution), and 1 % of bias would
+//! pass (it is hidden by a pixel's noise). The mean of a block of 625 pixels is close to normal, and its error 25 times
+//! smaller. Where the errors are themselves estimates with few degrees of freedom per pixel, the test uses Student's t,
+//! with degrees of freedom from all pixels of a block together. Fireflies so rare that a block has only a few of them
+//! still violate the assumption, and cause more rejections than the level allows.
 
 mod area;
 mod estimate;
@@ -15,17 +15,17 @@ pub use area::Block;
 use area::{Area, spans};
 pub use estimate::{Estimate, Stderr};
 
-/// The level of the whole test: how often it rejects two pictures that agree.
+/// The level of the whole test: the probability of rejecting two pictures that agree.
 pub const ALPHA: f64 = 1e-3;
 
-/// What the test found.
+/// The result of the test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BlockTest {
     blocks: Vec<Block>,
     level: f64,
 }
 
-/// The z-test of every block and channel, of the level `alpha` in all (in (0, 1); usually [`ALPHA`]).
+/// The z-test of every block and channel, with the total level `alpha` (in (0, 1); usually [`ALPHA`]).
 pub fn z_test(a: &Estimate, b: &Estimate, alpha: f64) -> Result<BlockTest, MetricsError> {
     if !(alpha > 0.0 && alpha < 1.0) {
         return Err(MetricsError::Level(alpha));
@@ -63,18 +63,18 @@ impl BlockTest {
         self.blocks.iter().filter(|b| b.p < self.level).count()
     }
 
-    /// The block of the least p; of equals that of the largest |z|.
+    /// The block with the smallest p; among equals, the one with the largest |z|.
     pub fn worst(&self) -> Block {
         let worse = |a: &Block, b: &Block| (a.p, -a.z.abs()) < (b.p, -b.z.abs());
         let by_p = |worst: Block, b: &Block| if worse(b, &worst) { *b } else { worst };
         self.blocks[1..].iter().fold(self.blocks[0], by_p)
     }
 
-    /// Mean and standard deviation of z over the blocks that have a standard error: near 0 and 1 if the errors
-    /// are honest. `None` with fewer than two of them.
+    /// Mean and standard deviation of z over the blocks that have a standard error: near 0 and 1 if the errors are
+    /// correct. `None` with fewer than two of them.
     ///
-    /// The deviation of m independent z is itself uncertain by 1/√(2m); noise that the channels share makes m
-    /// the number of blocks. Of ν degrees of freedom it is √(ν/(ν − 2)).
+    /// The deviation of m independent z is itself uncertain by 1/√(2m); if the channels share noise, m is the number of
+    /// blocks. With ν degrees of freedom it is √(ν/(ν − 2)).
     pub fn spread(&self) -> Option<[f64; 2]> {
         let noisy = self.blocks.iter().filter(|b| b.stderr > 0.0);
         let z: Vec<f64> = noisy.map(|b| b.z).collect();

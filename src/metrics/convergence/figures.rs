@@ -1,10 +1,10 @@
-//! A value for each way to tell how far pictures are apart.
+//! One value per metric.
 
 use serde::Serialize;
 
 use crate::metrics::Trimmed;
 
-/// How a picture's error is told.
+/// A metric for the error of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metric {
     Mse,
@@ -15,7 +15,7 @@ pub enum Metric {
 }
 
 impl Metric {
-    /// All of them, with the names that they are told by.
+    /// All metrics with their names.
     pub const ALL: [(Self, &'static str); 5] = [
         (Self::Mse, "MSE"),
         (Self::Rmse, "RMSE"),
@@ -36,7 +36,7 @@ pub struct Figures<T = Trimmed> {
 }
 
 impl<T> Figures<T> {
-    /// The value that `f` gives each metric; `None` where it gives none to one of them.
+    /// Computes the value of each metric by `f`; `None` if it is `None` for one of them.
     pub fn try_from_fn(f: impl Fn(Metric) -> Option<T>) -> Option<Self> {
         Some(Self {
             mse: f(Metric::Mse)?,

@@ -1,4 +1,4 @@
-//! Whether pictures converge to the reference, or to something else.
+//! Tests whether pictures converge to the reference or to something else.
 
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -7,16 +7,16 @@ use super::interval::mean;
 use super::reference::Reference;
 use crate::film::Film;
 
-/// Probability of calling pictures off that converge to the reference.
+/// Probability of reporting a floor for pictures that converge to the reference.
 const ALPHA: f64 = 1e-3;
 
-/// The relMSE that stays however many samples are taken: what the curve flattens to.
+/// The relMSE that remains with any number of samples: the level at which the curve flattens.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Floor {
     pub rel_mse: f64,
     pub standard_error: f64,
-    /// How likely as much is by chance, where pictures and reference have one mean (and the reference the error that
-    /// it says).
+    /// The probability of at least this value by chance, if pictures and reference have the same mean (and the
+    /// reference has its stated error).
     pub p: f64,
 }
 
@@ -27,19 +27,19 @@ impl Floor {
     }
 }
 
-/// The floor of replicates' `pictures`, all of the reference's size and with as many samples each.
+/// The floor of replicates' `pictures`, all of the reference's size and with equal numbers of samples.
 ///
-/// The error of one picture is noise and bias, E (x − r)² = σ²/n + b². Of two independent pictures the noise does not
-/// correlate: E (x − r)(y − r) = b², at any n. So the mean over all pairs is an unbiased estimate of b² that sees a
+/// The error of one picture is noise and bias, E (x − r)² = σ²/n + b². The noise of two independent pictures does not
+/// correlate: E (x − r)(y − r) = b², at any n. So the mean over all pairs is an unbiased estimate of b² that detects a
 /// bias long before the curve shows it.
 ///
-/// The pairs of a picture share its noise, and all pairs that of the reference. So the standard error is that of the
-/// jackknife over pictures, and on top of it what the reference's noise does to all of them; the test is a one-sided
-/// one by Student's t with as many degrees of freedom as the jackknife has. It errs on the careful side: without a bias
-/// the pairs hardly correlate, and the jackknife is up to √2 too large.
+/// The pairs of a picture share its noise, and all pairs share the reference's. So the standard error is that of the
+/// jackknife over pictures, plus the effect of the reference's noise on all of them; the test is a one-sided one by
+/// Student's t with as many degrees of freedom as the jackknife has. It is conservative: without a bias the pairs
+/// hardly correlate, and the jackknife is up to √2 too large.
 ///
-/// What the reference says its own noise is (not of halves, whose noise has no part in it on average) is taken off.
-/// `None` of fewer than three pictures.
+/// The reference's own noise, as stated by it, is subtracted (except for halves, whose noise contributes nothing on
+/// average). `None` with fewer than three pictures.
 pub fn floor(pictures: &[Film], reference: &Reference) -> Option<Floor> {
     if pictures.len() < 3 {
         return None;
@@ -54,7 +54,7 @@ pub fn floor(pictures: &[Film], reference: &Reference) -> Option<Floor> {
     })
 }
 
-/// How likely a floor as large is where there is none.
+/// The probability of at least this floor without bias.
 fn p_of_no_bias(rel_mse: f64, standard_error: f64, pictures: usize) -> Option<f64> {
     let t = StudentsT::new(0.0, 1.0, pictures as f64 - 1.0).ok()?;
     Some(match standard_error {
@@ -87,7 +87,8 @@ impl Pairs {
     }
 
     /// The standard error of the pairs' mean, from the means without each picture in turn (Arvesen, Jackknifing
-    /// U-Statistics, Ann. Math. Statist. 40, 1969): (k − 1)/k Σ (h̄₍ᵢ₎ − h̄₍·₎)². Of a degenerate one it is too large.
+    /// U-Statistics, Ann. Math. Statist. 40, 1969): (k − 1)/k Σ (h̄₍ᵢ₎ − h̄₍·₎)². It is too large for a degenerate
+    /// statistic.
     fn jackknife(&self) -> f64 {
         let k = self.sums.len() as f64;
         let all: f64 = self.values.iter().sum();

@@ -1,12 +1,12 @@
-//! A figure of few replicates, and where its truth lies.
+//! An estimate from few replicates, with a confidence interval.
 
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-/// How often an interval holds the truth.
+/// The probability that an interval contains the true value.
 pub const LEVEL: f64 = 0.95;
 
-/// An estimate with its interval of [`LEVEL`]; in the unit of what is estimated.
+/// An estimate with its interval of [`LEVEL`]; in the unit of the estimate.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Interval {
     pub value: f64,
@@ -15,8 +15,8 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// The mean of independent `values`, x̄ ± t·s/√n with Student's t of n − 1 degrees of freedom; `None` of fewer than
-    /// two. Exact for normal values; where a few fireflies make the mean, it is too narrow.
+    /// The mean of independent `values`, x̄ ± t·s/√n with Student's t of n − 1 degrees of freedom; `None` with fewer
+    /// than two. Exact for normal values; too narrow where a few fireflies dominate the mean.
     pub fn of_mean(values: &[f64]) -> Option<Self> {
         let (mean, half) = mean_and_half_width(values)?;
         Some(Self {
@@ -30,7 +30,7 @@ impl Interval {
         (self.low..=self.high).contains(&x)
     }
 
-    /// All three numbers through the increasing `f`.
+    /// All three numbers mapped by the increasing function `f`.
     pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Self {
             value: f(self.value),
@@ -55,7 +55,7 @@ pub(super) fn mean_and_half_width(values: &[f64]) -> Option<(f64, f64)> {
     Some((mean, t * (variance / n).sqrt()))
 }
 
-/// NaN of none.
+/// NaN for none.
 pub(super) fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }

@@ -1,8 +1,8 @@
-//! How fast pictures converge: statistics of the errors that several independent replicates of a rendering have
-//! after 1, 2, 4, … samples per pixel.
+//! How fast pictures converge: statistics of the errors of several independent replicates of a rendering after 1, 2, 4,
+//! … samples per pixel.
 //!
-//! Replicates are independent, so means over them have intervals (Student's t); what is compared within a replicate
-//! (two steps of one rendering, two variants by the same seed) is paired.
+//! Replicates are independent, so means over them have intervals (Student's t); comparisons within a replicate (two
+//! steps of one rendering, two variants with the same seed) are paired.
 
 mod curve;
 mod figures;

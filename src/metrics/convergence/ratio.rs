@@ -1,14 +1,14 @@
-//! Ratios of means over replicates: slopes, efficiencies, and how many times one estimator is better than another.
+//! Ratios of means over replicates: slopes, efficiencies, and factors between estimators.
 
 use super::interval::{Interval, mean, mean_and_half_width};
 
-/// ln of the product of the means of `over` by that of the means of `under`, and half the width of its interval. All
-/// have one value a replicate and are paired by it: what is common to both sides cancels.
+/// ln of the ratio of two products, the means of `over` and the means of `under`, and half the width of its interval.
+/// All have one value per replicate and are paired by it, so that variation common to both sides cancels.
 ///
-/// The delta method (Casella and Berger, Statistical Inference, 2nd ed., section 5.5.4): with means ā_i and b̄_j,
-/// L = Σ ln ā_i − Σ ln b̄_j is to first order a mean over replicates of z_r = Σ a_ir/ā_i − Σ b_jr/b̄_j.
+/// The delta method (Casella and Berger, Statistical Inference, 2nd ed., section 5.5.4): with means ā_i and b̄_j, L = Σ
+/// ln ā_i − Σ ln b̄_j is to first order a mean over replicates of z_r = Σ a_ir/ā_i − Σ b_jr/b̄_j.
 ///
-/// `None` of fewer than two replicates, and where a mean is not above 0.
+/// `None` with fewer than two replicates, or if a mean is not above 0.
 fn log_ratio(over: &[&[f64]], under: &[&[f64]]) -> Option<(f64, f64)> {
     let all = || over.iter().chain(under);
     let replicates = all().map(|values| values.len()).min()?;
@@ -35,9 +35,9 @@ fn ratio(over: &[&[f64]], under: &[&[f64]]) -> Option<Interval> {
 }
 
 /// The local slope between two steps of the same replicates on log–log axes, ln(ē_b/ē_a)/ln(n_b/n_a): −1 for the
-/// (relative) MSE of independent samples, −½ for its root. `a` and `b`: samples per pixel, and an error a replicate.
+/// (relative) MSE of independent samples, −½ for its root. `a` and `b`: samples per pixel, and one error per replicate.
 ///
-/// Over samples rather than seconds: these are known without noise.
+/// It is taken over samples rather than seconds, because these are known without noise.
 pub fn slope(a: (u32, &[f64]), b: (u32, &[f64])) -> Option<Interval> {
     let (log, half) = log_ratio(&[b.1], &[a.1])?;
     let step = (f64::from(b.0) / f64::from(a.0)).ln();
@@ -49,12 +49,12 @@ pub fn slope(a: (u32, &[f64]), b: (u32, &[f64])) -> Option<Interval> {
 }
 
 /// 1/(error · seconds), which for independent samples does not depend on their number (Pharr, Jakob and Humphreys,
-/// Physically Based Rendering, 4th ed., section 2.2: ε = 1/(V·T)). One value a replicate in each.
+/// Physically Based Rendering, 4th ed., section 2.2: ε = 1/(V·T)). Both have one value per replicate.
 pub fn efficiency(errors: &[f64], seconds: &[f64]) -> Option<Interval> {
     ratio(&[], &[errors, seconds])
 }
 
-/// The efficiency of `b` by that of `a`, replicate by replicate; each is errors and seconds.
+/// The efficiency of `b` divided by that of `a`, paired by replicate; each is errors and seconds.
 pub fn ratio_of_efficiencies(a: [&[f64]; 2], b: [&[f64]; 2]) -> Option<Interval> {
     ratio(&a, &b)
 }
@@ -65,7 +65,7 @@ mod tests {
 
     #[test]
     fn what_is_common_to_both_sides_cancels() {
-        // b is always a third of a, however the replicates spread.
+        // b is always a third of a, at any spread of the replicates.
         let a = [3.0, 30.0, 6.0, 9.0];
         let b = a.map(|e| e / 3.0);
         let seconds = [1.0, 1.5, 2.0, 2.5];

@@ -1,30 +1,30 @@
-//! When a curve of errors reaches a target.
+//! The time at which a curve of errors reaches a target.
 
 use serde::Serialize;
 
-/// Seconds until the error is down to a target.
+/// Seconds until the error falls to a target.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(tag = "how", content = "seconds", rename_all = "snake_case")]
 pub enum Reach {
-    /// The first step is there already: no more than its seconds.
+    /// At the first step already: no more than its seconds.
     Before(f64),
     /// Between two steps.
     At(f64),
-    /// Beyond the last step, on the line of the last two.
+    /// Beyond the last step, on the line through the last two.
     Extrapolated(f64),
-    /// Not within reach of what was measured.
+    /// Out of reach of the measurements.
     Never,
 }
 
-/// How many times the last step's seconds a line may lead on.
+/// Limit of the extrapolation, as a multiple of the last step's seconds.
 const FAR: f64 = 16.0;
 
-/// A curve that falls less than this has no line to lead on; independent samples have −1.
+/// A flatter curve is not extrapolated; independent samples have slope −1.
 const FLAT: f64 = -0.25;
 
-/// Where the mean error of a curve of (seconds, error), seconds rising, first falls to `target`: on straight lines
-/// between its steps on log–log axes. Beyond the last, the line of the last two steps goes on, taken for no steeper
-/// than −1: by chance it often is, and would promise too much.
+/// The first time at which the mean error of a curve of (seconds, error), seconds rising, falls to `target`:
+/// interpolated on straight lines between steps on log–log axes. Beyond the last step, the line through the last two is
+/// continued with a slope no steeper than −1: by chance it often is steeper, which would be too optimistic.
 pub fn reach(curve: &[(f64, f64)], target: f64) -> Reach {
     let Some(first) = curve.iter().position(|&(_, error)| error <= target) else {
         return beyond(curve, target);
@@ -33,7 +33,7 @@ pub fn reach(curve: &[(f64, f64)], target: f64) -> Reach {
         return Reach::Before(curve[0].0);
     }
     let (a, b) = (curve[first - 1], curve[first]);
-    // An error of 0 or less, by chance, has no logarithm: its step is as early as is known.
+    // An error ≤ 0, by chance, has no logarithm: its step is the earliest known time.
     match log_slope(a, b) {
         Some(slope) => Reach::At(along(a, slope, target)),
         None => Reach::At(b.0),
@@ -87,7 +87,7 @@ mod tests {
         close(reach(&curve, 0.3 / 32.0), Reach::At(32.0));
         close(reach(&curve, 0.003), Reach::Extrapolated(100.0));
         close(reach(&curve, 0.3 / 513.0), Reach::Never);
-        // The first time counts, though the curve rises again.
+        // The first crossing counts, although the curve rises again.
         close(
             reach(&[(1.0, 4.0), (2.0, 1.0), (4.0, 2.0)], 2.0),
             Reach::At(2f64.sqrt()),
@@ -103,7 +103,7 @@ mod tests {
         close(reach(&flat, 0.1), Reach::Never);
         close(reach(&[], 0.1), Reach::Never);
         close(reach(&[(1.0, 1.0)], 0.1), Reach::Never);
-        // By chance below 0, where errors are products of two halves.
+        // Below 0 by chance, where errors are products of two halves.
         close(reach(&[(1.0, 1.0), (2.0, -0.1)], 0.1), Reach::At(2.0));
     }
 

@@ -1,4 +1,4 @@
-//! What pictures are judged by, and how well it is known itself.
+//! The reference for errors, and its own uncertainty.
 
 use super::figures::Figures;
 use super::interval::mean;
@@ -8,15 +8,16 @@ use crate::metrics::pair::{check, check_errors, same_size};
 use crate::metrics::rel_mse::relative;
 use crate::metrics::{MetricsError, Pair, StandardErrors, symmetric_errors, trimmed};
 
-/// A picture, or two independent ones of the same mean.
+/// A picture, or two independent ones with the same mean.
 #[derive(Clone, Debug)]
 pub struct Reference {
     kind: Kind,
-    /// What is shown, and what the perceptual metrics look at: the picture, or the mean of the halves.
+    /// The film for display and for the perceptual metrics: the picture, or the mean of the halves.
     mean: Film,
-    /// How far `mean` itself is from the truth, where that is known.
+    /// The error of `mean` itself, if known.
     own: Figures<Option<f64>>,
-    /// Standard deviation of what its noise adds to the product of any two pictures' errors, weighted as in relMSE.
+    /// Standard deviation of the contribution of its noise to the product of any two pictures' errors, weighted as in
+    /// relMSE.
     own_spread: f64,
 }
 
@@ -27,7 +28,7 @@ enum Kind {
 }
 
 impl Reference {
-    /// A picture, with the standard errors of its values where these are known.
+    /// A picture, with the standard errors of its values if known.
     ///
     /// # Errors
     /// No pixels, values that are not finite, standard errors of another size or below 0.
@@ -56,8 +57,8 @@ impl Reference {
             own.mse = Some(mse);
             own.rmse = Some(mse.sqrt());
             own.rel_mse = Some(mean(&rel));
-            // (r − µ)² of a normal r has the variance 2 v², v = Var r; its estimate v̂, which is taken off, 2 v²/ν; and
-            // v² is on average v̂² ν/(ν + 2).
+            // (r − µ)² of a normal r has the variance 2 v², v = Var r; its estimate v̂, which is subtracted, 2 v²/ν;
+            // and v² is on average v̂² ν/(ν + 2).
             let factor = match freedom.is_finite() {
                 true => 2.0 * (freedom + 1.0) / (freedom + 2.0),
                 false => 2.0,
@@ -72,11 +73,11 @@ impl Reference {
         })
     }
 
-    /// Two pictures of the same scene by independent random numbers and as many samples each.
+    /// Two pictures of the same scene with independent random numbers and equal numbers of samples.
     ///
     /// With x, A and B independent and of the same mean µ, the mean of (x − A)(x − B) is that of (x − µ)²: the halves'
-    /// own noise cancels, where a single picture's would add to every error. SMAPE and FLIP are no squares; they look
-    /// at (A + B)/2.
+    /// own noise cancels, where a single picture's would add to every error. SMAPE and FLIP are not squares; they use
+    /// (A + B)/2.
     ///
     /// # Errors
     /// Sizes that differ, no pixels, values that are not finite.
@@ -85,7 +86,7 @@ impl Reference {
         check(&b, "reference")?;
         same_size((&a, "reference"), (&b, "reference's other half"))?;
         let film = average(&a, &b);
-        // Var (A + B)/2 = E (A − B)²/4; a mean of |·| is as far from the truth as half of what A is from B.
+        // Var (A + B)/2 = E (A − B)²/4; the error of a mean of |·| is half the difference between A and B.
         let quarter = |c: Channel| {
             let d = value(&a, c) - value(&b, c);
             0.25 * d * d
@@ -106,7 +107,7 @@ impl Reference {
             kind: Kind::Halves(Box::new([a, b])),
             mean: film,
             own,
-            // (µ − A)(µ − B) has the variance (Var A)², of which 4/3 (A − B)⁴/16 is an estimate: E (A − B)⁴ = 12 (Var A)².
+            // (µ − A)(µ − B) has the variance (Var A)², estimated by 4/3 (A − B)⁴/16: E (A − B)⁴ = 12 (Var A)².
             own_spread: spread(4.0 / 3.0, &rel),
         })
     }
@@ -116,17 +117,17 @@ impl Reference {
         &self.mean
     }
 
-    /// How far it is from the truth in each metric, where that is known: errors below that say nothing.
+    /// Its own error in each metric, if known: smaller errors of pictures are not significant.
     pub fn own(&self) -> &Figures<Option<f64>> {
         &self.own
     }
 
-    /// Standard deviation of the reference's own part in [`Reference::covariance`], whatever the pictures.
+    /// Standard deviation of the reference's own contribution to [`Reference::covariance`], for any pictures.
     pub(super) fn own_spread(&self) -> f64 {
         self.own_spread
     }
 
-    /// What `test` is off by. By halves, squared errors may by chance be below 0.
+    /// The errors of `test`. With halves, squared errors may be below 0 by chance.
     ///
     /// # Errors
     /// A picture of another size, or with values that are not finite.
@@ -169,7 +170,7 @@ impl Reference {
     }
 }
 
-/// A pixel and a channel of it.
+/// A pixel and one of its channels.
 type Channel = (usize, usize);
 
 fn value(film: &Film, (pixel, channel): Channel) -> f64 {
@@ -186,8 +187,8 @@ fn per_pixel(film: &Film, error: impl Fn(Channel) -> f64) -> Vec<f64> {
     (0..film.rgb.len()).map(of_pixel).collect()
 }
 
-/// Standard deviation of a mean over pixels of independent terms whose squares' sum, times `factor`, estimates their
-/// variances'. The channels of a pixel are taken for one noise.
+/// Standard deviation of a mean over pixels of independent terms; the sum of the terms' squares, times `factor`,
+/// estimates the sum of their variances. The channels of a pixel are assumed to share the same noise.
 fn spread(factor: f64, terms: &[f64]) -> f64 {
     let squares: f64 = terms.iter().map(|q| q * q).sum();
     (factor * squares).sqrt() / terms.len() as f64

@@ -1,16 +1,16 @@
-//! The errors of all replicates at one step as few numbers.
+//! Summarises the errors of all replicates at one step.
 
 use serde::Serialize;
 
 use super::interval::{Interval, mean};
 use crate::metrics::Trimmed;
 
-/// The plain mean, and beside it what does not depend on a few pixels or on one replicate.
+/// The plain mean, and statistics that do not depend on a few pixels or on one replicate.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Summary {
-    /// Over replicates, with its interval; unbiased, and at the mercy of fireflies.
+    /// Over replicates, with its interval; unbiased, but sensitive to fireflies.
     pub mean: Interval,
-    /// The mean over replicates without each one's worst 1 % of pixels ([`Trimmed`]); below the mean.
+    /// The mean over replicates without the worst 1 % of pixels of each ([`Trimmed`]); below the mean.
     pub trimmed: f64,
     /// The median of the replicates, each a mean over all pixels: the median of means (Lugosi and Mendelson, Mean
     /// Estimation and Regression under Heavy-Tailed Distributions, Found. Comput. Math. 19, 2019, section 2.1).
@@ -18,7 +18,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// One error a replicate; `None` of fewer than two.
+    /// One error per replicate; `None` with fewer than two.
     pub fn of(errors: &[Trimmed]) -> Option<Self> {
         let all: Vec<f64> = errors.iter().map(|e| e.all).collect();
         let without: Vec<f64> = errors.iter().map(|e| e.without_worst).collect();
@@ -30,7 +30,7 @@ impl Summary {
     }
 }
 
-/// The middle one, or the mean of the two in the middle; NaN of none.
+/// The middle value, or the mean of the two in the middle; NaN for none.
 pub fn median(values: &[f64]) -> f64 {
     let mut ranked = values.to_vec();
     ranked.sort_unstable_by(f64::total_cmp);

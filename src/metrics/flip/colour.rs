@@ -31,8 +31,8 @@ static FROM_XYZ: LazyLock<DMat3> = LazyLock::new(|| TO_XYZ.inverse());
 /// White: XYZ of RGB (1, 1, 1).
 static WHITE: LazyLock<DVec3> = LazyLock::new(|| *TO_XYZ * DVec3::ONE);
 
-/// YCxCz of linear sRGB: L*, a* and b* made linear, so that a blur in it is one of light (Flohr et al.,
-/// Model-based halftoning using direct binary search, 1993). White is (100, 0, 0).
+/// YCxCz of linear sRGB: a linearised L*a*b*, so that blurring it blurs light (Flohr et al., Model-based halftoning
+/// using direct binary search, 1993). White is (100, 0, 0).
 pub fn opponent(rgb: [f64; 3]) -> [f64; 3] {
     let DVec3 { x, y, z } = *TO_XYZ * DVec3::from(rgb) / *WHITE;
     // Y_y = 116 Y/Y_n − 16, C_x = 500 (X/X_n − Y/Y_n), C_z = 200 (Y/Y_n − Z/Z_n)

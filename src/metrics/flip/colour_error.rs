@@ -1,4 +1,4 @@
-//! How far two colours are for the eye (FLIP, colour pipeline).
+//! The perceived difference of two colours (FLIP, colour pipeline).
 
 use std::sync::LazyLock;
 
@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::colour;
 use super::plane::{Opponent, Plane};
 
-/// The exponent by which large differences of colour are compressed: q_c.
+/// The exponent that compresses large differences of colour: q_c.
 const COMPRESSION: f64 = 0.7;
 /// Differences below p_c · (the largest) are mapped to [0, p_t], those above to [p_t, 1].
 const P_C: f64 = 0.4;
@@ -35,27 +35,27 @@ pub fn map(test: &Opponent, reference: &Opponent) -> Plane {
     }
 }
 
-/// The Hunt-adjusted CIELAB of a filtered pixel; the filters may have left the screen's colours.
+/// The Hunt-adjusted CIELAB of a filtered pixel; filtering may leave the screen's gamut.
 fn perceived(picture: &Opponent, i: usize) -> [f64; 3] {
     let [y, cx, cz] = [&picture.y, &picture.cx, &picture.cz].map(|plane| plane.values[i]);
     let rgb = colour::rgb([y, cx, cz]).map(|v| v.clamp(0.0, 1.0));
     hunt(colour::lab(rgb))
 }
 
-/// Hunt's effect: what is dark is less colourful.
+/// The Hunt effect: darker colours look less colourful.
 fn hunt([l, a, b]: [f64; 3]) -> [f64; 3] {
     // a_h = 0.01 L* a*, b_h = 0.01 L* b*
     [l, 0.01 * l * a, 0.01 * l * b]
 }
 
-/// The distance of colours that are far from each other (Abasi, Tehran and Fairchild, Distance metrics for very
-/// large color differences, 2020).
+/// A distance for very different colours (Abasi, Tehran and Fairchild, Distance metrics for very large color
+/// differences, 2020).
 fn hyab([l0, a0, b0]: [f64; 3], [l1, a1, b1]: [f64; 3]) -> f64 {
     // |ΔL| + √(Δa² + Δb²)
     (l0 - l1).abs() + ((a0 - a1) * (a0 - a1) + (b0 - b1) * (b0 - b1)).sqrt()
 }
 
-/// A compressed difference in [0, 1]: the range of the common small ones is widened.
+/// A compressed difference in [0, 1]: the range of the frequent small ones is widened.
 fn redistributed(error: f64, largest: f64) -> f64 {
     let knee = P_C * largest;
     if error < knee {

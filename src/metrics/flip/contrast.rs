@@ -11,15 +11,15 @@ struct Term {
     b: f64,
 }
 
-/// a and b as FLIP has them.
+/// a and b from FLIP.
 const ACHROMATIC: [Term; 1] = [Term { a: 1.0, b: 0.0047 }];
 const RED_GREEN: [Term; 1] = [Term { a: 1.0, b: 0.0053 }];
 const BLUE_YELLOW: [Term; 2] = [Term { a: 34.1, b: 0.04 }, Term { a: 13.5, b: 0.025 }];
 
-/// The largest b: all filters have its radius.
+/// The largest b: it determines the radius of all filters.
 const WIDEST: f64 = 0.04;
 
-/// The picture as the eye's sensitivity leaves it.
+/// The picture filtered by the eye's contrast sensitivity.
 pub fn filter(picture: &Opponent, pixels_per_degree: f64) -> Opponent {
     Opponent {
         y: blurred(&picture.y, &ACHROMATIC, pixels_per_degree),
@@ -28,8 +28,8 @@ pub fn filter(picture: &Opponent, pixels_per_degree: f64) -> Opponent {
     }
 }
 
-/// `plane` convolved with the sum of the terms over the plane, scaled to the sum 1. Each term is a product of
-/// one function of x and one of y, and is convolved along the one and then the other.
+/// `plane` convolved with the sum of the terms, scaled to sum to 1. Each term is a product of a function of x and a
+/// function of y, so the convolution is done along one axis and then the other.
 fn blurred(plane: &Plane, terms: &[Term], pixels_per_degree: f64) -> Plane {
     let kernels: Vec<Vec<f64>> = terms.iter().map(|t| t.kernel(pixels_per_degree)).collect();
     // Σ_x Σ_y g(x) g(y) = (Σ_x g(x))² of each term, with the factor a·√(π/b) in front
@@ -52,7 +52,7 @@ fn blurred(plane: &Plane, terms: &[Term], pixels_per_degree: f64) -> Plane {
 }
 
 impl Term {
-    /// exp(−π²x²/b) at the pixels' places x, three standard deviations of the widest filter to either side.
+    /// exp(−π²x²/b) at pixel positions x, three standard deviations of the widest filter to either side.
     fn kernel(&self, pixels_per_degree: f64) -> Vec<f64> {
         // exp(−π²x²/b) has the standard deviation √(b/(2π²)) in degrees.
         let radius = (3.0 * (WIDEST / (2.0 * PI * PI)).sqrt() * pixels_per_degree).ceil() as i32;

@@ -1,10 +1,10 @@
-//! Edges and points that one picture has and the other has not (FLIP, feature pipeline).
+//! Edges and points that only one of two pictures has (FLIP, feature pipeline).
 
 use super::plane::Plane;
 
 /// The width of the eye's feature detectors, in degrees: w.
 const WIDTH: f64 = 0.082;
-/// The exponent that brings out small differences: q_f.
+/// The exponent that emphasises small differences: q_f.
 const EXPONENT: f64 = 0.5;
 
 /// The difference of two pictures' features, from their achromatic channels Y of YCxCz; in [0, 1].
@@ -28,7 +28,7 @@ struct Features {
     points: Plane,
 }
 
-/// A Gaussian and its derivatives along one axis, at whole pixels.
+/// A Gaussian and its derivatives along one axis, at integer pixels.
 struct Detectors {
     /// Sums to 1.
     gauss: Vec<f64>,
@@ -71,7 +71,7 @@ impl Detectors {
     }
 }
 
-/// The kernel with its positive values scaled to the sum 1 and its negative ones to −1.
+/// The kernel with its positive values scaled to sum to 1 and its negative ones to −1.
 fn normalised(kernel: &[f64]) -> Vec<f64> {
     let sum = |sign: f64| kernel.iter().map(|v| (sign * v).max(0.0)).sum::<f64>();
     let (positive, negative) = (sum(1.0), sum(-1.0));

@@ -1,9 +1,9 @@
 //! LDR-FLIP: the difference that an eye sees when two pictures alternate on a screen (Andersson, Nilsson,
-//! Akenine-Möller, Oskarsson, Åström and Fairchild, FLIP: A Difference Evaluator for Alternating Images,
-//! HPG 2020; below: FLIP).
+//! Akenine-Möller, Oskarsson, Åström and Fairchild, FLIP: A Difference Evaluator for Alternating Images, HPG 2020;
+//! below: FLIP).
 //!
-//! Colours are blurred as the eye blurs them ([`contrast`]), compared in a perceptual space ([`colour_error`]);
-//! edges and points that only one picture has ([`features`]) amplify the difference.
+//! Colours are blurred as by the eye ([`contrast`]) and compared in a perceptual space ([`colour_error`]); edges and
+//! points that only one picture has ([`features`]) amplify the difference.
 
 mod colour;
 mod colour_error;
@@ -18,12 +18,12 @@ use crate::film::Film;
 use crate::image::srgb;
 use plane::{Opponent, Plane};
 
-/// How the two pictures are looked at.
+/// The viewing conditions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewing {
     /// Stops by which radiance is scaled before it is mapped to the codes of a PNG.
     pub exposure: f64,
-    /// Pixels of the screen in a degree of the eye's field, 1 to 1000.
+    /// Pixels of the screen per degree of the eye's field, 1 to 1000.
     pub pixels_per_degree: f64,
 }
 
@@ -37,7 +37,7 @@ impl Default for Viewing {
     }
 }
 
-/// Pixels of a degree, of a screen seen from its middle axis; both lengths in the same unit.
+/// Pixels per degree of a screen seen from its middle axis; both lengths in the same unit.
 pub fn pixels_per_degree(distance: f64, pixels_across: f64, screen_width: f64) -> f64 {
     // p = d · (w_px/w_m) · π/180 (FLIP, on its parameters)
     distance * (pixels_across / screen_width) * (std::f64::consts::PI / 180.0)
@@ -58,7 +58,8 @@ impl FlipMap {
     }
 }
 
-/// FLIP of two pictures as their PNGs show them: 8 bit sRGB at the exposure. A difference below a code is none.
+/// FLIP of two pictures as displayed from their PNGs: 8 bit sRGB at the exposure. Differences smaller than one code
+/// vanish.
 pub fn flip(pair: &Pair, viewing: &Viewing) -> Result<FlipMap, MetricsError> {
     let &Viewing {
         exposure,
@@ -81,13 +82,13 @@ pub fn flip(pair: &Pair, viewing: &Viewing) -> Result<FlipMap, MetricsError> {
     })
 }
 
-/// A feature's difference f amplifies the colour's c: it is all the difference at f = 1.
+/// A feature difference f amplifies the colour difference c; f = 1 gives the largest difference.
 fn combine(c: f64, f: f64) -> f64 {
     // ΔE = ΔE_c^(1 − ΔE_f) (FLIP, final difference)
     c.powf(1.0 - f)
 }
 
-/// The opponent colours of the 8-bit codes that a PNG of the film holds.
+/// The opponent colours of the 8-bit codes in a PNG of the film.
 fn opponent(film: &Film, exposure: f64) -> Opponent {
     let scale = exposure.exp2();
     let linear: Vec<f64> = (0..=255u8)

@@ -1,4 +1,4 @@
-//! One number a pixel, and its convolution along rows and columns; beyond an edge the edge's values go on.
+//! One number per pixel, and its convolution along rows and columns; beyond the edges, the edge values are repeated.
 
 use rayon::prelude::*;
 
@@ -25,7 +25,7 @@ impl Plane {
         }
     }
 
-    /// `f` of this plane's values and `other`'s, a plane of the same size.
+    /// `f` of the values of this plane and of `other`, a plane of the same size.
     pub fn zip(&self, other: &Self, f: impl Fn(f64, f64) -> f64 + Sync) -> Self {
         let pairs = self.values.par_iter().zip(&other.values);
         Self {
@@ -60,7 +60,7 @@ impl Plane {
         })
     }
 
-    /// A plane of this size, whose rows `fill(y, row)` fills; they are 0 before.
+    /// A plane of this size with each row filled by `fill(y, row)`; rows start as 0.
     fn by_rows(&self, fill: impl Fn(usize, &mut [f64]) + Sync) -> Self {
         let mut values = vec![0.0; self.values.len()];
         let rows = values.par_chunks_mut(self.width).enumerate();

@@ -1,40 +1,40 @@
-//! What the picture converges to, as far as it can be told: for the weights 1/(r² + ε).
+//! Estimates the picture's limit, as a guide for the weights 1/(r² + ε).
 //!
-//! A pixel's own value will not do: samples are skewed, many dark and few bright, so h² is large where the value is, and
-//! 1/(x² + ε) small; a firefly of height f over r would count as f²/((r + f)² + ε) < 1 instead of f²/(r² + ε). What its
-//! neighbours say is independent of it, and wrong at edges. So: the mean of those neighbours that are as bright as the
-//! noise allows, a sigma filter (Lee, Digital Image Smoothing and the Sigma Filter, CVGIP 24, 1983), which here leaves
-//! the pixel itself out. Where the pixel differs from them by many times what its groups differ from one another, it is no
-//! firefly: something small and bright is there.
+//! A pixel's own value is unsuitable: samples are skewed, many dark and few bright, so h² is large where the value is
+//! large, and 1/(x² + ε) small; a firefly of height f over r would count as f²/((r + f)² + ε) < 1 instead of f²/(r² +
+//! ε). Its neighbours are independent of it, but wrong at edges. So the guide is the mean of those neighbours that are
+//! as bright as the noise allows, a sigma filter (Lee, Digital Image Smoothing and the Sigma Filter, CVGIP 24, 1983),
+//! which here excludes the pixel itself. Where the pixel differs from them by many times the difference of its groups,
+//! it is not a firefly but something small and bright.
 //!
 //! No guide is right everywhere: near neighbours are fewer and noisier, strict filters prefer the dark ones of skewed
-//! noise. Two others show by how much the choice matters.
+//! noise. Two other guides show how much the choice matters.
 
 use crate::film::Film;
 use crate::metrics::rel_mse::EPSILON;
 
-/// Neighbours are the pixels of a square of 2·2 + 1 by the side.
+/// Neighbours are the pixels of a square with side 2·2 + 1.
 const RADIUS: usize = 2;
 
-/// Standard deviations by which a neighbour may differ: as the estimate takes it, and strictly.
+/// Standard deviations by which a neighbour may differ: for the estimate, and for a stricter guide.
 const SIGMAS: [f64; 2] = [4.0, 2.0];
 
-/// Fewer neighbours than this tell nothing: then all are taken.
+/// With fewer similar neighbours than this, all neighbours are used.
 const FEW: f64 = 4.0;
 
-/// A pixel differs from what it converges to by no more than so many times half the difference of its groups, or that is
-/// small by chance: then its part in the error is small, too.
+/// A pixel differs from its limit by at most this multiple of half the difference of its groups, unless that difference
+/// is small by chance: then its part in the error is small, too.
 const REACH: f64 = 3.0;
 
-/// Guides: of neighbours within 4 and within 2 standard deviations; of the eight nearest, as they are.
+/// Guides: from neighbours within 4 and within 2 standard deviations; from the eight nearest, unfiltered.
 const GUIDES: usize = 3;
 
-/// A pixel's term of relMSE by each guide, that of the estimate first.
+/// A pixel's term of relMSE by each guide, the estimate's first.
 pub type PixelTerms = [f64; GUIDES];
 
 type Rgb = [f64; 3];
 
-/// Several pixels: how many, and the sum of their values.
+/// Several pixels: their number, and the sum of their values.
 #[derive(Clone, Copy, Default)]
 struct Sum {
     n: f64,
@@ -52,27 +52,27 @@ impl Sum {
     }
 }
 
-/// What the neighbours of a pixel are like.
+/// Statistics of a pixel's neighbours.
 #[derive(Clone, Copy, Default)]
 struct Around {
     all: Sum,
     nearest: Sum,
-    /// Of all, Σ h².
+    /// Over all neighbours, Σ h².
     squares: Rgb,
-    /// 1/(2 Var x): two pixels differ by twice the variance of one, of which h² is an estimate.
+    /// 1/(2 Var x): the expected squared difference of two pixels is twice the variance of one, which h² estimates.
     scale: Rgb,
-    /// Those within [`SIGMAS`].
+    /// Sums of the neighbours within [`SIGMAS`].
     alike: [Sum; SIGMAS.len()],
 }
 
-/// Looks the neighbours of a picture's pixels up.
+/// Evaluates the neighbours of a picture's pixels.
 pub struct Guide<'a> {
     mean: &'a Film,
     half_difference: &'a Film,
 }
 
 impl<'a> Guide<'a> {
-    /// Two films of one size.
+    /// The two films must have the same size.
     pub fn new(mean: &'a Film, half_difference: &'a Film) -> Self {
         Self {
             mean,
@@ -80,7 +80,7 @@ impl<'a> Guide<'a> {
         }
     }
 
-    /// Of each pixel of a row.
+    /// The terms of each pixel of a row.
     pub fn terms(&self, y: usize) -> Vec<PixelTerms> {
         let (values, halves) = (self.mean.row(y), self.half_difference.row(y));
         let pixels = values.iter().zip(halves).zip(self.around(y));
@@ -92,7 +92,8 @@ impl<'a> Guide<'a> {
         terms.collect()
     }
 
-    /// What the neighbours of a row's pixels are like. All pixels of the row turn to one neighbour after the other.
+    /// Statistics of the neighbours of a row's pixels. The whole row is processed for one neighbour offset after the
+    /// other.
     fn around(&self, y: usize) -> Vec<Around> {
         let values = self.mean.row(y);
         let mut around = vec![Around::default(); values.len()];
@@ -112,7 +113,7 @@ impl<'a> Guide<'a> {
         self.neighbours(y, |x, _, value, _| {
             let (own, value) = (values[x].map(f64::from), value.map(f64::from));
             let a = &mut around[x];
-            // Standard deviations squared, the mean over the channels.
+            // Squared distance in standard deviations, averaged over the channels.
             let of = |c: usize| (own[c] - value[c]) * (own[c] - value[c]) * a.scale[c];
             let distance = (of(0) + of(1) + of(2)) / 3.0;
             for (sum, sigmas) in a.alike.iter_mut().zip(SIGMAS) {
@@ -124,8 +125,8 @@ impl<'a> Guide<'a> {
         around
     }
 
-    /// Calls `f` with the column of each pixel of a row, whether the neighbour is one of the eight nearest, its value and
-    /// its half difference; for all neighbours.
+    /// For all neighbours of all pixels in a row, calls `f` with the pixel's column, whether the neighbour is one of
+    /// the eight nearest, and the neighbour's value and half difference.
     fn neighbours(&self, y: usize, mut f: impl FnMut(usize, bool, [f32; 3], [f32; 3])) {
         let rows = y.saturating_sub(RADIUS)..(y + RADIUS + 1).min(self.mean.height as usize);
         for j in rows {
@@ -146,7 +147,7 @@ impl<'a> Guide<'a> {
     }
 }
 
-/// What a pixel of value `x` and half difference `h` converges to, as each guide has it.
+/// The limit of a pixel with value `x` and half difference `h`, according to each guide.
 fn guides(x: Rgb, h: Rgb, around: &Around) -> [Rgb; GUIDES] {
     let Around { all, nearest, .. } = *around;
     if all.n == 0.0 {

@@ -1,12 +1,12 @@
-//! From what the pixels tell to an estimate and its interval.
+//! Computes an estimate and its interval from the terms of pixels.
 
 use super::guide::PixelTerms;
 use super::{Culprits, RelMse};
 
-/// Of a normal distribution, 95 % lie within so many standard deviations of the mean.
+/// Of a normal distribution, 95 % lie within this many standard deviations of the mean.
 const Z: f64 = 1.959_963_984_540_054;
 
-/// An interval that would reach further than this from the estimate, relatively, is none.
+/// An interval that would extend further than this from the estimate, relatively, is not reported.
 const WIDEST: f64 = 0.5;
 
 /// Sums over pixels. q is a pixel's term of relMSE: the mean over its channels of w h².
@@ -17,12 +17,12 @@ pub struct Terms {
     pub sum: f64,
     /// Σ q².
     pub squares: f64,
-    /// Σ q by the weights of other guides.
+    /// Σ q with the weights of other guides.
     pub others: [f64; 2],
 }
 
 impl Terms {
-    /// The sums over some pixels, in their order.
+    /// The sums over some pixels, in order.
     pub fn of(pixels: &[PixelTerms]) -> Self {
         let of = |&[q, ref others @ ..]: &PixelTerms| Self {
             pixels: 1.0,
@@ -45,9 +45,9 @@ impl Terms {
     /// The estimate Σ q / n and its interval.
     ///
     /// A normal h has E h⁴ = 3 (Var x)², so 4/3 Σ q² estimates the variance 4 Σ w² (Var x)² of Σ q's distance from the
-    /// error: exactly where the channels' noise is one, too much where it is not, or where it has heavier tails than
-    /// the normal distribution. What the choice of the guide makes of it is no chance, which may cancel: it comes on
-    /// top in full. `culprits` is asked where there is no interval.
+    /// error: exactly if the channels share the same noise; too much if they do not, or if the noise has heavier tails
+    /// than the normal distribution. The effect of the choice of guide is not random and cannot cancel, so it is added
+    /// in full. `culprits` is called if there is no interval.
     pub fn rel_mse(&self, culprits: impl FnOnce() -> Culprits) -> RelMse {
         let chance = Z * (4.0 / 3.0 * self.squares).sqrt();
         let off = self.others.map(|other| (other - self.sum).abs());

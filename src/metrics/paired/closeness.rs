@@ -1,10 +1,10 @@
-//! How close two radiances of the same path are.
+//! The closeness of two radiances of the same path.
 
 pub use crate::layout::constants::decision::DARK;
 use crate::sample::Address;
 
-/// The most, over the channels, of |a − b| / max(|a|, |b|, [`DARK`]): in [0, 1] for radiances of one sign.
-/// `None` where neither brings light: no channel above `DARK`.
+/// The maximum over the channels of |a − b| / max(|a|, |b|, [`DARK`]): in [0, 1] for radiances of one sign. `None` if
+/// neither contributes light: no channel above `DARK`.
 pub fn relative_difference(a: [f64; 3], b: [f64; 3]) -> Option<f64> {
     let size = |c: usize| a[c].abs().max(b[c].abs());
     let brightest = [0, 1, 2].map(size).into_iter().fold(0.0, f64::max);
@@ -12,13 +12,13 @@ pub fn relative_difference(a: [f64; 3], b: [f64; 3]) -> Option<f64> {
     (brightest > DARK).then(|| [0, 1, 2].map(difference).into_iter().fold(0.0, f64::max))
 }
 
-/// Bins an octave of the histogram: a quantile is off by at most half a bin, a factor of 2^(1/128), 0.55 %.
+/// Bins per octave of the histogram: a quantile is off by at most half a bin, a factor of 2^(1/128), 0.55 %.
 const BINS_PER_OCTAVE: f64 = 64.0;
-/// The smallest difference that is told from 0 is 2⁻⁶⁴.
+/// The smallest difference distinguished from 0 is 2⁻⁶⁴.
 const OCTAVES: f64 = 64.0;
 const BINS: usize = (BINS_PER_OCTAVE * OCTAVES) as usize;
 
-/// The largest difference, and where it is.
+/// The largest difference and its sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Worst {
     pub difference: f64,
@@ -28,13 +28,13 @@ pub struct Worst {
 /// The distribution of relative differences.
 #[derive(Clone, Debug)]
 pub struct Closeness {
-    /// Paths that bring light.
+    /// Paths that contribute light.
     pub lit: u64,
     /// Differences of 0, or below 2⁻⁶⁴.
     none: u64,
-    /// Bin i holds those in 2^(i/64 − 64) × [1, 2^(1/64)).
+    /// Bin i counts those in 2^(i/64 − 64) × [1, 2^(1/64)).
     bins: Vec<u64>,
-    /// The first of the largest; exact. `None` where all are 0.
+    /// The first of the largest; exact. `None` if all are 0.
     pub worst: Option<Worst>,
 }
 
@@ -69,7 +69,7 @@ impl Closeness {
         }
     }
 
-    /// The least difference that a share `q` of the paths does not exceed, to 0.55 %; `None` of no path.
+    /// The smallest difference that a share `q` of the paths does not exceed, to 0.55 %; `None` without paths.
     pub fn quantile(&self, q: f64) -> Option<f64> {
         let wanted = (q * self.lit as f64).ceil().max(1.0) as u64;
         let mut below = self.none;
@@ -107,7 +107,7 @@ mod tests {
         assert_eq!(relative_difference(grey(1.0), grey(0.0)), Some(1.0));
         assert_eq!(relative_difference(grey(0.0), grey(0.0)), None);
         assert_eq!(relative_difference(grey(1e-40), grey(1e-20)), None);
-        // A channel that is black in f32 alone says nothing of a path that is bright in another.
+        // A channel that is black only in f32 says nothing about a path that is bright in another channel.
         let dim = relative_difference([1.0, 1e-35, 0.0], [1.0, 0.0, 0.0]);
         assert!(dim.is_some_and(|d| d < 1e-13), "{dim:?}");
     }
@@ -119,7 +119,7 @@ mod tests {
         let mut differences = Vec::new();
         for i in 0..10_000u32 {
             let address = Address { index: i, ..HERE };
-            // A tenth is equal, the rest spread over nine octaves.
+            // A tenth are equal, the others spread over nine octaves.
             let d = match i % 10 {
                 0 => 0.0,
                 _ => 1e-6 * f64::from(i.wrapping_mul(2_654_435_761) >> 8).sqrt(),

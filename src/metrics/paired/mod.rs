@@ -1,5 +1,5 @@
-//! The same samples by two renderers, path by path: which stay together, how close they are, and whether those that
-//! part do it without bias. Memory does not depend on the number of paths.
+//! Compares two renderers on the same samples, path by path: which paths stay together, how close they are, and whether
+//! diverged paths are biased. Memory does not depend on the number of paths.
 
 mod bias;
 mod closeness;
@@ -9,28 +9,28 @@ pub use closeness::{Closeness, DARK, Worst, relative_difference};
 
 use crate::sample::{Address, Path};
 
-/// What is known of all paths so far.
+/// Statistics of all paths so far.
 #[derive(Clone, Debug, Default)]
 pub struct Comparison {
     pub paths: u64,
     /// Same decisions, and the same radiance to the bit.
     pub equal: u64,
-    /// The first that is not equal to the bit.
+    /// The first path that is not equal to the bit.
     pub first_unequal: Option<Address>,
     /// Same decisions: shape, light, arrival, lobe and roulette at each vertex.
     pub together: u64,
-    /// The first path that parted.
+    /// The first path that diverged.
     pub first_parted: Option<Address>,
-    /// Samples with a NaN or an infinity on either side; the film drops these, and they count as 0 here.
+    /// Samples with a NaN or an infinity on either side; the film drops them, here they count as 0.
     pub broken: u64,
-    /// Of the paths that stay together and bring light.
+    /// Of the paths that stay together and contribute light.
     pub closeness: Closeness,
-    /// Of the others.
+    /// Of the diverged paths.
     pub parted: Parted,
 }
 
 impl Comparison {
-    /// Takes in one sample as both renderers made it.
+    /// Adds one sample as computed by both renderers.
     pub fn add(&mut self, address: Address, a: &Path, b: &Path) {
         self.paths += 1;
         let together = a.signature == b.signature;
@@ -63,7 +63,7 @@ impl Comparison {
     }
 }
 
-/// A NaN equals a NaN: which one it is, no standard says.
+/// All NaNs are equal: no standard defines their payload.
 fn same_bits(a: [f64; 3], b: [f64; 3]) -> bool {
     let same = |(a, b): (f64, f64)| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
     a.into_iter().zip(b).all(same)
