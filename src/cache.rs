@@ -1,6 +1,5 @@
-//! A folder of small files that processes leave for later ones. Any of them may be gone, broken or another's: a file
-//! is read back only as it was written, under the same key, and whatever fails here is no more than a file that is
-//! not there.
+//! A folder of small files that processes leave for later ones. Any of them may be missing, broken or foreign: a file
+//! is accepted only if it is complete and was written under the same key, and any failure counts as a missing file.
 
 use std::fs::{self, File};
 use std::hash::{DefaultHasher, Hasher};
@@ -10,15 +9,15 @@ use std::time::SystemTime;
 
 use etcetera::BaseStrategy;
 
-/// What all files begin with: the format and its version.
+/// The start of every file: the format and its version.
 const MAGIC: [u8; 8] = *b"vkptkc01";
 /// Magic and checksum.
 const HEADER: usize = 16;
-/// The ending of all files, and what [`CacheFolder::trim`] goes by: a folder may hold others' files too.
+/// The extension of all files. [`CacheFolder::trim`] uses it, because the folder may contain other files.
 const ENDING: &str = "vkpt-cache";
 
-/// The folder that `VKPT_CACHE` names, none where that is empty; else the user's, `~/.cache/vkpt` on most systems, if it has a
-/// place of its own: a relative one would be another in every working directory.
+/// The folder in `VKPT_CACHE`, none if that is empty; else the user's, `~/.cache/vkpt` on most systems, if its path is
+/// absolute: a relative one would differ for every working directory.
 pub fn from_env() -> Option<PathBuf> {
     match std::env::var_os("VKPT_CACHE") {
         Some(folder) if folder.is_empty() => None,
@@ -30,31 +29,31 @@ pub fn from_env() -> Option<PathBuf> {
     }
 }
 
-/// How much is kept, the rest goes.
+/// Limits of the cache; the oldest files beyond them are removed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Room {
     pub files: usize,
-    /// In all files together.
+    /// Of all files together.
     pub bytes: u64,
 }
 
-/// Files by key: any text that says what the content depends on.
+/// Files by key: any text that identifies the dependencies of the content.
 pub struct CacheFolder<'a> {
     folder: &'a Path,
     room: Room,
 }
 
 impl<'a> CacheFolder<'a> {
-    /// Need not be there yet.
+    /// The folder may not exist yet.
     pub fn new(folder: &'a Path, room: Room) -> Self {
         Self { folder, room }
     }
 
-    /// What was written last under `key`.
+    /// The content last written under `key`.
     pub fn read(&self, key: &str) -> Option<Vec<u8>> {
         let path = self.path(key);
         let metadata = fs::metadata(&path).ok()?;
-        // What is no file (a pipe, say) could keep its reader waiting.
+        // Reading something other than a file (a pipe, say) could block.
         if !metadata.is_file() || metadata.len() > self.room.bytes {
             return None;
         }
@@ -62,12 +61,12 @@ impl<'a> CacheFolder<'a> {
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes).ok()?;
         let content = unseal(key, &bytes)?.to_vec();
-        // The files that go first are those that nobody has read for long. A failure makes this one go earlier.
+        // The files unread for longest are removed first. If this fails, this file is removed earlier.
         let _ = file.set_modified(SystemTime::now());
         Some(content)
     }
 
-    /// Leaves `content` under `key`. Readers in other processes see the old file or the new one, each whole.
+    /// Stores `content` under `key`. Readers in other processes see the complete old file or the complete new one.
     pub fn write(&self, key: &str, content: &[u8]) -> io::Result<()> {
         fs::create_dir_all(self.folder)?;
         let mut file = tempfile::Builder::new()
@@ -85,7 +84,7 @@ impl<'a> CacheFolder<'a> {
             .join(format!("{:016x}.{ENDING}", hash(key.as_bytes())))
     }
 
-    /// Removes the files that were used longest ago, what a crash left behind among them.
+    /// Removes the files unused for longest, including leftovers of a crash.
     fn trim(&self) -> io::Result<()> {
         let used = |entry: fs::DirEntry| {
             let (path, metadata) = (entry.path(), entry.metadata().ok()?);
@@ -101,7 +100,7 @@ impl<'a> CacheFolder<'a> {
         for (i, (_, bytes, path)) in files.into_iter().enumerate() {
             total += bytes;
             if i >= self.room.files || total > self.room.bytes {
-                // Another process may have been faster.
+                // Another process may already have removed it.
                 let _ = fs::remove_file(path);
             }
         }
@@ -109,13 +108,13 @@ impl<'a> CacheFolder<'a> {
     }
 }
 
-/// The content of a file that was written whole under `key`.
+/// The content of a file that is complete and was written under `key`.
 fn unseal<'a>(key: &str, file: &'a [u8]) -> Option<&'a [u8]> {
     let (header, content) = file.split_at_checked(HEADER)?;
     (header == [MAGIC, checksum(key, content)].concat()).then_some(content)
 }
 
-/// Of key and content together: a file of another key fails as a broken one does.
+/// Checksum of key and content together: a file with another key fails like a broken one.
 fn checksum(key: &str, content: &[u8]) -> [u8; 8] {
     let mut hasher = DefaultHasher::new();
     hasher.write_usize(key.len());
@@ -124,7 +123,7 @@ fn checksum(key: &str, content: &[u8]) -> [u8; 8] {
     hasher.finish().to_le_bytes()
 }
 
-/// SipHash. Another release of Rust's library may hash otherwise: its files are then strangers to each other.
+/// SipHash. Another release of Rust's library may hash differently: each then ignores the other's files.
 pub fn hash(bytes: &[u8]) -> u64 {
     let mut hasher = DefaultHasher::new();
     hasher.write(bytes);
@@ -171,7 +170,7 @@ mod tests {
         assert_eq!(folder.read("b").as_deref(), Some(&b"b's own"[..]));
     }
 
-    /// Every bit, every length, and what is no file.
+    /// Every bit, every length, and targets that are no files.
     #[test]
     fn a_broken_file_is_as_good_as_none() {
         let temporary = tempfile::tempdir().expect("a folder");
@@ -240,7 +239,7 @@ mod tests {
         let temporary = tempfile::tempdir().expect("a folder");
         let folder = cache(temporary.path());
         folder.write("old", b"content").expect("written");
-        // Sparse: what a driver of huge kernels would have left.
+        // Sparse: as large as the cache of a driver with huge kernels.
         let large = File::create(temporary.path().join("large.vkpt-cache")).expect("a file");
         large.set_len(BYTES).expect("grown");
         folder.write("new", b"content").expect("written");
@@ -248,7 +247,7 @@ mod tests {
         assert_eq!(names(temporary.path()).len(), 1);
     }
 
-    /// Threads stand for processes: they share nothing but the folder.
+    /// Threads represent processes: they share only the folder.
     #[test]
     fn readers_see_whole_files_while_others_write() {
         let temporary = tempfile::tempdir().expect("a folder");

@@ -1,4 +1,4 @@
-//! The finished picture, and what can be had beside it.
+//! The finished picture, and its optional additional outputs.
 
 use std::borrow::Cow;
 
@@ -18,7 +18,7 @@ impl Film {
     }
 }
 
-/// What is kept of each pixel beside the sum of its samples and the difference of their two groups.
+/// Data kept of each pixel in addition to the sum of its samples and the difference of their two groups.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Keeps {
     #[default]
@@ -29,53 +29,53 @@ pub enum Keeps {
     Quarters,
 }
 
-/// What a rendering makes beside its picture where that is asked for (AOV: arbitrary output variable).
+/// An output that a rendering makes in addition to its picture on request (AOV: arbitrary output variable).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Aov {
     /// Standard errors of the mean.
     Stderr,
-    /// Sums of which a denoised picture is made and judged.
+    /// Sums for a denoised picture and its error estimate.
     Denoised,
-    /// Of what is seen first: Kd + Ks and what is let through.
+    /// Of the first visible surface: Kd + Ks and the transmitted share.
     Albedo,
     /// Geometric and shading normal.
     Normal,
     /// Along the direction of view.
     Depth,
     Position,
-    /// The line of the scene that has the shape.
+    /// The line of the shape in the scene.
     Shape,
-    /// The line of the scene that has its material.
+    /// The line of its material in the scene.
     Material,
     /// Samples of the picture.
     Samples,
     /// Of the first surface that scatters, behind mirrors and smooth glass.
     AlbedoBehind,
-    /// Shading normal there.
+    /// Shading normal of that surface.
     NormalBehind,
 }
 
 impl Aov {
-    /// Whether it is a layer of the picture's own file.
+    /// Whether it is a layer in the picture's own file.
     pub fn is_layer(self) -> bool {
         !matches!(self, Self::Stderr | Self::Denoised)
     }
 }
 
-/// What the names of light that is split by classes of paths begin with.
+/// The prefix of the names of light split by classes of paths.
 pub const LIGHT: &str = "light:";
 
-/// A value for each pixel of a film, by name: R, G and B aside.
+/// A value for each pixel of a film, with a name; for channels other than R, G and B.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channel {
-    /// As pbrt has it where it has one.
+    /// The same name as in pbrt, if pbrt has the output.
     pub name: Cow<'static, str>,
     /// Row by row.
     pub values: Vec<f32>,
 }
 
 impl Channel {
-    /// Whether it is light of a class of paths, and so a mean over all samples.
+    /// Whether it is the light of a class of paths, and so a mean over all samples.
     pub fn is_light(&self) -> bool {
         self.name.starts_with(LIGHT)
     }

@@ -1,18 +1,18 @@
-//! The memory that this process took and may still take, where Linux tells.
+//! The memory that this process uses and can still allocate, as far as Linux reports it.
 
 use std::fs;
 use std::path::Path;
 
-/// What may still be taken, in bytes.
+/// Available memory in bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Free {
     /// Without swapping.
     pub quick: u64,
-    /// By any means.
+    /// Including swap.
     pub all: u64,
 }
 
-/// The least that the machine, the control groups of this process and its own limit leave.
+/// The minimum of the limits of the machine, of this process's control groups and of the process itself.
 pub fn free() -> Option<Free> {
     let [quick, swap] = ["MemAvailable:", "SwapFree:"].map(|name| kibibytes("/proc/meminfo", name));
     let machine = Free {
@@ -26,18 +26,18 @@ pub fn free() -> Option<Free> {
     }))
 }
 
-/// What this process holds.
+/// Memory in use by this process.
 pub fn held() -> Option<u64> {
     kibibytes("/proc/self/status", "VmRSS:")
 }
 
-/// The most memory that this process has held at once.
+/// Peak memory use of this process.
 pub fn peak() -> Option<u64> {
     kibibytes("/proc/self/status", "VmHWM:")
 }
 
-/// The least `memory.max` of the control group (version 2) of this process and those above it, as containers and batch
-/// systems set it.
+/// The smallest `memory.max` of this process's control group (version 2) and its ancestors, as set by containers and
+/// batch systems.
 fn group_limit() -> Option<u64> {
     let groups = fs::read_to_string("/proc/self/cgroup").ok()?;
     let own = groups.lines().find_map(|line| line.strip_prefix("0::/"))?;
@@ -48,7 +48,7 @@ fn group_limit() -> Option<u64> {
     Path::new(own).ancestors().filter_map(limit).min()
 }
 
-/// What `ulimit -v` leaves.
+/// The remainder of the limit of `ulimit -v`.
 fn space_left() -> Option<u64> {
     let limits = fs::read_to_string("/proc/self/limits").ok()?;
     let mut lines = limits.lines();
@@ -57,7 +57,7 @@ fn space_left() -> Option<u64> {
     Some(limit.saturating_sub(kibibytes("/proc/self/status", "VmSize:")?))
 }
 
-/// A line `NAME 123 kB` of a file, in bytes.
+/// The value of a line `NAME 123 kB` of a file, in bytes.
 fn kibibytes(file: &str, name: &str) -> Option<u64> {
     let text = fs::read_to_string(file).ok()?;
     let line = text.lines().find_map(|line| line.strip_prefix(name))?;

@@ -1,5 +1,5 @@
-//! Settings of two kinds, never mixed up: the model decides what picture the renderer converges to,
-//! the estimator only how fast (model.md, "Settings").
+//! Settings of two kinds, kept apart: the model determines the picture that the renderer converges to, the estimator
+//! only how fast (model.md, "Settings").
 
 /// Reflectance of an interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -24,15 +24,15 @@ impl Distribution {
     pub const EVERY: [Self; 3] = [Self::Phong, Self::Beckmann, Self::Ggx];
 }
 
-/// Which distribution a material gets.
+/// The rule for a material's distribution.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum DistributionRule {
-    /// What the scene says of it, [`DistributionRule::Auto`] where it says nothing.
+    /// The scene's own, [`DistributionRule::Auto`] if it has none.
     #[default]
     Scene,
-    /// Phong for an exponent and GGX for a width, whatever the scene says.
+    /// Phong for an exponent and GGX for a width, regardless of the scene.
     Auto,
-    /// This one, whatever the scene says.
+    /// This one, regardless of the scene.
     Always(Distribution),
 }
 
@@ -75,50 +75,50 @@ pub enum Connect {
     Bsdf,
 }
 
-/// How the light that a vertex is connected to is picked: by its power, or by what it brings to the vertex.
+/// How the light that a vertex is connected to is picked: by its power, or by its contribution to the vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Lights {
     Contribution,
     Power,
 }
 
-/// Which paths find the light.
+/// The paths that find the light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Integrator {
     /// Paths from the eye.
     Path,
-    /// Paths from the lights, each vertex joined to the eye: sees neither mirrors nor through smooth glass, nor the
-    /// background.
+    /// Paths from the lights, each vertex joined to the eye: they find light neither in mirrors nor through smooth
+    /// glass, nor from the background.
     Light,
     /// Paths from both ends, joined at every pair of vertices.
     Bidirectional,
 }
 
-/// Which numbers the samples of a pixel draw.
+/// The random numbers of a pixel's samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Sampler {
     /// Independent ones.
     Random,
-    /// Scrambled Sobol points, which are spread more evenly.
+    /// Scrambled Sobol points, which are more evenly distributed.
     Sobol,
-    /// The same in four groups that are independent of one another, not in two.
+    /// The same in four mutually independent groups instead of two.
     SobolQuarters,
 }
 
-/// What the picture converges to.
+/// The model: the picture to converge to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Model {
-    /// Overrides the scene's own words where given.
+    /// Overrides the scene's own words if given.
     pub fresnel: Option<Fresnel>,
     pub distribution: DistributionRule,
     pub absorption: Absorption,
     /// Factor eta² of radiance at each refraction.
     pub radiance_scaling: bool,
-    /// Bounces a path may make: 0 shows emitters only, 1 adds direct light; `None`: no cap.
+    /// Maximum number of bounces: 0 shows only emitters, 1 adds direct light; `None`: no limit.
     pub max_depth: Option<u32>,
 }
 
-/// How fast it converges.
+/// The estimator: the speed of convergence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimator {
     pub integrator: Integrator,
@@ -161,7 +161,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// The model and the estimator as the course's hand-out has them.
+    /// The model and the estimator of the course's hand-out.
     pub fn handout() -> Self {
         let mut s = Self::default();
         s.model.absorption = Absorption::Term;
@@ -174,10 +174,10 @@ impl Settings {
         s
     }
 
-    /// Those under which a BSDF carries light from the light's side: f with its arguments swapped. Reflection is symmetric.
-    /// Refraction is not: f(wi, wo) = eta² f(wo, wi) without radiance scaling, so that what scales radiance on paths from
-    /// the eye has no factor on paths from a light, and the other way round (model.md, "The adjoint"; Veach 1997, section
-    /// 5.2).
+    /// The settings under which a BSDF carries light from the light's side: f with its arguments swapped. Reflection is
+    /// symmetric. Refraction is not: f(wi, wo) = eta² f(wo, wi) without radiance scaling, so the factor that scales
+    /// radiance on paths from the eye is absent on paths from a light, and vice versa (model.md, "The adjoint"; Veach
+    /// 1997, section 5.2).
     pub fn adjoint(mut self) -> Self {
         self.model.radiance_scaling = !self.model.radiance_scaling;
         self

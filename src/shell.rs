@@ -1,6 +1,6 @@
-//! Words as a shell takes them.
+//! Quotes words for a shell.
 
-/// A word that a shell takes for itself, whatever it contains.
+/// Quotes a word, whatever it contains, so that a shell reads it unchanged.
 pub fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || "/._-+=:,".contains(c);
     if !word.is_empty() && word.chars().all(plain) {
@@ -10,7 +10,7 @@ pub fn quoted(word: &str) -> String {
     }
 }
 
-/// Words with blanks between them.
+/// Words separated by blanks, each quoted.
 pub fn line<W: AsRef<str>>(words: impl IntoIterator<Item = W>) -> String {
     let quoted = words.into_iter().map(|word| quoted(word.as_ref()));
     quoted.collect::<Vec<_>>().join(" ")

@@ -1,21 +1,21 @@
-//! Which integrator suits a scene, by what it has alone.
+//! Chooses the integrator for a scene, only from its content.
 
 use crate::prepared::cdf::CDF_TOTAL;
 use crate::prepared::{Light, Prepared};
 use crate::settings::{Absorption, Connect, Integrator, Settings};
 
-/// An integrator, and why it was chosen: words that complete "it was chosen: …".
+/// An integrator and the reason for it: words that complete "it was chosen: …".
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Chosen {
     pub integrator: Integrator,
     pub why: &'static str,
 }
 
-/// A light that fills less of all directions than this, as what gathers its light sees it, is hit by few paths from the eye. A room
-/// whose light fills .7 % gains by paths from both ends; the course's, with 3 %, loses.
+/// A light whose share of all directions is smaller, as seen from the shapes that concentrate its light, is hit by few
+/// paths from the eye. A room whose light fills .7 % gains from paths from both ends; the course's, with 3 %, loses.
 const SMALL: f64 = 0.01;
 
-/// Paths from both ends where small lights shine on what gathers light, and from the eye elsewhere
+/// Paths from both ends if small lights illuminate shapes that concentrate light, otherwise paths from the eye
 /// (`docs/records/2026-11-29-auto.md`).
 pub fn chosen(prepared: &Prepared, settings: &Settings) -> Chosen {
     let path = |why| Chosen {
@@ -44,7 +44,7 @@ pub fn chosen(prepared: &Prepared, settings: &Settings) -> Chosen {
     }
 }
 
-/// The background's part of the power of all lights, as they are drawn by it.
+/// The background's share of the power of all lights, from their sampling probabilities.
 fn background_share(prepared: &Prepared) -> f64 {
     let of = |(i, light): (usize, &Light)| match light.kind.is_outside() {
         true => prepared.light_cdf[i + 1] - prepared.light_cdf[i],

@@ -1,4 +1,4 @@
-//! What a scene may bring into a kernel, part by part.
+//! The optional members of a kernel.
 
 use std::collections::BTreeSet;
 
@@ -6,7 +6,7 @@ use super::{Features, LightPick};
 use crate::prepared::{LightKind, MaterialKind, ShapeKind};
 use crate::settings::{Absorption, Distribution, Fresnel, Settings};
 
-/// One part of a kernel that some scenes need and others do not.
+/// One member of a kernel that some scenes need and others do not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Member {
     Shape(ShapeKind),
@@ -27,7 +27,7 @@ pub enum Member {
 }
 
 impl Member {
-    /// Every member there is, under these settings.
+    /// Every possible member under these settings.
     pub fn all(settings: &Settings) -> BTreeSet<Self> {
         let mut all = BTreeSet::from([
             Self::DiffuseBeside,
@@ -54,7 +54,7 @@ impl Member {
 }
 
 impl Features {
-    /// The members that are there.
+    /// The members present.
     pub fn members(&self) -> BTreeSet<Member> {
         let flags = [
             (self.diffuse_beside, Member::DiffuseBeside),
@@ -75,7 +75,7 @@ impl Features {
         all
     }
 
-    /// These features with one more member, and with what it cannot do without.
+    /// These features with one more member, and everything that it requires.
     #[must_use]
     pub fn with(&self, member: Member) -> Self {
         let mut features = self.clone();
@@ -84,7 +84,7 @@ impl Features {
         features
     }
 
-    /// These features without a member, and without what cannot do without it.
+    /// These features without a member, and without everything that requires it.
     #[must_use]
     pub fn without(&self, member: Member) -> Self {
         let mut features = self.clone();

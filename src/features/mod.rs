@@ -1,8 +1,8 @@
-//! What a scene with its settings needs of the kernel: decided here and nowhere else.
+//! The features of the kernel that a scene with its settings needs: decided only here.
 //!
-//! Small sets that print, compare and hash. They choose which files are in the kernel; never a buffer's
-//! layout, never the order in which random numbers are drawn. So a kernel that holds more than its scene needs,
-//! up to [`Features::full`], makes the same picture.
+//! Small sets that can be printed, compared and hashed. They determine which files are in the kernel; never a buffer's
+//! layout, never the order in which random numbers are drawn. So a kernel with more features than its scene needs, up
+//! to [`Features::full`], makes the same picture.
 
 mod auto;
 mod member;
@@ -24,7 +24,7 @@ pub use auto::{Chosen, chosen};
 pub use member::Member;
 pub use names::words;
 
-/// Which of the three roulettes, apart from its parameter.
+/// The kind of roulette, without its parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum RouletteKind {
     Throughput,
@@ -32,19 +32,19 @@ pub enum RouletteKind {
     Off,
 }
 
-/// How one of several lights is picked; of one light there is no choice.
+/// How one of several lights is picked; with one light there is no choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum LightPick {
-    /// By its power: of light paths, and where the settings say so.
+    /// By its power: for light paths, and if the settings say so.
     Power,
-    /// Each of a few is a candidate at every vertex.
+    /// A few lights: each is a candidate at every vertex.
     Every,
-    /// In the tree of many.
+    /// Many lights: in the tree.
     Tree,
 }
 
 impl LightPick {
-    /// Those that some number of lights needs under these settings.
+    /// All ways that some number of lights needs under these settings.
     pub fn all(settings: &Settings) -> &'static [Self] {
         let Estimator {
             integrator, lights, ..
@@ -58,7 +58,7 @@ impl LightPick {
         }
     }
 
-    /// Whether so many lights are picked from in this way, where the settings have it.
+    /// Whether it is used for this number of lights, if the settings allow it.
     pub fn picks_among(self, lights: usize) -> bool {
         let few = lights <= FEW_LIGHTS as usize;
         lights > 1
@@ -69,29 +69,29 @@ impl LightPick {
             }
     }
 
-    /// Those of so many lights.
+    /// The ways for this number of lights.
     fn of(lights: usize, settings: &Settings) -> BTreeSet<Self> {
         let all = Self::all(settings).iter().copied();
         all.filter(|pick| pick.picks_among(lights)).collect()
     }
 }
 
-/// The parts of the renderer that one scene with its settings needs.
+/// The features that one scene with its settings needs.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Features {
     pub shapes: BTreeSet<ShapeKind>,
-    /// Those of them that are found through a bounding volume hierarchy; the others are tried one by one.
+    /// Shapes found through a bounding volume hierarchy; the others are tested one by one.
     pub in_bvh: BTreeSet<ShapeKind>,
-    /// Kinds of the materials that shapes have.
+    /// Kinds of the materials in use.
     pub materials: BTreeSet<MaterialKind>,
-    /// A material has a diffuse lobe beside a specular one.
+    /// Some material has both a diffuse and a specular lobe.
     pub diffuse_beside: bool,
     /// Of rough materials.
     pub distributions: BTreeSet<Distribution>,
     /// Of materials that reflect specularly.
     pub fresnel: BTreeSet<Fresnel>,
     pub lights: BTreeSet<LightKind>,
-    /// How one of several lights is picked.
+    /// Ways to pick one of several lights.
     pub picks: BTreeSet<LightPick>,
     pub integrator: Integrator,
     pub normals: Normals,
@@ -100,26 +100,26 @@ pub struct Features {
     pub sampler: Sampler,
     pub roulette: RouletteKind,
     pub radiance_scaling: bool,
-    /// `None` where nothing absorbs.
+    /// `None` if nothing absorbs.
     pub absorption: Option<Absorption>,
     pub max_depth: bool,
-    /// A mesh brings normals of its own.
+    /// Some mesh has its own normals.
     pub shading_normals: bool,
-    /// Light paths are aimed at what gathers light.
+    /// Light paths are aimed at shapes that concentrate light.
     pub aims: bool,
     /// The eye has a lens.
     pub lens: bool,
-    /// Kinds with a face that another shape's may come before, in the same place.
+    /// Kinds with a face that may be covered by another shape's.
     pub covered: BTreeSet<ShapeKind>,
-    /// What the kernel makes beside the picture.
+    /// Outputs in addition to the picture.
     pub aovs: BTreeSet<Aov>,
 }
 
-/// Up to so many primitives it is faster to try one after the other, each written out, than to search a hierarchy.
+/// Up to this number of primitives it is faster to test them one by one, each written out, than to search a hierarchy.
 pub const WRITTEN_OUT: usize = 24;
 
 impl Features {
-    /// What this scene needs.
+    /// The features that this scene needs.
     pub fn of(prepared: &Prepared, settings: &Settings, aovs: &[Aov]) -> Self {
         let used: Vec<&Material> = prepared
             .shapes
@@ -156,8 +156,8 @@ impl Features {
         }
     }
 
-    /// What any scene could need. Settings of model and estimator stay those chosen, and so does what is made beside
-    /// the picture: they are alternatives, where a kernel holds one or the other.
+    /// The features that any scene could need. Settings of model and estimator and the additional outputs stay as
+    /// chosen, because they are alternatives of which a kernel has exactly one.
     pub fn full(settings: &Settings, aovs: &[Aov]) -> Self {
         Member::all(settings)
             .into_iter()
@@ -166,7 +166,7 @@ impl Features {
             })
     }
 
-    /// What the settings alone decide: all that an empty scene needs.
+    /// The features that the settings alone require: those of an empty scene.
     fn bare(settings: &Settings, aovs: &[Aov]) -> Self {
         let (model, estimator) = (&settings.model, &settings.estimator);
         Self {
@@ -195,22 +195,22 @@ impl Features {
             aims: false,
             lens: false,
             covered: BTreeSet::new(),
-            // Layers are made apart (render/layers.rs).
+            // Layers are made separately (render/layers.rs).
             aovs: aovs.iter().copied().filter(|aov| !aov.is_layer()).collect(),
         }
     }
 
-    /// Whether light paths are aimed where there is anything to aim at.
+    /// Whether light paths are aimed if there are targets.
     fn aims(settings: &Settings) -> bool {
         settings.estimator.integrator == Integrator::Bidirectional
     }
 
-    /// The kinds whose primitives are tried one by one.
+    /// The kinds whose primitives are tested one by one.
     pub fn written_out(&self) -> impl Iterator<Item = ShapeKind> {
         self.shapes.difference(&self.in_bvh).copied()
     }
 
-    /// A surface lets light through, refracted.
+    /// Some surface transmits and refracts light.
     pub fn transmits(&self) -> bool {
         use MaterialKind::{RoughDielectric, SmoothDielectric, WeakDielectric};
         let kinds = [RoughDielectric, SmoothDielectric, WeakDielectric];
@@ -222,8 +222,9 @@ impl Features {
         self.materials.contains(&MaterialKind::NullInterface)
     }
 
-    /// What is kept of each pixel: quarters to judge a denoised picture by; else moments, of which standard errors come where
-    /// samples are independent. Of other samplers they come from the two groups of samples, which any film keeps apart.
+    /// The data kept of each pixel: quarters for the error estimate of a denoised picture; else moments, which give
+    /// standard errors if samples are independent. For other samplers they come from the two groups of samples, which
+    /// any film keeps.
     pub fn keeps(&self) -> Keeps {
         let independent = self.sampler == Sampler::Random;
         match self.aovs.contains(&Aov::Denoised) {
@@ -234,7 +235,7 @@ impl Features {
     }
 }
 
-/// Those with an entry in the table of coincident faces.
+/// The kinds with an entry in the table of coincident faces.
 fn covered(prepared: &Prepared) -> BTreeSet<ShapeKind> {
     let table = &prepared.primitives.coincident;
     let has = |i: u32, shape: &Shape| shape.faces().any(|prim| !table.of(i, prim).is_empty());
@@ -262,7 +263,7 @@ fn in_bvh(prepared: &Prepared, shapes: &BTreeSet<ShapeKind>) -> BTreeSet<ShapeKi
         .collect()
 }
 
-/// Whether micro-normals are drawn on it.
+/// Whether micro-normals are sampled on it.
 pub fn is_rough(kind: MaterialKind) -> bool {
     use MaterialKind::{Glossy, RoughDielectric, WeakDielectric};
     matches!(kind, Glossy | RoughDielectric | WeakDielectric)

@@ -6,7 +6,7 @@ use std::fmt::{self, Debug};
 use super::Features;
 
 impl Features {
-    /// One phrase a feature, for people and for the JSON report; two kernels that differ have different ones.
+    /// One phrase per feature, for people and for the JSON report; different kernels have different names.
     pub fn names(&self) -> Vec<String> {
         let set = |name: &str, members: String| format!("{name}: {members}");
         let mut names = vec![
@@ -51,7 +51,7 @@ impl fmt::Display for Features {
     }
 }
 
-/// The words of a member's name: `RoughDielectric` is a rough dielectric.
+/// The words of a member's name: `RoughDielectric` becomes "rough dielectric".
 pub fn words(member: &impl Debug) -> String {
     let mut words = String::new();
     for c in format!("{member:?}").chars() {

@@ -1,4 +1,4 @@
-//! A part in either scalar.
+//! A part with either scalar.
 
 use std::ops::Range;
 
@@ -6,18 +6,18 @@ use super::{Half, Halves, Misfit, Part, Tally};
 use crate::film::{Film, Keeps};
 use crate::reference::math::Real;
 
-/// A part of a device or of `cpu-f32`, or of `cpu-f64`.
+/// A part of a device or `cpu-f32`, or of `cpu-f64`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnyPart {
     F32(Part<f32>),
     F64(Part<f64>),
 }
 
-/// A scalar that parts are of.
+/// A scalar of parts.
 pub trait Scalar: Real {
-    /// Its part as one of either scalar.
+    /// Wraps a part.
     fn any(part: Part<Self>) -> AnyPart;
-    /// Back again; `None` of the other scalar.
+    /// Unwraps a part; `None` if it has the other scalar.
     fn of(part: AnyPart) -> Option<Part<Self>>;
 }
 
@@ -45,7 +45,7 @@ impl Scalar for f64 {
     }
 }
 
-/// The same of either scalar.
+/// Applies an expression to a part of either scalar.
 macro_rules! either {
     ($self:expr, $part:ident => $value:expr) => {
         match $self {
@@ -76,7 +76,7 @@ impl AnyPart {
         either!(self, p => p.keeps())
     }
 
-    /// What was counted.
+    /// The counts of its samples.
     pub fn tally(&self) -> Tally {
         either!(self, p => p.tally)
     }
@@ -101,7 +101,7 @@ impl AnyPart {
         either!(self, p => p.quartered())
     }
 
-    /// See [`Part::append`]; `look` gets the number of samples, and what makes their halves.
+    /// See [`Part::append`]; `look` receives the number of samples, and a function that computes their halves.
     pub fn append(
         &mut self,
         next: Self,

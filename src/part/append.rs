@@ -1,4 +1,4 @@
-//! Joining parts that follow one another.
+//! Joins consecutive parts.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use super::layout::{BLOCK, in_head};
 use super::{Part, Sums};
 use crate::reference::math::{Real, Vec3};
 
-/// Why one part does not follow another.
+/// Why one part cannot be appended to another.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Misfit {
     #[error("it has {} of pixels, not {}", by(.0), by(.1))]
@@ -27,8 +27,8 @@ fn by(size: &[u32; 2]) -> String {
 }
 
 impl<F: Real> Part<F> {
-    /// Adds the samples of `next`, which begins where this part ends, and calls `look` after each step of that: whenever the
-    /// number of samples is a power of two, there is a step that ends at it, unless it is within the range of the first part.
+    /// Adds the samples of `next`, which begins where this part ends, and calls `look` after each step. Whenever the
+    /// number of samples is a power of two, a step ends there, unless it is within the range of the first part.
     pub fn append(&mut self, next: Self, look: &mut dyn FnMut(&Self)) -> Result<(), Misfit> {
         if self.size != next.size {
             return Err(Misfit::Size(next.size, self.size));

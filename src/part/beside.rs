@@ -1,4 +1,4 @@
-//! What a part keeps of each pixel beside its sums.
+//! Data that a part keeps of each pixel in addition to its sums.
 
 use rayon::prelude::*;
 
@@ -8,17 +8,17 @@ use crate::reference::film::{
 };
 use crate::reference::math::{Real, Vec3};
 
-/// A value a pixel, of consecutive samples.
+/// One value per pixel, over consecutive samples.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Beside<F> {
     Nothing,
-    /// Where standard errors are to come from them.
+    /// For standard errors.
     Moments(Vec<FilmMoments<F>>),
-    /// Where a denoised picture is to be made and judged by them.
+    /// For a denoised picture and its error estimate.
     Quarters(Vec<FilmQuarters<F>>),
 }
 
-/// One of those values, where there is one.
+/// A reference to one of those values, if any.
 pub enum BesideMut<'a, F> {
     Nothing,
     Moments(&'a mut FilmMoments<F>),
@@ -37,7 +37,7 @@ impl<F: Real> BesideMut<'_, F> {
 }
 
 impl<F: Real> Beside<F> {
-    /// Of no samples of so many pixels.
+    /// The values for no samples, with this many pixels.
     pub fn zero(keeps: Keeps, pixels: usize) -> Self {
         match keeps {
             Keeps::Nothing => Self::Nothing,
@@ -46,7 +46,7 @@ impl<F: Real> Beside<F> {
         }
     }
 
-    /// Begins anew.
+    /// Resets all values.
     pub fn clear(&mut self) {
         match self {
             Self::Nothing => {}
@@ -55,7 +55,7 @@ impl<F: Real> Beside<F> {
         }
     }
 
-    /// That of pixel `i`.
+    /// The value of pixel `i`.
     pub fn at(&mut self, i: usize) -> BesideMut<'_, F> {
         match self {
             Self::Nothing => BesideMut::Nothing,
@@ -79,7 +79,7 @@ impl<F: Real> Beside<F> {
         }
     }
 
-    /// Those of `m` ≥ 1 samples and of `later` ones, `n` ≥ 1, together.
+    /// Combines the values of `m` ≥ 1 samples with those of `n` ≥ 1 `later` ones.
     pub fn join(&mut self, m: u32, later: &Self, n: u32) {
         match (self, later) {
             (Self::Moments(moments), Self::Moments(later)) => {
@@ -94,7 +94,7 @@ impl<F: Real> Beside<F> {
         }
     }
 
-    /// Those of some of the pixels.
+    /// The values of some of the pixels.
     pub fn of(&self, places: impl Iterator<Item = std::ops::Range<usize>>) -> Self {
         match self {
             Self::Nothing => Self::Nothing,
@@ -107,7 +107,7 @@ impl<F: Real> Beside<F> {
         }
     }
 
-    /// Takes over those of the pixels `from` of `other`, to `to`.
+    /// Copies the values of the pixels `from` of `other` to `to`.
     pub fn put(&mut self, to: std::ops::Range<usize>, other: &Self, from: std::ops::Range<usize>) {
         match (self, other) {
             (Self::Moments(all), Self::Moments(other)) => all[to].copy_from_slice(&other[from]),

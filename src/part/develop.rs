@@ -1,18 +1,18 @@
-//! From sums to pictures.
+//! Computes pictures from sums.
 
 use super::{Beside, Part, Sums};
 use crate::film::Film;
 use crate::reference::film::{film_half_difference, film_mean, film_stderr};
 use crate::reference::math::{Real, Vec3};
 
-/// A picture and (a − b)/2 of the means a and b of its two groups of samples.
+/// A picture and (a − b)/2 for the means a and b of its two groups of samples.
 pub struct Halves {
     pub mean: Film,
     pub half_difference: Film,
 }
 
 impl<F: Real> Part<F> {
-    /// The sums of all samples, in the order that nothing changes.
+    /// The sums of all samples, in the fixed order.
     pub(super) fn total(&self) -> Sums<F> {
         let [width, height] = self.size;
         let mut total = Sums::zero((width * height) as usize, self.keeps);
@@ -22,12 +22,12 @@ impl<F: Real> Part<F> {
         total
     }
 
-    /// The mean of all samples, of which there is one at least.
+    /// The mean of all samples, at least one.
     pub fn picture(&self) -> Film {
         self.mean(&self.total())
     }
 
-    /// That mean, with half the difference of its two groups of samples, of which there are two at least.
+    /// The mean, with half the difference of its two groups of samples, at least two samples.
     pub fn halves(&self) -> Halves {
         let total = self.total();
         Halves {
@@ -36,10 +36,11 @@ impl<F: Real> Part<F> {
         }
     }
 
-    /// The standard errors of that mean, of two samples at least.
+    /// The standard errors of the mean, with at least two samples.
     ///
-    /// Each is the root of an unbiased estimate of the variance of its pixel and channel: of independent samples by their spread,
-    /// where moments are kept; of others, which are not independent within a group, by the two groups, which are.
+    /// Each is the root of an unbiased estimate of the variance of its pixel and channel. If the samples are
+    /// independent and moments are kept, it comes from their spread. Otherwise the samples within a group depend on one
+    /// another, and it comes from the two groups, which are independent.
     pub fn standard_errors(&self) -> Film {
         let total = self.total();
         let n = total.samples;

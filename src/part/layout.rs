@@ -1,26 +1,26 @@
-//! Which sums a part keeps, by the indices of its samples alone.
+//! The sums that a part keeps, which depend only on the indices of its samples.
 
 use std::ops::Range;
 
 use crate::film::Keeps;
 
-/// Samples that are added one after the other. A power of two: short enough for the values of one to be kept, where a part
-/// begins inside it; long enough for a GPU's dispatch not to be cut short.
+/// Samples that are added one after the other. A power of two: small enough to store the individual values of one
+/// block, where a part begins inside it; large enough not to shorten a GPU's dispatches.
 pub const BLOCK: u32 = 256;
 
 /// How the samples of a range are kept.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Layout {
-    /// Samples kept one by one.
+    /// Samples stored individually.
     pub head: u32,
     /// Samples of each node, from left to right.
     pub nodes: Vec<u32>,
-    /// Samples of the block under way.
+    /// Samples of the incomplete last block.
     pub tail: u32,
 }
 
 impl Layout {
-    /// Of the samples with these indices.
+    /// The layout for samples with these indices.
     pub fn new(range: Range<u32>) -> Self {
         let Range { start, end } = range;
         let head = first_block(start).min(end.max(start)) - start;
@@ -39,13 +39,13 @@ impl Layout {
 }
 
 impl Layout {
-    /// Samples of the nodes and of the tail, where there is one: what is kept as sums.
+    /// Samples of the nodes and of the tail, if any: those kept as sums.
     pub fn sums(&self) -> impl Iterator<Item = u32> {
         let tail = Some(self.tail).filter(|&tail| tail > 0);
         self.nodes.iter().copied().chain(tail)
     }
 
-    /// Scalars that it takes of each pixel; a value has three, sums have nine, moments twelve and quarters six.
+    /// Number of scalars per pixel; a value has three, sums have nine, moments twelve and quarters six.
     pub fn scalars(&self, keeps: Keeps) -> u64 {
         let sums = match keeps {
             Keeps::Nothing => 9,
@@ -56,19 +56,19 @@ impl Layout {
     }
 }
 
-/// The samples of the largest node that begins at `at`, a block's beginning, and ends by `end`.
+/// The samples of the largest node that begins at `at`, the start of a block, and ends by `end`.
 fn largest(at: u32, end: u32) -> Option<u32> {
     let fits = end.saturating_sub(at) / BLOCK;
     let level = fits.checked_ilog2()?.min((at / BLOCK).trailing_zeros());
     Some(BLOCK << level)
 }
 
-/// The first block's beginning at or after `begin`, or the last index there is.
+/// The start of the first block at or after `begin`, or the last possible index.
 fn first_block(begin: u32) -> u32 {
     begin.checked_next_multiple_of(BLOCK).unwrap_or(u32::MAX)
 }
 
-/// Whether the sample of index `index` of a part that begins at `begin` is kept by itself.
+/// Whether the sample with index `index` of a part that begins at `begin` is stored individually.
 pub fn in_head(begin: u32, index: u32) -> bool {
     index < first_block(begin)
 }
@@ -86,7 +86,8 @@ pub fn ends_at(begin: u32, index: u32) -> bool {
     index.is_multiple_of(BLOCK) || index <= first_block(begin)
 }
 
-/// Whether two nodes side by side, of so many samples and the second ending at `end`, make one of the next level.
+/// Whether two adjacent nodes with these numbers of samples, the second ending at `end`, form one node of the next
+/// level.
 pub fn are_halves(end: u32, a: u32, b: u32) -> bool {
     a == b && u64::from(end) % (2 * u64::from(b)) == 0
 }

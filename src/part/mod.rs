@@ -1,20 +1,21 @@
-//! A part of a picture: samples A up to B of every pixel, as sums that join with those of other parts to the sums of one
-//! rendering, bit for bit, however the samples were shared out.
+//! A part of a picture: samples A up to B of every pixel, as sums that join with those of other parts to the sums of
+//! one rendering, bit for bit, regardless of how the samples were divided.
 //!
-//! Sums of floats depend on the order of addition, so that is fixed, by the indices of samples alone. Samples i·[`BLOCK`] to
-//! (i + 1)·[`BLOCK`] are a *block*, added one after the other from zero, as a film does it. Whole blocks are joined in pairs,
-//! pairs in pairs, and so on: a *node* of level k is of the blocks j·2ᵏ to (j + 1)·2ᵏ, the sum of the two nodes below it. The
-//! sums of a picture are those of the largest nodes that its samples fill, from left to right, then of the block under way.
+//! Sums of floats depend on the order of addition, so the order is fixed by the indices of samples alone. Samples
+//! i·[`BLOCK`] to (i + 1)·[`BLOCK`] are a *block*, added one after the other from zero, as in a film. Whole blocks are
+//! joined in pairs, pairs in pairs, and so on: a *node* of level k consists of the blocks j·2ᵏ to (j + 1)·2ᵏ, and is
+//! the sum of the two nodes below it. The sums of a picture are those of the largest nodes that its samples fill, from
+//! left to right, then of the incomplete block.
 //!
 //! ```text
 //! samples    0   256   512   768  1024  1280  1400
-//! nodes      ╰──────────╮╭──────────╯ ╰──╯  ╰╴ the block under way
+//! nodes      ╰──────────╮╭──────────╯ ╰──╯  ╰╴ the incomplete block
 //! ```
 //!
-//! A part keeps the largest nodes within its range, at most two a level; the sums of the block that it ends in; and where it
-//! begins inside a block, the values of the samples up to that block's end, since they are to be added to sums that another
-//! part has. So what a part takes is known from its range ([`Layout`]): a range from one multiple of a power of
-//! two to the next is one node.
+//! A part keeps the largest nodes within its range, at most two per level; the sums of the incomplete block at its end;
+//! and if it begins inside a block, the values of the samples up to that block's end, because they must be added to
+//! sums of another part. So the content of a part follows from its range ([`Layout`]): a range from one multiple of a
+//! power of two to the next is one node.
 
 mod any;
 mod append;
@@ -49,17 +50,17 @@ pub struct Part<F> {
     keeps: Keeps,
     /// Indices of the samples.
     range: Range<u32>,
-    /// The samples of each index before the first block that begins here: a value a pixel, row by row.
+    /// The samples of each index before the first block that begins here: one value per pixel, row by row.
     head: Vec<Arc<Vec<Vec3<F>>>>,
-    /// Of whole blocks, from left to right.
+    /// Sums of whole blocks, from left to right.
     nodes: Vec<Arc<Sums<F>>>,
-    /// Of the block under way, if it began here and has samples.
+    /// Sums of the incomplete block, if it begins here and has samples.
     tail: Option<Arc<Sums<F>>>,
     pub tally: Tally,
 }
 
 impl<F: Real> Part<F> {
-    /// No samples yet: the first is to have the index `begin`.
+    /// A part without samples; the first will have the index `begin`.
     pub fn new(size: [u32; 2], keeps: Keeps, begin: u32) -> Self {
         Self {
             size,
@@ -72,7 +73,7 @@ impl<F: Real> Part<F> {
         }
     }
 
-    /// With these samples of each index of the head, and these sums of nodes and tail, as its [`Layout`] has them.
+    /// Builds a part from the samples of the head and the sums of nodes and tail, in the order of its [`Layout`].
     pub fn assembled(empty: Self, end: u32, head: Vec<Vec<Vec3<F>>>, sums: Vec<Sums<F>>) -> Self {
         let range = empty.range.start..end;
         let Layout { tail, .. } = Layout::new(range.clone());
@@ -102,7 +103,7 @@ impl<F: Real> Part<F> {
         self.size
     }
 
-    /// What it keeps of each pixel beside its sums.
+    /// The data that it keeps of each pixel in addition to its sums.
     pub fn keeps(&self) -> Keeps {
         self.keeps
     }
@@ -112,28 +113,28 @@ impl<F: Real> Part<F> {
         self.range.clone()
     }
 
-    /// Samples that every pixel has.
+    /// Samples of every pixel.
     pub fn samples(&self) -> u32 {
         self.range.end - self.range.start
     }
 
-    /// How its samples are kept.
+    /// The layout of its samples.
     pub fn layout(&self) -> Layout {
         Layout::new(self.range())
     }
 
-    /// The index at which a film that has brought this part to sample `done` is to hand its sums over, at most `to`: after each
-    /// sample of the head, and at the end of each block.
+    /// The index up to which a film that continues this part from sample `done` accumulates before its sums are
+    /// transferred, at most `to`: after each sample of the head, and at the end of each block.
     pub fn stop(&self, done: u32, to: u32) -> u32 {
         layout::stop(self.range.start, done, to)
     }
 
-    /// Whether sums that end at `index` are to be handed over.
+    /// Whether sums that end at `index` are complete.
     pub fn ends_at(&self, index: u32) -> bool {
         index > self.range.end && layout::ends_at(self.range.start, index)
     }
 
-    /// Takes over the sums of a film, which begin where this part ends and end at a [stop](Self::stop).
+    /// Appends the sums of a film, which begin where this part ends and end at a [stop](Self::stop).
     pub fn close(&mut self, sums: Sums<F>) {
         let end = self.range.end + sums.samples;
         match layout::in_head(self.range.start, self.range.end) {
@@ -146,7 +147,7 @@ impl<F: Real> Part<F> {
         }
     }
 
-    /// With the sums of the block under way.
+    /// The same part with the sums of the incomplete block.
     pub fn with_tail(&self, sums: Sums<F>) -> Self {
         let mut part = self.clone();
         if sums.samples > 0 {
@@ -156,14 +157,14 @@ impl<F: Real> Part<F> {
         part
     }
 
-    /// Without the block under way, and its sums, if it has any.
+    /// The part without the incomplete block, and the sums of that block, if any.
     pub fn without_tail(mut self) -> (Self, Option<Arc<Sums<F>>>) {
         let tail = self.tail.take();
         self.range.end -= tail.as_ref().map_or(0, |tail| tail.samples);
         (self, tail)
     }
 
-    /// Adds a node, and joins the last two for as long as they are the halves of a larger one.
+    /// Adds a node, and joins the last two as long as they are halves of a larger one.
     fn push(&mut self, node: Arc<Sums<F>>) {
         self.range.end += node.samples;
         self.nodes.push(node);

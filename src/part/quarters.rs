@@ -1,4 +1,4 @@
-//! Pictures of half and of a quarter of the samples each: independent, where samples of different groups are.
+//! Pictures from half and from a quarter of the samples: independent if samples of different groups are.
 
 use glam::DVec3;
 
@@ -7,19 +7,19 @@ use crate::film::Film;
 use crate::reference::film::FilmQuarters;
 use crate::reference::math::Real;
 
-/// The mean of the samples of even or of odd index, and those of the two quarters that make it.
+/// The mean of the samples with even or odd index, and the means of its two quarters.
 pub struct Half {
     pub mean: Film,
-    /// Of the last of its samples, the third last and so on, and of the others.
+    /// One quarter has the last of its samples, the third last and so on; the other has the rest.
     pub quarters: [Film; 2],
 }
 
-/// Samples of which each quarter has one.
+/// With this many samples, each quarter has one.
 const LEAST: u32 = 4;
 
 impl<F: Real> Part<F> {
-    /// The two halves; `None` where the sums for them are not kept, where the part begins at no multiple of four, and of less
-    /// than four samples.
+    /// The two halves; `None` if their sums are not kept, if the part does not begin at a multiple of four, or with
+    /// fewer than four samples.
     pub fn quartered(&self) -> Option<[Half; 2]> {
         let total = self.total();
         let n = total.samples;
@@ -46,7 +46,7 @@ impl<F: Real> Part<F> {
             };
             Half {
                 mean: film(&|[sum, _]| *sum, samples),
-                // Of an odd number the last and the first have the sign +.
+                // With an odd number, both the last and the first have the sign +.
                 quarters: [
                     film(&|[sum, d]| (*sum + *d) / 2.0, samples - samples / 2),
                     film(&|[sum, d]| (*sum - *d) / 2.0, samples / 2),
@@ -64,7 +64,7 @@ fn all<F: Real>(p: &PixelSums<F>) -> DVec3 {
     p.sum.sum.f64() + p.sum.comp.f64()
 }
 
-/// Sums are differences of rounded ones: where that leaves less than nothing, nothing.
+/// Differences of rounded sums may be negative; they are clamped to 0.
 fn mean(sum: DVec3, samples: u32) -> [f32; 3] {
     let mean = sum / f64::from(samples);
     mean.max(DVec3::ZERO).as_vec3().to_array()

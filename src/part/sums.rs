@@ -7,7 +7,7 @@ use crate::film::Keeps;
 use crate::reference::film::{FilmPixel, PixelSum, film_join, film_join_contrast, film_sample};
 use crate::reference::math::{Real, Vec3};
 
-/// What a pixel's samples add up to.
+/// The sums of a pixel's samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelSums<F> {
     pub sum: PixelSum<F>,
@@ -25,7 +25,7 @@ pub struct Sums<F> {
 }
 
 impl<F: Real> PixelSums<F> {
-    /// Of no samples.
+    /// The sums of no samples.
     pub fn zero() -> Self {
         Self {
             sum: PixelSum::zero(),
@@ -33,7 +33,7 @@ impl<F: Real> PixelSums<F> {
         }
     }
 
-    /// Both, `later` being of `n` samples.
+    /// Joins both; `later` has `n` samples.
     fn join(self, later: Self, n: u32) -> Self {
         Self {
             sum: film_join(self.sum, later.sum),
@@ -42,7 +42,7 @@ impl<F: Real> PixelSums<F> {
     }
 }
 
-/// The sums that a pixel of a film has; what was counted there is left out.
+/// The sums of a pixel of a film, without its counters.
 impl<F: Real> From<&FilmPixel<F>> for PixelSums<F> {
     fn from(pixel: &FilmPixel<F>) -> Self {
         Self {
@@ -52,7 +52,7 @@ impl<F: Real> From<&FilmPixel<F>> for PixelSums<F> {
     }
 }
 
-/// A pixel that goes on from these sums, of which nothing was counted.
+/// A pixel that continues from these sums, with zero counters.
 impl<F: Real> From<&PixelSums<F>> for FilmPixel<F> {
     fn from(sums: &PixelSums<F>) -> Self {
         Self {
@@ -64,7 +64,7 @@ impl<F: Real> From<&PixelSums<F>> for FilmPixel<F> {
 }
 
 impl<F: Real> Sums<F> {
-    /// Of no samples of so many pixels.
+    /// The sums of no samples for this many pixels.
     pub fn zero(pixels: usize, keeps: Keeps) -> Self {
         Self {
             samples: 0,
@@ -73,7 +73,8 @@ impl<F: Real> Sums<F> {
         }
     }
 
-    /// Adds one sample to every pixel as the film does ([`film_sample`]): `values` were samples, and are not broken.
+    /// Adds one sample to every pixel as in the film ([`film_sample`]): `values` were samples before, so they are
+    /// finite.
     pub fn add(&mut self, values: &[Vec3<F>]) {
         let n = self.samples + 1;
         let pixels = self.pixels.par_iter_mut().zip(values);
@@ -86,7 +87,7 @@ impl<F: Real> Sums<F> {
         self.samples = n;
     }
 
-    /// Adds the samples that come after these.
+    /// Appends the samples that follow.
     pub fn join(&mut self, later: &Self) {
         let (m, n) = (self.samples, later.samples);
         if n == 0 {

@@ -1,4 +1,4 @@
-//! What was counted while samples were made.
+//! Counters of samples.
 
 use serde::{Deserialize, Serialize};
 
@@ -21,7 +21,7 @@ pub struct Dropped {
     pub loops: u64,
 }
 
-/// What was counted, and the sample with the brightest channel; `None` where all are black.
+/// The counters, and the sample with the brightest channel; `None` if all are black.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Tally {
     pub counts: Counts,
@@ -29,7 +29,7 @@ pub struct Tally {
 }
 
 impl Counts {
-    /// Both together. Counts end at 2⁶⁴ − 1, as a file may say anything.
+    /// Adds both. Counts saturate at 2⁶⁴ − 1, because a file may contain any value.
     pub fn plus(self, other: Self) -> Self {
         let dropped = Dropped {
             nan: self.dropped.nan.saturating_add(other.dropped.nan),
@@ -46,7 +46,7 @@ impl Counts {
 }
 
 impl Tally {
-    /// With that of later samples: of equally bright ones of a pixel the first counts.
+    /// Combines it with the tally of later samples: among equally bright ones of a pixel the first counts.
     pub fn plus(self, later: Self) -> Self {
         Self {
             counts: self.counts.plus(later.counts),

@@ -6,7 +6,8 @@ use proptest::prelude::*;
 
 const PIXELS: usize = 3;
 
-/// Sample `index` of a pixel: a multiple of 2⁻³² of up to 24 bits, uneven as fireflies are; every eleventh of pixel 0 is broken.
+/// Sample `index` of a pixel: a multiple of 2⁻³² of up to 24 bits, uneven like fireflies; every eleventh of pixel 0 is
+/// broken.
 fn sample(pixel: usize, index: u32) -> Vec3<f32> {
     // Splitmix64: Steele, Lea and Flood, Fast Splittable Pseudorandom Number Generators, 2014.
     let mixed = |channel: u64| {
@@ -26,7 +27,7 @@ fn sample(pixel: usize, index: u32) -> Vec3<f32> {
     }
 }
 
-/// What a renderer does: samples `range` in slices that end at `slices`, among others.
+/// Like a renderer: samples `range` in slices that end at `slices`, among others.
 fn grown(range: Range<u32>, keeps: Keeps, slices: &[u32]) -> Part<f32> {
     let mut part = Part::new([PIXELS as u32, 1], keeps, range.start);
     let mut film = vec![FilmPixel::default(); PIXELS];
@@ -59,7 +60,7 @@ fn grown(range: Range<u32>, keeps: Keeps, slices: &[u32]) -> Part<f32> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 200, rng_seed: proptest::test_runner::RngSeed::Fixed(18), ..ProptestConfig::default() })]
 
-    /// However samples are shared out and sliced, the parts join to the part of one rendering.
+    /// However samples are divided and sliced, the parts join to the part of one rendering.
     #[test]
     fn parts_join_to_the_part_of_one_rendering(
         begin in 0u32..1400,
@@ -103,7 +104,7 @@ fn a_joined_sum_is_exact_to_its_bound() {
     }
 }
 
-/// Against the two-pass formula in f64.
+/// Compared with the two-pass formula in f64.
 #[test]
 fn standard_errors_and_halves_are_those_of_the_samples() {
     let n = 1337;
@@ -127,7 +128,7 @@ fn standard_errors_and_halves_are_those_of_the_samples() {
     }
 }
 
-/// Against means in f64, of numbers of samples with every remainder, one block and many.
+/// Compared with means in f64, for numbers of samples with every remainder, in one block and in many.
 #[test]
 fn quarters_are_the_means_of_their_samples() {
     for n in [4, 5, 6, 7, 255, 256, 257, 1030, 1337] {
@@ -140,7 +141,7 @@ fn quarters_are_the_means_of_their_samples() {
                 .collect();
             all.iter().sum::<f64>() / all.len() as f64
         };
-        // Each step of two differences in f32 rounds what is at most the sum of all: 2 n 2⁻²⁴ of it.
+        // Each step of two differences in f32 rounds a value of at most the sum of all: 2 n 2⁻²⁴ of it.
         let sum = f64::from(n) * mean(1, 0);
         let near = |film: &Film, expected: f64, samples: u32| {
             let bound = 2.0 * f64::from(n) * 2f64.powi(-24) * sum / f64::from(samples);
@@ -149,12 +150,12 @@ fn quarters_are_the_means_of_their_samples() {
         for (first, half) in (0..).zip(&halves) {
             let least = n / 4;
             assert!(near(&half.mean, mean(2, first), 2 * least), "{n}");
-            // Which is which depends on the last sample.
+            // The last sample determines their order.
             let [a, b] = &half.quarters;
             let [one, two] = [mean(4, first), mean(4, first + 2)];
             let right = |a, b| near(a, one, least) && near(b, two, least);
             assert!(right(a, b) || right(b, a), "{n}: not {one} and {two}");
-            // The test can fail.
+            // Shows that the test can fail.
             let other = [mean(4, 1 - first), mean(4, 3 - first)];
             assert!(!other.iter().any(|&x| near(a, x, least)), "{n}");
         }
@@ -198,7 +199,7 @@ fn what_does_not_follow_is_refused() {
     assert_eq!(any.append(wide, &mut |_, _| {}), Err(Misfit::Scalar));
 }
 
-/// Whatever is merged, the error can be looked at after as many samples as one rendering looks at it.
+/// For any division into parts, the error can be inspected after the same numbers of samples as in one rendering.
 #[test]
 fn parts_stop_at_powers_of_two() {
     for ranges in [

@@ -1,4 +1,4 @@
-//! A deterministic automaton over the letters of paths, made by regex-automata.
+//! A deterministic automaton over the letters of paths, built by regex-automata.
 
 use regex_automata::dfa::{Automaton as _, StartKind, dense};
 use regex_automata::nfa::thompson;
@@ -8,14 +8,15 @@ use regex_automata::{Anchored, MatchKind};
 
 use super::Letter;
 
-/// The most that an automaton may take, and what it is made from: a pattern such as `E.*D.........L` doubles it with each dot.
+/// Maximum memory for an automaton and for its construction: a pattern such as `E.*D.........L` doubles it with each
+/// dot.
 const LARGEST: usize = 1 << 20;
 
-/// What has been read so far.
+/// The state after the letters read so far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct State(StateID);
 
-/// Reads strings from the eye on.
+/// Reads strings from the eye onwards.
 #[derive(Debug)]
 pub struct Automaton {
     dfa: dense::DFA<Vec<u32>>,
@@ -23,11 +24,11 @@ pub struct Automaton {
 }
 
 impl Automaton {
-    /// Of a regular expression over the letters, which is to match the whole string.
+    /// An automaton for a regular expression over the letters, which must match the whole string.
     pub fn new(expression: &str) -> Result<Self, &'static str> {
         let config = dense::Config::new()
             .start_kind(StartKind::Anchored)
-            // All alternatives are followed to their end: none comes first, as it would in a search.
+            // All alternatives are followed to their end: none takes precedence, as it would in a search.
             .match_kind(MatchKind::All)
             .dfa_size_limit(Some(LARGEST))
             .determinize_size_limit(Some(LARGEST));
@@ -55,12 +56,12 @@ impl Automaton {
     }
 
     pub fn ends(&self, State(state): State) -> bool {
-        // Matches are told of a step late.
+        // The automaton reports matches one step late.
         let end = self.dfa.next_eoi_state(self.dfa.next_state(state, b'L'));
         self.dfa.is_match_state(end)
     }
 
-    /// Whether any path's string brings it to a match.
+    /// Whether any path's string leads to a match.
     pub fn matches_any(&self) -> bool {
         let mut known = vec![self.begin];
         let mut next = 0;

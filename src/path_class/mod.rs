@@ -1,7 +1,7 @@
 //! Classes of paths as Heckbert's strings: patterns, and the automaton that reads a path letter by letter.
 //!
-//! A path's string begins with E, the eye, has a letter for each surface that scatters, and ends with L, the light. Heckbert,
-//! Adaptive Radiosity Textures for Bidirectional Ray Tracing, 1990, writes it the other way round.
+//! A path's string begins with E, the eye, has a letter for each surface that scatters, and ends with L, the light.
+//! Heckbert, Adaptive Radiosity Textures for Bidirectional Ray Tracing, 1990, writes it in the opposite direction.
 
 mod automaton;
 mod pattern;
@@ -13,21 +13,21 @@ use automaton::Automaton;
 pub use automaton::State;
 pub use pattern::PatternError;
 
-/// What a surface does with the light of a path.
+/// The scattering of a path's light at a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Letter {
     /// Diffuse reflection, Kd.
     D,
     /// Rough, by a micro-normal.
     G(Side),
-    /// Smooth: a direction has one answer.
+    /// Smooth: each direction has exactly one counterpart.
     S(Side),
 }
 
-/// Where the light of a path goes on at a surface.
+/// The side of a surface on which the light of a path continues.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// Reflected: on the side that it came from.
+    /// Reflected: the side that it came from.
     R,
     /// Transmitted.
     T,
@@ -42,7 +42,7 @@ impl Letter {
         Self::S(Side::T),
     ];
 
-    /// Which side light goes on.
+    /// The side on which light continues.
     pub fn side(self) -> Side {
         match self {
             Self::D => Side::R,
@@ -50,7 +50,7 @@ impl Letter {
         }
     }
 
-    /// What an automaton reads.
+    /// The byte that an automaton reads.
     fn byte(self) -> u8 {
         match self {
             Self::D => b'D',
@@ -71,7 +71,7 @@ pub struct PathClass {
 
 impl PathClass {
     /// # Errors
-    /// Where the pattern cannot be read, or no path matches it.
+    /// The pattern cannot be parsed, or no path matches it.
     pub fn new(text: &str) -> Result<Self, PatternError> {
         let expression = pattern::expression(text)?;
         let automaton = Automaton::new(&expression).map_err(|why| PatternError::new(text, why))?;
@@ -89,27 +89,27 @@ impl PathClass {
         &self.text
     }
 
-    /// A layer's name in an EXR, where a dot would part a layer from its channels: `_` stands for `.`.
+    /// The name of a layer in an EXR, where a dot separates a layer from its channels: `.` becomes `_`.
     pub fn layer(&self) -> String {
         format!("{LIGHT}{}", self.text.replace('.', "_"))
     }
 
-    /// At the eye, before any surface.
+    /// The state at the eye, before any surface.
     pub fn begin(&self) -> State {
         self.automaton.begin()
     }
 
-    /// After one more surface on the way from the eye.
+    /// The state after one more surface on the way from the eye.
     pub fn after(&self, state: State, letter: Letter) -> State {
         self.automaton.after(state, letter)
     }
 
-    /// Whether a path that reaches its light here is of this class.
+    /// Whether a path that reaches its light in this state belongs to the class.
     pub fn ends(&self, state: State) -> bool {
         self.automaton.ends(state)
     }
 
-    /// Whether the path whose surfaces have these letters is.
+    /// Whether the path whose surfaces have these letters belongs to the class.
     pub fn has(&self, surfaces: &[Letter]) -> bool {
         let after = |state, &letter: &Letter| self.after(state, letter);
         self.ends(surfaces.iter().fold(self.begin(), after))

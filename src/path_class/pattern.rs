@@ -1,8 +1,8 @@
-//! What a user writes, as a regular expression over the letters of paths.
+//! Translates a user's pattern to a regular expression over the letters of paths.
 
 use super::{Letter, Side};
 
-/// A pattern that is none, and why.
+/// An invalid pattern, and why.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "{text:?} is no class of paths, {why}: E, the eye, comes first, then D (diffuse), G (rough) or S (smooth) for each surface, \
@@ -23,10 +23,10 @@ impl PatternError {
     }
 }
 
-/// Letters, at most: a channel's name in an EXR has 255 bytes.
+/// Maximum number of letters: a channel's name in an EXR has at most 255 bytes.
 const LONGEST: usize = 200;
 
-/// The expression of a pattern; whether its brackets fit together, its reader sees.
+/// The expression of a pattern. The regular expression's own parser checks that brackets match.
 pub(super) fn expression(text: &str) -> Result<String, PatternError> {
     let wrong = |why: String| PatternError::new(text, why);
     if text.len() > LONGEST {
@@ -51,7 +51,7 @@ pub(super) fn expression(text: &str) -> Result<String, PatternError> {
     Ok(expression)
 }
 
-/// The expression of what `open` begins, and what comes after it; else what is wrong.
+/// The expression of the bracket that `open` begins, and the text after it; otherwise an error message.
 fn bracketed(open: char, rest: &str) -> Result<(String, &str), String> {
     let close = if open == '[' { ']' } else { '>' };
     let (inside, after) = rest
@@ -65,7 +65,7 @@ fn bracketed(open: char, rest: &str) -> Result<(String, &str), String> {
     Ok((expression, after))
 }
 
-/// Between `[` and `]`: letters, or after `^` those that it is not.
+/// Between `[` and `]`: letters, or after `^` the excluded letters.
 fn of_set(set: &str) -> Option<String> {
     let (names, inside) = match set.strip_prefix('^') {
         Some(names) => (names, false),
@@ -76,7 +76,7 @@ fn of_set(set: &str) -> Option<String> {
     any_of(|letter| named(letter) == inside).filter(|_| known)
 }
 
-/// Between `<` and `>`, as in the light path expressions of other renderers: a side, and what scatters to it.
+/// Between `<` and `>`, as in the light path expressions of other renderers: a side, and a kind of scattering.
 fn of_pair(pair: &str) -> Option<String> {
     let mut names = pair.chars();
     let (side, event) = (names.next()?, names.next()?);
@@ -85,14 +85,14 @@ fn of_pair(pair: &str) -> Option<String> {
     any_of(both).filter(|_| known)
 }
 
-/// The expression of the letters that are chosen; `None` of none.
+/// The expression for the chosen letters; `None` if there are none.
 fn any_of(chosen: impl Fn(Letter) -> bool) -> Option<String> {
     let letters = Letter::ALL.into_iter().filter(|&letter| chosen(letter));
     let bytes: String = letters.map(|letter| char::from(letter.byte())).collect();
     (!bytes.is_empty()).then(|| format!("[{bytes}]"))
 }
 
-/// Whether what a user calls `name` has this letter; `None` if it is no such name.
+/// Whether `name`, in a user's pattern, includes this letter; `None` for an unknown name.
 fn means(name: char, letter: Letter) -> Option<bool> {
     Some(match name {
         '.' => true,

@@ -1,9 +1,9 @@
-//! Whether two parts are of one picture.
+//! Checks whether two parts belong to the same picture.
 
 use super::Header;
 use crate::report::{Job, SettingsRecord};
 
-/// What one part was made from and another was not, such as `seed is 3 there and 4 here`; `None` where they join.
+/// A difference between the origins of two parts, such as `seed is 3 there and 4 here`; `None` if they can be joined.
 pub fn differs(there: &Header, here: &Header) -> Option<String> {
     let [a, b] = [there, here].map(words);
     let pairs = a.into_iter().zip(b);
@@ -18,7 +18,7 @@ pub fn differs(there: &Header, here: &Header) -> Option<String> {
 
 const SCENE: &str = "scene";
 
-/// All that the samples depend on, by name, but for how the device rounds.
+/// Everything that the samples depend on, by name, except the device's rounding.
 fn words(header: &Header) -> Vec<(&'static str, String)> {
     let Job {
         size: [width, height],

@@ -1,4 +1,4 @@
-//! Why a file is not taken for a part.
+//! Why a file is refused as a part.
 
 use std::io;
 

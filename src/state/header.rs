@@ -1,4 +1,4 @@
-//! What a part was made from, and how its sums lie in the file.
+//! The origin of a part, and the layout of its sums in the file.
 
 use std::ops::Range;
 
@@ -9,29 +9,29 @@ use crate::film::Keeps;
 use crate::part::{Layout, Tally};
 use crate::report::Record;
 
-/// What a part was made from. Parts of which all but the record's times, device and samples is equal join.
+/// The origin of a part. Parts can be joined if everything is equal except times, device and samples of the record.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Header {
     /// A digest of the scene's text and of the bytes of all its meshes.
     pub digest: String,
-    /// How its device rounds: parts that agree in this join to the bits of one rendering.
+    /// The rounding of its device: parts that agree in it join to the bits of one rendering.
     pub rounding: String,
-    /// The rendering, as `--json` has it.
+    /// The rendering, as in `--json`.
     pub record: Record,
 }
 
-/// All that the file says before its sums.
+/// Everything in the file before the sums.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Preamble {
-    /// The first index, and the one after the last.
+    /// The first index, and one past the last.
     pub samples: [u32; 2],
     /// Width and height of the picture, or of its crop.
     pub area: [u32; 2],
     /// `f32` or `f64`.
     pub scalar: String,
-    /// Whether each sum has moments beside it.
+    /// Whether moments are stored with the sums.
     pub moments: bool,
-    /// Whether it has quarters.
+    /// Whether quarters are stored with the sums.
     #[serde(default, skip_serializing_if = "is_false")]
     pub quarters: bool,
     pub tally: Tally,
@@ -52,7 +52,7 @@ impl Preamble {
         Layout::new(self.range())
     }
 
-    /// What each sum has beside it.
+    /// The data stored with each sum.
     pub fn keeps(&self) -> Keeps {
         match (self.moments, self.quarters) {
             (true, _) => Keeps::Moments,
@@ -65,13 +65,13 @@ impl Preamble {
         u64::from(self.area[0]) * u64::from(self.area[1])
     }
 
-    /// Bytes of the sums, of scalars of so many bytes; `None` beyond 2⁶⁴.
+    /// Bytes of the sums with scalars of this size; `None` beyond 2⁶⁴.
     pub fn bytes(&self, scalar: u64) -> Option<u64> {
         let a_pixel = self.layout().scalars(self.keeps()) * scalar;
         a_pixel.checked_mul(self.pixels())
     }
 
-    /// What it says is possible, and the record says the same.
+    /// Checks that its values are possible and agree with the record.
     pub fn check(&self) -> Result<(), StateError> {
         let wrong = |what: &str| Err(StateError::Header(what.to_owned()));
         let [begin, end] = self.samples;

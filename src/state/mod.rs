@@ -1,4 +1,4 @@
-//! Parts of pictures in files: what `--samples`, checkpoints and `vkpt merge` write, and read back whole or not at all.
+//! Parts of pictures in files: `--samples`, checkpoints and `vkpt merge` write them; a file is read whole or refused.
 //! docs/state-format.md has the format.
 
 mod differs;
@@ -15,19 +15,19 @@ pub use header::Header;
 pub use read::{parse, read, read_header};
 pub use write::write;
 
-/// What a file of this format ends in.
+/// The extension of files of this format.
 pub const ENDING: &str = "vkpt";
 
 /// The first bytes of every file.
 const MAGIC: [u8; 8] = *b"vkptpart";
-/// Of the format; goes up with every change of it.
+/// Version of the format; increases with every change.
 const VERSION: u32 = 1;
-/// Bytes of the longest header that is read.
+/// Maximum length in bytes of a header.
 const LONGEST_HEADER: u32 = 1 << 20;
 /// Bytes of the checksum.
 const CHECKSUM: usize = blake3::OUT_LEN;
 
-/// A part, and all that it was made from.
+/// A part and its origin.
 #[derive(Clone, Debug)]
 pub struct Kept {
     pub header: Header,

@@ -12,22 +12,22 @@ use crate::part::{AnyPart, Beside, Part, PixelSums, Sums};
 use crate::reference::film::{FilmMoments, FilmQuarters};
 use crate::reference::math::Vec3;
 
-/// Records that are read at once.
+/// Records read at once.
 const CHUNK: usize = 1 << 14;
 /// Bytes before the header's text.
 const BEFORE: u64 = 16;
 
-/// Reads a file whole.
+/// Reads a complete file.
 ///
 /// # Errors
-/// Of a file that is no part, of another version, cut short or damaged: nothing of it is used.
+/// The file is not a part, has another version, is cut short or damaged: none of it is used.
 pub fn read(path: &Path) -> Result<Kept, StateError> {
     let (file, length) = open(path)?;
     whole(file, length)
 }
 
-/// What a file was made from; the first index of its samples and the one after the last; what it keeps beside its sums.
-/// Whether the rest is whole is not looked at, but for its length.
+/// The origin of a file; the first index of its samples and one past the last; the data stored with its sums. The rest
+/// is not checked, except for its length.
 pub fn read_header(path: &Path) -> Result<(Header, [u32; 2], Keeps), StateError> {
     let (file, length) = open(path)?;
     let preamble = Reader::new(file).preamble(length)?;
@@ -35,13 +35,13 @@ pub fn read_header(path: &Path) -> Result<(Header, [u32; 2], Keeps), StateError>
     Ok((preamble.header, preamble.samples, keeps))
 }
 
-/// As [`read`], of bytes.
+/// Like [`read`], from bytes.
 pub fn parse(bytes: &[u8]) -> Result<Kept, StateError> {
     whole(bytes, bytes.len() as u64)
 }
 
 fn open(path: &Path) -> Result<(File, u64), StateError> {
-    // To open a pipe could take for ever.
+    // Opening a pipe could block forever.
     let there = path.metadata()?;
     match there.is_file() {
         true => Ok((File::open(path)?, there.len())),
@@ -66,7 +66,7 @@ fn whole(from: impl Read, length: u64) -> Result<Kept, StateError> {
     Ok(Kept { header, part })
 }
 
-/// Reads, and hashes all of it.
+/// Reads and hashes everything.
 struct Reader<R> {
     from: R,
     hasher: blake3::Hasher,
@@ -82,7 +82,7 @@ impl<R: Read> Reader<R> {
         }
     }
 
-    /// So many bytes.
+    /// The next `count` bytes.
     fn bytes(&mut self, count: usize) -> io::Result<&[u8]> {
         self.chunk.resize(count, 0);
         self.from.read_exact(&mut self.chunk)?;
@@ -95,7 +95,7 @@ impl<R: Read> Reader<R> {
         Ok(bytes.iter().rev().fold(0, |n, &b| n << 8 | u32::from(b)))
     }
 
-    /// All before the sums; that the file has `length` bytes as it says.
+    /// Everything before the sums; checks that `length` is the declared length of the file.
     fn preamble(&mut self, length: u64) -> Result<Preamble, StateError> {
         match self.bytes(MAGIC.len()) {
             Ok(magic) if magic == MAGIC => {}
@@ -130,7 +130,7 @@ impl<R: Read> Reader<R> {
         }
     }
 
-    /// The sums, of which there are as many bytes as the preamble says.
+    /// The sums; the preamble gives their length.
     fn part<F: Bytes>(&mut self, preamble: &Preamble) -> io::Result<Part<F>> {
         let layout = preamble.layout();
         let pixels = preamble.pixels() as usize;
@@ -167,7 +167,7 @@ impl<R: Read> Reader<R> {
     }
 }
 
-/// The message of a header that is no JSON, or another's, without what a terminal would obey.
+/// The message for a header that is no JSON or has other fields, without control characters for a terminal.
 fn wrong(error: serde_json::Error) -> StateError {
     StateError::Header(error.to_string().escape_debug().to_string())
 }

@@ -1,15 +1,15 @@
-//! Scalars as bytes, the least significant first.
+//! Scalars as little-endian bytes.
 
 use crate::part::{AnyPart, Beside, Part, PixelSums, Scalar, Sums};
 use crate::reference::film::{FilmMoments, FilmQuarters, PixelSum};
 use crate::reference::math::{Vec3, vec3};
 
-/// A scalar of files.
+/// A scalar in files.
 pub trait Bytes: Scalar {
     const NAME: &'static str;
     const BYTES: usize;
     fn put(self, out: &mut Vec<u8>);
-    /// From [`BYTES`](Self::BYTES) of them.
+    /// Reads a scalar from [`BYTES`](Self::BYTES) bytes.
     fn get(bytes: &[u8]) -> Self;
 }
 
@@ -33,12 +33,12 @@ macro_rules! bytes {
 bytes!(f32);
 bytes!(f64);
 
-/// A record of some vectors of three scalars.
+/// A record of several vectors of three scalars.
 pub trait Packed<F>: Sized {
-    /// Vectors in each.
+    /// Vectors per record.
     const VECTORS: usize;
     fn pack(&self, out: &mut Vec<u8>);
-    /// From the bytes of all vectors.
+    /// Reads a record from the bytes of all its vectors.
     fn unpack(bytes: &[u8]) -> Self;
 }
 
@@ -55,7 +55,7 @@ impl<F: Bytes> Packed<F> for Vec3<F> {
     }
 }
 
-/// The vectors of a record, from its bytes.
+/// Vector `i` of a record's bytes.
 fn vector<F: Bytes>(bytes: &[u8], i: usize) -> Vec3<F> {
     Vec3::unpack(&bytes[i * 3 * F::BYTES..(i + 1) * 3 * F::BYTES])
 }
@@ -108,13 +108,13 @@ impl<F: Bytes> Packed<F> for FilmQuarters<F> {
     }
 }
 
-/// What takes the arrays of a part one after the other.
+/// Receives the arrays of a part one after the other.
 pub trait Sink {
     type Error;
     fn array<F: Bytes, T: Packed<F> + Sync>(&mut self, array: &[T]) -> Result<(), Self::Error>;
 }
 
-/// Hands the arrays of a part over, in the order of the file.
+/// Passes the arrays of a part to `sink`, in the order of the file.
 pub fn arrays<S: Sink>(part: &AnyPart, sink: &mut S) -> Result<(), S::Error> {
     match part {
         AnyPart::F32(part) => arrays_of(part, sink),

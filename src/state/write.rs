@@ -8,13 +8,13 @@ use super::{CHECKSUM, LONGEST_HEADER, MAGIC, VERSION};
 use crate::film::Keeps;
 use crate::part::AnyPart;
 
-/// Pixels that are written at once.
+/// Pixels written at once.
 const CHUNK: usize = 1 << 14;
 
-/// Writes a part, and what it was made from.
+/// Writes a part and its origin.
 ///
 /// # Errors
-/// Those of `out`, and a header beyond what is read back: a thousand meshes of long names.
+/// Errors of `out`, and headers too long to be read back, such as a thousand meshes with long names.
 pub fn write(out: &mut dyn Write, header: &Header, part: &AnyPart) -> io::Result<()> {
     let scalar = match part {
         AnyPart::F32(_) => f32::NAME,
@@ -48,7 +48,7 @@ pub fn write(out: &mut dyn Write, header: &Header, part: &AnyPart) -> io::Result
     sealed.out.write_all(&checksum)
 }
 
-/// Writes, and hashes all of it.
+/// Writes and hashes everything.
 struct Sealed<'a> {
     out: &'a mut dyn Write,
     hasher: blake3::Hasher,
