@@ -82,7 +82,7 @@ crate::gpu_struct! {
         rays: uint,
         /// Samples dropped because of a NaN.
         nan: uint,
-        /// Samples dropped because of an infinity, or because they overflow the sum.
+        /// Samples dropped because they are infinite, or so large that a sum of them could overflow.
         infinite: uint,
         /// Loops cut off before their own end condition was met.
         loops: uint,
