@@ -1,4 +1,4 @@
-// What a rough reflection and a rough refraction through one micro-normal share.
+// The quantities that a rough reflection and a rough refraction through one micro-normal share.
 // Twin of src/reference/bsdf/facet.rs.
 
 // uses: math/vec, bsdf/interaction, <distribution>, <fresnel>, <choice>, <normals>
@@ -11,7 +11,7 @@ struct Facet {
     float ci;
     // Reflectance.
     vec3 f;
-    // Probability that it reflects, once it is drawn.
+    // Probability that it reflects, given that it was drawn.
     float p_reflect;
     // Density with which it is drawn.
     float pm;

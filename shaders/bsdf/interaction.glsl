@@ -5,7 +5,7 @@
 
 struct Interaction {
     Material material;
-    // To the path's previous vertex, of unit length, in the frame of N': wo.z > 0, but for rays that just graze a
+    // To the path's previous vertex, of unit length, in the frame of N': wo.z > 0, except for rays that just graze a
     // surface (0) and shading normals that turn away from them (below 0), where only Kd scatters.
     vec3 wo;
     // n_o / n_i
@@ -14,9 +14,9 @@ struct Interaction {
     float one_minus_eta2;
     // (n_i / n_o)^2 - 1, rounded from f64.
     float d;
-    // A(t) of the stretch that led here inside the medium, with absorption by `term`; 1 otherwise.
+    // A(t) of the segment that led here inside the medium, with absorption by `term`; 1 otherwise.
     vec3 attenuation;
-    // The path's throughput over its mean, by which the choice of lobe weighs channels; 1 unless the path says otherwise.
+    // The path's throughput over its mean, by which the choice of lobe weighs channels; 1 unless the path sets it.
     vec3 carried;
 };
 
@@ -33,7 +33,7 @@ Interaction interaction(Material material, bool outside, vec3 wo, vec3 attenuati
     return at;
 }
 
-// The mean of f over what the path carries, within [0, 1]; of a grey f it is f to the bit.
+// The mean of f weighted by the throughput, within [0, 1]; for a grey f it is f to the bit.
 float carried_mean(Interaction at, vec3 f) {
     float mean = mean3(f);
     float weighted = mean + mean3(at.carried * (f - vec3(mean)));

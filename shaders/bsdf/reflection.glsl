@@ -18,7 +18,7 @@ float reflection_jacobian(float c) {
     return 1.0 / (4.0 * c);
 }
 
-// value |N.wi| = D G F/(4 wo.z) (eq. 20), density pm R/(4c); nothing unless c, wo.z and wi.z > 0.
+// value |N.wi| = D G F/(4 wo.z) (eq. 20), density pm R/(4c); zero unless c, wo.z and wi.z > 0.
 BsdfValue reflection_lobe(Interaction at, vec3 wi, Facet x) {
     vec3 value = reflected_share(at, x.c, x.f) * (0.25 * x.dg);
     float pdf = x.pm * x.p_reflect * reflection_jacobian(x.c);

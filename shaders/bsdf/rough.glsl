@@ -1,14 +1,14 @@
-// What the kinds with micro-normals share: how a sample begins, and their reflecting side.
+// The code that kinds with micro-normals share: how a sample begins, and their reflecting side.
 // Twin of src/reference/bsdf/rough.rs.
 
 // uses: constants/lobe, math/vec, bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection
 // uses: <fresnel>, <choice>, <normals>, <diffuse>
 
-// What a sample of a rough surface draws first.
+// The first draws of a sample of a rough surface.
 struct RoughDraw {
     // The diffuse lobe was chosen.
     bool diffuse;
-    // A micro-normal, whichever lobe was chosen; it may be one that wo cannot see.
+    // A micro-normal, for either lobe; wo may be unable to see it.
     vec3 m;
     // wo.m
     float c;

@@ -1,9 +1,9 @@
-// What sampling and evaluation take and return.
+// Arguments and results of sampling and evaluation.
 // Twin of src/reference/bsdf/sample.rs.
 
 // uses: constants/lobe, math/finite
 
-// What sampling draws from, uniform in [0, 1).
+// The random numbers of one draw, uniform in [0, 1).
 struct BsdfRandom {
     // Between the diffuse lobe and the rest.
     float lobe;
@@ -20,7 +20,7 @@ struct BsdfSample {
     vec3 wi;
     // value |N.wi| / density, per channel.
     vec3 weight;
-    // Density of wi per solid angle, over all lobes; without meaning for a delta lobe.
+    // Density of wi per solid angle, over all lobes; meaningless for a delta lobe.
     float pdf;
     // LOBE_..., with LOBE_DELTA or without.
     uint lobe;
@@ -44,7 +44,7 @@ BsdfValue no_value() {
     return BsdfValue(vec3(0.0), 0.0);
 }
 
-// `value`, or nothing.
+// `value`, or zero.
 BsdfValue value_if(bool valid, BsdfValue value) {
     return BsdfValue(valid ? value.value : vec3(0.0), valid ? value.pdf : 0.0);
 }

@@ -1,14 +1,14 @@
-// The eye as a point sees it.
+// The eye as seen from a point.
 // Twin of src/reference/camera/eye.rs.
 
 // uses: math/vec
 
-// The way to the eye, and the pixel that looks back.
+// The direction to the eye, and the pixel that sees the point.
 struct EyeSample {
     // Towards the eye, of unit length.
     vec3 wi;
     float distance;
-    // The eye sees the point within the picture.
+    // The point is within the picture as the eye sees it.
     bool seen;
     // Row 0 is at the top.
     uint column;
@@ -17,9 +17,9 @@ struct EyeSample {
     float importance;
 };
 
-// What radiance times cosine at the point `to` from the eye adds to its pixel, for one of n_l = width height light paths:
-// p_c/(t^2 n_l), p_c = 1/(A cos^3) the density of the pixel's directions per solid angle, A = 4 |right||up|/n_l the
-// pixel's area on the picture plane at distance 1. With cos = z/t that is t/(4 |right||up| z^3).
+// The importance of the eye at the point `to` from it: radiance * cosine there times this is added to its pixel by one of n_l =
+// width height light paths. p_c/(t^2 n_l), p_c = 1/(A cos^3) the density of the pixel's directions per solid angle, A = 4
+// |right||up|/n_l the pixel's area on the picture plane at distance 1. With cos = z/t that is t/(4 |right||up| z^3).
 float eye_importance(Camera camera, vec3 to) {
     float distance = length3(to);
     float z = dot3(to, camera.forward);

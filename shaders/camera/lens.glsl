@@ -1,4 +1,4 @@
-// A thin lens: rays start at points of its disc, and those of one point of the picture meet in the plane that is sharp.
+// A thin lens: rays start at points of its disc, and those through one point of the picture meet in the focal plane.
 // Twin of src/reference/camera/lens.rs; struct Lens comes with the layout of buffers.
 
 // uses: math/elementary/sincos, math/vec, camera/eye

@@ -1,4 +1,4 @@
-// Calls the subject 64 times an invocation on numbers in [0, 1), to tell what a call takes.
+// Calls the subject 64 times an invocation on numbers in [0, 1), to time a call.
 
 // uses: constants/workgroup, <subject>
 

@@ -1,6 +1,6 @@
-// What stands behind a condition is done where it holds, and nowhere else: nested ifs guard an index, `?:` calls one
-// side. Compilers that flatten branches must keep what is written in them apart. (naga evaluates both sides of `&&`
-// and `||`, on every device alike: no kernel guards anything with those.)
+// Code behind a condition runs where it is true, and nowhere else: nested ifs guard an index, `?:` calls one side.
+// Compilers that flatten branches must keep the two sides apart. (naga evaluates both sides of `&&` and `||`, on every
+// device alike: no kernel guards anything with those.)
 
 // uses: constants/workgroup, sampler/pcg4d
 
@@ -22,7 +22,7 @@ uint called(uint place, uint value) {
 void main() {
     uint i = gl_GlobalInvocationID.x;
     uvec4 r = pcg4d(uvec4(i, 1u, 0u, 0u));
-    // Half of the indices are beyond the end by far.
+    // Half of the indices are far beyond the end.
     uint at = (r.x & 1u) == 0u ? i : 0x3fffffffu - i;
     uint found = 7u;
     if (at <= i) {

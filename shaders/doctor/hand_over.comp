@@ -1,5 +1,5 @@
-// One of several dispatches, each of which reads what other lanes of the last one wrote: unfinished paths are handed
-// over so. Without a barrier between them, caches may hold older words.
+// One of several dispatches, each of which reads words that other lanes of the last one wrote: unfinished paths are
+// passed on in this way. Without a barrier between them, caches may hold older words.
 
 // uses: constants/workgroup, sampler/pcg4d
 

@@ -1,4 +1,4 @@
-// Each invocation runs once: every word is changed by its own, in a way that a second time would not undo.
+// Each invocation runs once: each changes its own word, in a way that a second run would not undo.
 
 // uses: constants/workgroup
 

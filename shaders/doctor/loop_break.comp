@@ -1,5 +1,5 @@
-// Loops in a loop, left by lanes at different steps: Collatz's sequence from i + 1 to i + 8, given up at a number
-// that ends in 37 of 64. What the lanes that have left must not do is count on.
+// Loops in a loop, left by lanes at different steps: Collatz's sequence from i + 1 to i + 8, abandoned at a number that
+// ends in 37 of 64. Lanes that have left must not count on.
 
 // uses: constants/workgroup
 

@@ -1,6 +1,6 @@
-// The same lives as in loop_one_exit.comp, in a loop without an end of its own that is left from within an if, with a
-// restart after it. Mesa 22.3's lavapipe miscompiled such a loop of a path tracer: some lanes lived twice. No loop of
-// vkpt is written like this.
+// The lives of loop_one_exit.comp, in a loop without an end condition that is left from inside an if, with a restart
+// after it. Mesa 22.3's lavapipe miscompiled such a loop of a path tracer: some lanes lived twice. No loop of vkpt is
+// written like this.
 
 // uses: constants/workgroup, sampler/pcg4d
 

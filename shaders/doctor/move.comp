@@ -1,5 +1,5 @@
-// Moves floats from buffer to buffer through a choice, as floats: Vulkan lets a driver make any NaN of a NaN and 0 of
-// a denormal even where nothing is computed. vkpt keeps words of bits in words.
+// Moves floats from buffer to buffer through a choice, as floats: Vulkan allows a driver to turn any NaN into another
+// and a denormal into 0 even where nothing is computed. vkpt stores bit patterns in integers.
 
 // uses: constants/workgroup
 

@@ -1,5 +1,5 @@
-// A stack in a private array without an initial value, pushed and popped at indices that differ from lane to lane: the
-// traversal of a hierarchy. naga gives such arrays zeros at each call, which vkpt strips from the SPIR-V.
+// A stack in a private array without an initial value, pushed and popped at indices that differ between lanes: the
+// traversal of a hierarchy. naga zeroes such arrays at each call; vkpt strips that from the SPIR-V.
 
 // uses: constants/workgroup, sampler/pcg4d
 

@@ -1,5 +1,5 @@
-// Structs within structs, copied whole, chosen, and changed by functions that take them inout: a copy must stay what
-// it was. Drivers take such structs apart into scalars, and naga's copies with them.
+// Structs within structs, copied whole, chosen, and changed by functions that take them inout: a copy must not change.
+// Drivers split such structs into scalars, and naga's copies with them.
 
 // uses: constants/workgroup, sampler/pcg4d
 

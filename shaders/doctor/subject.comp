@@ -1,7 +1,7 @@
-// Calls one function or operation on a table of arguments, three words in and one out; the host holds the results
-// against its own, bit by bit or in f64. Seen wrong: sums of products contracted or rewritten wherever NoContraction
-// is missing (Mesa 22 and 25); GLSL's own log 3100 units of the last place off near 1 (lavapipe), sin 1.9e-4
-// (SwiftShader).
+// Calls one function or operation on a table of arguments, three words in and one out; the host compares the
+// results with its own, bit by bit or in f64. Errors seen: sums of products contracted or rewritten wherever
+// NoContraction is missing (Mesa 22 and 25); GLSL's own log 3100 units of the last place off near 1 (lavapipe),
+// sin 1.9e-4 (SwiftShader).
 
 // uses: constants/workgroup, <subject>
 

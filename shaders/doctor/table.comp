@@ -1,5 +1,5 @@
 // An array in a uniform buffer, read at an index of each lane's own: materials, lights and shapes of a scene. Hardware
-// whose constant reads are meant to be one for all lanes serves them one after the other.
+// whose constant reads are meant to be the same for all lanes serves them one after the other.
 
 // uses: constants/workgroup, sampler/pcg4d
 

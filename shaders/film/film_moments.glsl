@@ -3,7 +3,7 @@
 
 // uses: film/pixel_sum
 
-// Adds sample number n, counted from 1; a broken one counts as 0, as it does in the film.
+// Adds sample number n, counted from 1; a broken one counts as 0, as in the film.
 void film_moments(inout FilmMoments moments, vec3 radiance, uint n) {
     vec3 x = is_summable(radiance) ? radiance : vec3(0.0);
     // delta = x - mean; mean += delta / n; m2 += delta (x - mean): Welford, Technometrics 4, 1962;

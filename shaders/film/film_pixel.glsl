@@ -1,9 +1,9 @@
-// A pixel of the film: the sum of its samples, and what was counted on the way.
+// A pixel of the film: the sum of its samples, and its counters.
 // Twin of src/reference/film/film_pixel.rs.
 
 // uses: math/finite, math/vec, film/pixel_sum
 
-// Adds a sample; one that is broken, or too large to add up, counts as 0, and by its cause. Samples of even and of odd index are the two groups.
+// A broken sample, or one too large to add up, counts as 0, and by its cause. Even and odd indices are the two groups.
 void film_sample(inout FilmPixel pixel, vec3 radiance) {
     bool broken = !is_summable(radiance);
     bool nan = has_nan(radiance);

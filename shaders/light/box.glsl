@@ -3,8 +3,8 @@
 
 // uses: math/vec, light/sample
 
-// How many faces across each axis are sampled from p, 0 to 2: from outside those that show their front, at most one an
-// axis; from inside, or from a point on the box that sees none, all six.
+// The number of faces across each axis that are sampled from p, 0 to 2: from outside those that show their front, at
+// most one an axis; from inside, or from a point on the box that sees none, all six.
 vec3 faces_seen(vec3 p, vec3 lo, vec3 hi) {
     float x = p.x < lo.x || hi.x < p.x ? 1.0 : 0.0;
     float y = p.y < lo.y || hi.y < p.y ? 1.0 : 0.0;
@@ -17,8 +17,8 @@ vec3 face_areas(vec3 e) {
     return vec3(e.y * e.z, e.z * e.x, e.x * e.y);
 }
 
-// Whether the upper face across an axis is meant: the one that shows its front, or of both the one that the second half of
-// the choice falls on.
+// Whether the upper face across an axis is chosen: the one that shows its front, or if both are sampled, the one that
+// the second half of the choice selects.
 bool upper_face(float p, float lo, float faces, float area, float choice) {
     return faces == 1.0 ? lo <= p : area <= choice;
 }
@@ -45,7 +45,7 @@ LightSample box_light_sample(vec3 p, vec3 lo, vec3 hi, uint u24, vec2 u) {
     return area_sample(lo + e * at - p, n, area_density(total), prim);
 }
 
-// Density of box_light_sample at a point that a path has hit `distance` away under the cosine |N_L.w|.
+// Density of box_light_sample at a point that a path has hit at `distance` with the cosine |N_L.w|.
 float box_light_pdf(vec3 p, vec3 lo, vec3 hi, float distance, float cosine) {
     vec3 area = faces_seen(p, lo, hi) * face_areas(hi - lo);
     return solid_angle_pdf(area_density(area.x + area.y + area.z), distance, cosine);

@@ -14,8 +14,8 @@ struct CylinderArea {
     bool inside;
 };
 
-// From outside the caps that show their front, and beside the cylinder the half of the side that is turned to the point;
-// from inside everything.
+// From outside, the caps that show their front, and from next to the cylinder the half of the side that faces the
+// point; from inside, everything.
 CylinderArea cylinder_area(vec3 p, float radius, float height) {
     bool beside = radius < sqrt(p.x * p.x + p.y * p.y);
     bool below = p.z < 0.0;
@@ -27,8 +27,8 @@ CylinderArea cylinder_area(vec3 p, float radius, float height) {
                         inside || above ? cap : 0.0, inside);
 }
 
-// A point uniform over the areas of cylinder_area; the part is chosen by u24 < 2^24. Beside the cylinder a point of the
-// half that does not show its front after all yields no sample: pdf 0.
+// A point uniform over the areas of cylinder_area; the part is chosen by u24 < 2^24. Next to the cylinder, a point of
+// that half may still show its back; it yields no sample: pdf 0.
 LightSample cylinder_light_sample(vec3 p, Cylinder cylinder, uint u24, vec2 u) {
     Frame frame = cylinder_frame(cylinder);
     vec3 pl = to_local(frame, p - cylinder.base);
@@ -56,7 +56,7 @@ LightSample cylinder_light_sample(vec3 p, Cylinder cylinder, uint u24, vec2 u) {
     return result;
 }
 
-// Density of cylinder_light_sample at a point that a path has hit `distance` away under the cosine |N_L.w|.
+// Density of cylinder_light_sample at a point that a path has hit at `distance` with the cosine |N_L.w|.
 float cylinder_light_pdf(vec3 p, Cylinder cylinder, float distance, float cosine) {
     vec3 pl = to_local(cylinder_frame(cylinder), p - cylinder.base);
     CylinderArea area = cylinder_area(pl, cylinder.radius, cylinder.height);

@@ -5,8 +5,8 @@
 
 // A point of a mesh: the triangle by u24 < 2^24, then a point uniform in it.
 //
-// Both faces of a triangle shine. Whether another part of the mesh stands before the point is the shadow ray's affair, so
-// no triangle is left out for facing away.
+// Both faces of a triangle emit. No triangle is excluded for facing away: whether another part of the mesh is in front
+// of the point is left to the shadow ray.
 LightSample mesh_light_sample(vec3 p, uint first, uint count, uint cdf, uint u24, vec2 u) {
     uint i = triangle_choice(cdf, count, u24);
     vec3 v0 = triangle_vertex(first + i, 0u);
@@ -18,7 +18,7 @@ LightSample mesh_light_sample(vec3 p, uint first, uint count, uint cdf, uint u24
     return area_sample(point - p, surface.ng, density, first + i);
 }
 
-// Density of mesh_light_sample at a point of triangle `prim` that a path has hit `distance` away under the cosine |N_L.w|.
+// Density of mesh_light_sample at a point of triangle `prim` that a path has hit at `distance` with the cosine |N_L.w|.
 float mesh_light_pdf(uint first, uint cdf, uint prim, float distance, float cosine) {
     float area = triangle_area(triangle_vertex(prim, 0u), triangle_vertex(prim, 1u), triangle_vertex(prim, 2u)).area;
     float density = triangle_pmf(cdf, prim - first) * area_density(area);

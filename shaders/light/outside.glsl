@@ -1,4 +1,4 @@
-// What a path sees that leaves the scene.
+// The light outside the scene, seen by a path that leaves it.
 // Twin of src/reference/light/outside.rs.
 
 // uses:
@@ -6,6 +6,6 @@
 struct Outside {
     // W sr^-1 m^-2.
     vec3 radiance;
-    // Per steradian: that with which the background as a light draws the direction.
+    // Per steradian: the density with which the background as a light draws the direction.
     float pdf;
 };

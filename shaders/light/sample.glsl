@@ -1,4 +1,4 @@
-// What a light sampler returns, and what all of them share.
+// The result of a light sampler, and the functions that all of them share.
 // Twin of src/reference/light/sample.rs.
 
 // uses: math/vec, math/elementary/sincos
@@ -9,15 +9,15 @@ struct LightSample {
     vec3 wi;
     // To the point; -1: the background, beyond everything.
     float distance;
-    // Per steradian; 0: no sample, whatever else stands here.
+    // Per steradian; 0: no sample, and the other fields are meaningless.
     float pdf;
     // |N_L.wi| at the point.
     float cosine;
-    // The face that the point is on, as in Hit: with the light's shape, what a shadow ray leads to. Of surroundings the texel.
+    // The face that the point is on, as in Hit: with the light's shape, the target of a shadow ray. For surroundings the texel.
     uint prim;
 };
 
-// 1/area; 0 where there is none.
+// 1/area; 0 for no area.
 float area_density(float area) {
     bool some = area > 0.0;
     float density = 1.0 / (some ? area : 1.0);

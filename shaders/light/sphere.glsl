@@ -9,15 +9,15 @@ const float INV_2PI = 0.15915494309189535;
 
 // 1 - cos theta_max of the cone that a sphere of radius r subtends at a distance d > r from its centre.
 //
-// sin²/(1 + cos), with sin = r/d and cos² = (1 - sin)(1 + sin): no digit is lost however small the sphere or however near
-// its surface.
+// sin²/(1 + cos), with sin = r/d and cos² = (1 - sin)(1 + sin): no digit is lost, even for tiny spheres
+// or next to the surface.
 float cone_height(float radius, float distance) {
     float sine = radius / distance;
     float cosine = sqrt((distance - radius) / distance * (1.0 + sine));
     return sine * sine / (1.0 + cosine);
 }
 
-// 1/(2pi (1 - cos theta_max)); 0 where a sphere is so small that f32 has no number for it.
+// 1/(2pi (1 - cos theta_max)); 0 for a sphere so small that f32 cannot represent it.
 float cone_pdf(float height) {
     bool lost = height < 1e-37;
     float pdf = INV_2PI / (lost ? 1.0 : height);
@@ -50,7 +50,7 @@ LightSample cone_sample(vec3 axis, float d, float radius, vec2 u) {
     return LightSample(wi, distance, cone_pdf(height), root * d / radius, 0u);
 }
 
-// A direction uniform in the cone that the sphere subtends; from inside, or from a point on it, where there is no cone, a
+// A direction uniform in the cone that the sphere subtends; from inside, or from a point on it, where no cone exists, a
 // point uniform on the sphere.
 LightSample sphere_light_sample(vec3 p, vec3 centre, float radius, vec2 u) {
     vec3 axis = centre - p;
@@ -65,8 +65,8 @@ LightSample sphere_light_sample(vec3 p, vec3 centre, float radius, vec2 u) {
     return result;
 }
 
-// Density of sphere_light_sample at a point that a path has hit `distance` away under the cosine |N_L.w|, which matter
-// only from inside.
+// Density of sphere_light_sample at a point that a path has hit at `distance` with the cosine |N_L.w|; both
+// matter only from inside.
 float sphere_light_pdf(vec3 p, vec3 centre, float radius, float distance, float cosine) {
     float d = length3(centre - p);
     float outside = cone_pdf(cone_height(radius, d));

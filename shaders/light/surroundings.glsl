@@ -1,4 +1,4 @@
-// A picture of all directions as a light: of constant radiance in each texel, drawn by luminance times solid angle.
+// A picture of all directions as a light: its radiance is constant within a texel, drawn by luminance times solid angle.
 // Twin of src/reference/light/surroundings.rs.
 // uses: light/outside, light/sample, math/frame, math/steps, math/elementary/sincos, math/elementary/turns, <surroundings_words>
 
@@ -16,7 +16,7 @@ uint surroundings_texel(vec3 wi) {
     return row * s.width + column;
 }
 
-// Of the picture as its file has it.
+// The radiance in the picture's file.
 vec3 surroundings_radiance(uint texel) {
     uint i = texel * 3u;
     return vec3(surroundings_value(i), surroundings_value(i + 1u), surroundings_value(i + 2u));
@@ -64,8 +64,8 @@ float fraction_of(uint u24, uint begin, uint end) {
     return (float(u24 - begin) + 0.5) / float(end - begin);
 }
 
-// cos theta and sin theta of the place x between the edges of a row, by which it was drawn: cos theta itself, or
-// sin^2(theta/2) = h from the nearer pole. d omega = dphi dcos theta = 2 dphi dh.
+// cos theta and sin theta of the place x between the edges of a row, by the quantity drawn uniformly: cos theta itself,
+// or sin^2(theta/2) = h from the nearer pole. d omega = dphi dcos theta = 2 dphi dh.
 vec2 height_and_radius(uint row, uint height, float x) {
     bool middle = 4u * row >= height && 4u * (row + 1u) <= 3u * height;
     bool south = 2u * row + 1u > height;
@@ -86,8 +86,8 @@ vec3 surroundings_direction(uint row, uint column, float a, float b) {
     return to_world(Frame(s.x, s.y, s.z), local);
 }
 
-// Its pdf is that of the texel which is seen along the direction: rounding may make it a neighbour of the one that was
-// drawn, and what is divided by the pdf must belong to it.
+// Its pdf is that of the texel seen along the direction, which rounding may make a neighbour of the one drawn: the
+// radiance that is divided by the pdf is that texel's.
 LightSample surroundings_light_sample(vec2 u) {
     uint width = surroundings[0].width;
     uint row24 = uint(u.y * 16777216.0);
@@ -104,7 +104,7 @@ LightSample surroundings_light_sample(vec2 u) {
     return LightSample(wi, -1.0, surroundings_texel_pdf(seen), 1.0, seen);
 }
 
-// What is seen along wi, times `scale`.
+// The light seen along wi, times `scale`.
 Outside surroundings_outside(vec3 scale, vec3 wi) {
     uint texel = surroundings_texel(wi);
     return Outside(scale * surroundings_radiance(texel), surroundings_texel_pdf(texel));

@@ -1,4 +1,4 @@
-// Tests of bits, which no driver's idea of NaN can change.
+// Tests on bits, independent of how a driver treats NaN.
 
 bool is_finite(float x) {
     return (floatBitsToUint(x) & 0x7f800000u) != 0x7f800000u;
@@ -8,7 +8,7 @@ bool is_finite3(vec3 v) {
     return is_finite(v.x) && is_finite(v.y) && is_finite(v.z);
 }
 
-// 2^-126: below it numbers lose digits, or are 0 on devices that keep no denormals.
+// 2^-126: smaller numbers lose digits, or are 0 on devices without denormals.
 const float LEAST_NORMAL = 1.1754943508222875e-38;
 
 // No component is positive; false if one is NaN, so that NaN is never taken for black.

@@ -1,10 +1,10 @@
-// How many times loop bodies of this invocation have run. Mesa 22 ends all loops in silence after 65,535 iterations
-// of a subgroup and dispatch, so the kernel counts and hands an unfinished path over before that.
+// The number of loop bodies that this invocation has run. Mesa 22 ends all loops silently after 65,535 iterations
+// of a subgroup and dispatch, so the kernel counts and passes an unfinished path on before that.
 // Every loop body begins with `loop_steps += 1u;`.
 
 // uses:
 
 uint loop_steps = 0u;
 
-// Set where a loop was ended before its own end condition held: what came of it must not be used.
+// Set where a loop ended before its own end condition was met: its results must not be used.
 bool loop_failed = false;

@@ -1,5 +1,5 @@
 // Vectors with every sum in a written-out order. GLSL's own dot, length, normalize, min and max leave the order,
-// the rounding or the answer for a NaN to the driver.
+// the rounding or the result for a NaN to the driver.
 // Twin of src/reference/math/vec.rs.
 
 // uses:

@@ -1,11 +1,11 @@
-// Where a path goes on from a vertex.
+// The next direction of a path at a vertex.
 // Twin of src/reference/path/extend.rs.
 // uses: constants/lobe, math/finite, path/vertex, path/spawn, path/throughput, sampler/dimensions, sampler/unit_float, sampler/chance, <sampler>, <blocks>, <bsdf>, <valid>, <correction>, <crossing>, <roulette>
 
-// What came of the attempt.
+// The outcome of an extension.
 struct Extension {
     bool alive;
-    // Less throughput is left than f32 holds.
+    // The throughput is below the least that f32 can represent.
     bool underflow;
     // The throughput is NaN or infinite.
     bool broken;
@@ -13,7 +13,7 @@ struct Extension {
     uint lobe;
 };
 
-// Draws the next direction and moves the path onto it, where there is one.
+// Draws the next direction and moves the path onto it, if there is one.
 Extension extend(inout Subpath path, Vertex v, uint pixel_index, uint sample_index) {
     uvec4 u = sampler_block(pixel_index, sample_index, path_block(bsdf_block(path.bounce)), camera.seed);
     uvec4 w = sampler_block(pixel_index, sample_index, path_block(roulette_block(path.bounce)), camera.seed);

@@ -1,5 +1,5 @@
-// The end that a path began at, in a kernel that evaluates BSDFs for paths from both: what the slots <correction> and
-// <scaling> depend on.
+// The end at which a path began, in a kernel that evaluates BSDFs for paths from both: the slots <correction> and
+// <scaling> depend on it.
 
 // uses:
 

@@ -1,4 +1,4 @@
-// What a path carries, and where f32 ends for it.
+// The throughput of a path, and where it underflows.
 // Twin of src/reference/path/throughput.rs.
 
 // uses: math/vec, math/finite
@@ -9,7 +9,7 @@ bool underflows(vec3 t, vec3 w) {
     return max_component(both) > 0.0 && max_component(t * w) < LEAST_NORMAL;
 }
 
-// t over its mean; 1 where that has underflowed.
+// t over its mean; 1 if the mean has underflowed.
 vec3 channel_shares(vec3 t) {
     float mean = mean3(t);
     return mean >= LEAST_NORMAL ? t / mean : vec3(1.0);

@@ -1,7 +1,7 @@
 // The rays of one turn: the pending shadow ray, then the extension ray.
 // uses: constants/none, math/steps, shape/ray, <nearest>, <medium>, <null_interface>
 
-// Where the extension ray ended, how far it went from the last vertex, and that vertex; what became of the shadow ray.
+// The end of the extension ray, its distance from the last vertex, and that vertex; the outcome of the shadow ray.
 struct Traced {
     Hit hit;
     Ray ray;
@@ -9,9 +9,9 @@ struct Traced {
     vec3 origin;
     // A connection was pending.
     bool connected;
-    // Nothing stood in its way.
+    // Nothing was in its way.
     bool visible;
-    // How many were traced.
+    // The number of rays traced.
     uint rays;
 };
 
@@ -19,7 +19,7 @@ const uint PHASE_SHADOW = 0u;
 const uint PHASE_EXTEND = 1u;
 const uint PHASE_DONE = 2u;
 
-// One loop for both rays, so that nearest() has one call: compilers copy it into each.
+// One loop for both rays, so that nearest() has one call: compilers copy it into each call.
 Traced trace_rays(inout Subpath path, inout ShadowRay shadow) {
     Traced traced;
     traced.origin = path.ray.o;

@@ -5,7 +5,7 @@ struct Vertex {
     vec3 p;
     // Outward geometric normal.
     vec3 ng;
-    // Shading normal on the side of ng, as the surface has it.
+    // Shading normal on the side of ng, as the surface defines it.
     vec3 ns;
     // Geometric normal on wo's side.
     vec3 facing;

@@ -1,6 +1,6 @@
-// Counts to `goal` in a loop that no compiler can shorten: its body is a random number generator, whose state is an
-// output too. A driver that ends loops early, in silence (Mesa 22's lavapipe, after 65,535 iterations a subgroup and
-// dispatch), leaves a smaller count.
+// Counts to `goal` in a loop that no compiler can shorten: its body is a random number generator, whose state is also
+// an output. A driver that ends loops early and silently (Mesa 22's lavapipe, after 65,535 iterations a subgroup and
+// dispatch) leaves a smaller count.
 // uses:
 
 layout(local_size_x = 1) in;

@@ -1,5 +1,5 @@
 // Sobol's sequence in four dimensions, without tables: dimension 0 has the digits of the index itself.
-// Twin of src/reference/sampler/sobol_digits.rs, which tells why this is Sobol's sequence.
+// Twin of src/reference/sampler/sobol_digits.rs, which says why this is Sobol's sequence.
 //
 // Bit 0 is the first binary digit after the point of a coordinate, and the last one of the index. The index is a
 // polynomial over GF(2), bit k the coefficient of x^k; a coordinate has its digits in base p, a primitive polynomial.

@@ -12,9 +12,9 @@ uint lowbias32(uint x) {
 // Four words for one block of a path, pixel = row * width + column of the full picture. Samples whose indices agree in their
 // last group_bits binary digits are a group.
 // Burley, Practical Hash-based Owen Scrambling, JCGT 9(4), 2020: the index is shuffled, the coordinates are scrambled,
-// each block of each group of samples by itself. The words most used as pairs have the dimensions that pair best.
+// separately for each block of each group of samples. The words most used as pairs have the dimensions that pair best.
 uvec4 sobol_block(uint pixel, uint sample_index, uint group_bits, uint block, uint seed) {
-    // Stays the same for all of a thread's samples: compilers take it out of the loop.
+    // The same for all of a thread's samples: compilers move it out of the loop.
     uvec4 key = pcg4d(uvec4(pixel, 0u, 0u, seed));
     uint group = sample_index & ((1u << group_bits) - 1u);
     uint shuffle = lowbias32(key.x + (block << group_bits) + group);

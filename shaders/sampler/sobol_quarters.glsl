@@ -1,4 +1,4 @@
-// Scrambled Sobol points in four groups: the quarters of the samples are independent pictures, as judging a denoised one needs.
+// Scrambled Sobol points in four groups: the quarters of the samples are independent pictures, which judge a denoised one.
 // Twin of src/reference/sampler/sobol_quarters.rs.
 
 // uses: sampler/sobol_groups

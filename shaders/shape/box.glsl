@@ -18,9 +18,9 @@ uint box_face(bool x, bool y, vec3 d) {
 
 // The first hit with a box along the unit vector d, or t = -1.
 //
-// `start` is the ray's relation to this very box. To its outside: never. To its inside: where it leaves, t >= 0, always
-// found. From elsewhere: the least t > 0, so that a ray which starts in the plane of a face is not stopped there.
-// Slabs: Kay and Kajiya, Ray Tracing Complex Scenes, SIGGRAPH 1986.
+// `start` is the ray's relation to this box. If it leaves to the outside: never. To the inside: at the exit, t >= 0,
+// always found. From elsewhere: the least t > 0, so that a ray which starts in the plane of a face is not stopped
+// there. Slabs: Kay and Kajiya, Ray Tracing Complex Scenes, SIGGRAPH 1986.
 BoxHit box_hit(vec3 o, vec3 d, vec3 lo, vec3 hi, uint start) {
     Slab x = slab(o.x, d.x, lo.x, hi.x, start);
     Slab y = slab(o.y, d.y, lo.y, hi.y, start);
@@ -40,7 +40,7 @@ bool box_enters(uint face, vec3 d) {
     return (along > 0.0) == (face % 2u == 0u);
 }
 
-// The coordinate of a point of a face: of the face's plane along the axis `across` it, clamped to the face elsewhere.
+// The coordinate of a point of a face: the face plane's along the axis `across` it, clamped to the face along the others.
 float box_snap(bool across, bool upper, float p, float lo, float hi) {
     return across ? (upper ? hi : lo) : min2(max2(p, lo), hi);
 }

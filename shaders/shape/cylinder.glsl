@@ -14,7 +14,7 @@ Frame cylinder_frame(Cylinder cylinder) {
     return Frame(cylinder.u, cylinder.v, cylinder.w);
 }
 
-// The stretch of a ray inside the infinite cylinder x² + y² <= r², in the cylinder's frame.
+// The interval of a ray inside the infinite cylinder x² + y² <= r², in the cylinder's frame.
 //
 // a t² - 2b t + c = 0 with a = dx² + dy², b = -(ox dx + oy dy), c = rho² - r² = (rho - r)(rho + r). The discriminant
 // b² - a c cancels; it equals a r² - (ox dy - oy dx)², which does not. A ray that starts on the side to the inside has
@@ -42,9 +42,9 @@ Slab side_stretch(vec3 o, vec3 d, float radius, uint start, uint part) {
 
 // The first hit with a capped cylinder along the unit vector d, or t = -1.
 //
-// `start` is the ray's relation to this very cylinder, `part` the part that it starts on. To its outside: never. To its
-// inside: where it leaves, t >= 0, always found. From elsewhere: the least t > 0. The solid is what an infinite cylinder
-// and the space between two planes have in common, and so are the stretches.
+// `start` is the ray's relation to this cylinder, `part` the part that it starts on. If it leaves to the outside:
+// never. To the inside: at the exit, t >= 0, always found. From elsewhere: the least t > 0. The solid is the
+// intersection of an infinite cylinder with the space between two planes, and so are the ray's intervals.
 CylinderHit cylinder_hit(vec3 o, vec3 d, Cylinder cylinder, uint start, uint part) {
     Frame frame = cylinder_frame(cylinder);
     vec3 ol = to_local(frame, o - cylinder.base);
@@ -58,7 +58,7 @@ CylinderHit cylinder_hit(vec3 o, vec3 d, Cylinder cylinder, uint start, uint par
     return CylinderHit(first_of(stretch, start), by_side ? CYLINDER_SIDE : cap);
 }
 
-// Whether a ray along d goes through a cap from outside; not asked of the side, which touches no other solid.
+// Whether a ray along d goes through a cap from outside; never called for the side, which touches no other solid.
 bool cap_enters(Cylinder cylinder, uint part, vec3 d) {
     float along = dot3(d, cylinder.w);
     return part == CYLINDER_BASE ? along > 0.0 : (part == CYLINDER_TOP && along < 0.0);
@@ -71,8 +71,8 @@ Surface cylinder_surface(Ray ray, Hit hit, Cylinder cylinder) {
     bool on_side = hit.prim == CYLINDER_SIDE;
     bool on_base = hit.prim == CYLINDER_BASE;
     float rho = sqrt(p.x * p.x + p.y * p.y);
-    // Where the radius is below the resolution of the coordinates, the side that faces the ray will do, from within the
-    // other; any, where the ray runs along the axis.
+    // If the radius is below the resolution of the coordinates, take the side that faces the ray, or from within the
+    // other one; any side if the ray runs along the axis.
     bool on_axis = rho == 0.0;
     bool leaves = start_on(ray, cylinder.shape) == START_INSIDE;
     vec3 along = to_local(frame, leaves ? ray.d : -ray.d);

@@ -3,7 +3,7 @@
 
 // uses: constants/none, constants/ray
 
-// What a shadow ray leads to and must not be stopped by: a solid, or one triangle of a mesh.
+// The target of a shadow ray, which must not stop it: a solid, or one triangle of a mesh.
 struct Target {
     uint shape;
     uint prim;
@@ -11,7 +11,7 @@ struct Target {
 
 // Where a ray meets a shape.
 struct Hit {
-    // Distance; the limit of the search where nothing is hit.
+    // Distance; the limit of the search if nothing is hit.
     float t;
     // NONE: nothing is hit.
     uint shape;
@@ -23,7 +23,7 @@ struct Hit {
 
 // A point of a surface.
 struct Surface {
-    // On the surface as exactly as a float allows.
+    // On the surface, as exactly as a float allows.
     vec3 p;
     // Outward geometric normal, unit length.
     vec3 ng;
@@ -37,13 +37,13 @@ Hit no_hit(float t_max) {
 }
 
 // Whether a hit comes before `best`: the least (t, shape, prim), in lexicographic order (model.md, "Order of hits").
-// Where nothing was hit yet it must come before the limit, best.t, itself.
+// Before the first hit it must come before the limit, best.t.
 bool closer(float t, uint shape, uint prim, Hit best) {
     bool before = shape < best.shape || (shape == best.shape && prim < best.prim);
     return t < best.t || (t == best.t && best.shape != NONE && before);
 }
 
-// How the ray starts as `shape` sees it.
+// How the ray starts relative to `shape`.
 uint start_on(Ray ray, uint shape) {
     return shape == ray.shape ? ray.start : START_ELSEWHERE;
 }

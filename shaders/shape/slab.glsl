@@ -3,14 +3,14 @@
 
 // uses: constants/ray, math/vec, shape/ray
 
-// A stretch of a ray; empty where near > far.
+// An interval of a ray; empty where near > far.
 struct Slab {
     float near;
     float far;
 };
 
-// The stretch with lo <= o + t d <= hi along one axis. A parallel ray is between the planes or it is not; sliding along
-// one of them it misses, unless it starts there to the inside.
+// The interval with lo <= o + t d <= hi along one axis. A parallel ray is either between the planes or not; sliding
+// along one of them it misses, unless it starts there to the inside.
 Slab slab(float o, float d, float lo, float hi, uint start) {
     bool parallel = abs(d) < PARALLEL;
     bool between = start == START_INSIDE || (lo < o && o < hi);
@@ -21,13 +21,13 @@ Slab slab(float o, float d, float lo, float hi, uint start) {
     return Slab(parallel ? -far : min2(t_lo, t_hi), parallel ? far : max2(t_lo, t_hi));
 }
 
-// Whether a ray meets a convex solid, which it crosses along the stretch s, where it enters.
+// Whether a ray meets a convex solid, which it crosses in the interval s, at its entry.
 bool enters(Slab s, uint start) {
     return s.near > 0.0 && start == START_ELSEWHERE;
 }
 
-// Where a ray first meets a convex solid that it crosses along the stretch s, or -1. To its outside: never. To its inside:
-// where it leaves, t >= 0, always found. From elsewhere: the least t > 0.
+// Where a ray first meets a convex solid that it crosses in the interval s, or -1. If it leaves to the outside: never.
+// To the inside: at the exit, t >= 0, always found. From elsewhere: the least t > 0.
 float first_of(Slab s, uint start) {
     bool found = s.near <= s.far && s.far > 0.0 && start == START_ELSEWHERE;
     float t = enters(s, start) ? s.near : s.far;

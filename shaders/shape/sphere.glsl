@@ -5,12 +5,12 @@
 
 // Distance to the sphere's surface along the unit vector d, or -1.
 //
-// `start` is the ray's relation to this very sphere. To its outside: never. To its inside: |oc| = r makes the roots 0 and
-// -2 oc.d, and the second is the way out, at least 0. From elsewhere: the least t > 0. Haines, Günther, Akenine-Möller,
-// Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems (2019), chapter 7: the discriminant from the
-// ray's distance to the centre, r² - |oc - (oc.d) d|², and the smaller root as c/q. Where both q and c are but rounding
-// errors, of a ray that starts on the sphere and along it, c/q is anything; so it is kept within a distance of sqrt(disc)
-// from where it must be.
+// `start` is the ray's relation to this sphere. If it leaves to the outside: never. To the inside: |oc| = r makes the
+// roots 0 and -2 oc.d, and the second is the exit, at least 0. From elsewhere: the least t > 0. Haines, Günther,
+// Akenine-Möller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems (2019), chapter 7: the
+// discriminant from the ray's distance to the centre, r² - |oc - (oc.d) d|², and the smaller root as c/q. If both q and
+// c are only rounding errors, for a ray that starts on the sphere and along it, c/q is arbitrary; so it is clamped to
+// within sqrt(disc) of its true place.
 float sphere_hit(vec3 o, vec3 d, vec3 centre, float radius, uint start) {
     vec3 oc = o - centre;
     float b = -dot3(oc, d);
@@ -35,8 +35,8 @@ float sphere_hit(vec3 o, vec3 d, vec3 centre, float radius, uint start) {
 Surface sphere_surface(Ray ray, Hit hit, Sphere sphere) {
     vec3 v = ray.o - sphere.centre + ray.d * hit.t;
     float length = length3(v);
-    // Where the radius is below the resolution of the coordinates, the side that faces the ray will do, from within the
-    // other.
+    // If the radius is below the resolution of the coordinates, take the side that faces the ray, or
+    // from within the other one.
     bool lost = length == 0.0;
     bool leaves = start_on(ray, sphere.shape) == START_INSIDE;
     vec3 n = lost ? (leaves ? ray.d : -ray.d) : v / (lost ? 1.0 : length);

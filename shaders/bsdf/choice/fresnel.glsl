@@ -11,11 +11,11 @@ float diffuse_probability(Interaction at) {
     float specular = opaque ? mean3(fresnel(at, at.wo.z)) : 1.0;
     float share = kd / (kd + specular);
     float kept = min2(max2(share, 0.1), 0.9);
-    // 0/0 where S has vanished too
+    // 0/0 if S has vanished too
     return kd > 0.0 ? (opaque ? kept : chance(share)) : 0.0;
 }
 
-// R = the mean of F(c), as it can be drawn; 1 for opaque materials.
+// R = the mean of F(c), rounded to a probability that can be drawn; 1 for opaque materials.
 float reflect_probability(Interaction at, float c, float f_mean) {
     return at.material.kind < KIND_ROUGH_DIELECTRIC ? 1.0 : chance(f_mean);
 }

@@ -1,9 +1,9 @@
-// Choice of lobe by |Kd| : |Ks| : |Kt|, as the hand-out has it.
+// Choice of lobe by |Kd| : |Ks| : |Kt|, as in the hand-out.
 // Twin of src/reference/bsdf/choice/norms.rs. Fills the slot <choice>.
 
 // uses: sampler/chance, bsdf/interaction, bsdf/snell
 
-// p_d = |Kd|/(|Kd| + |Ks| + |Kt|), as it can be drawn
+// p_d = |Kd|/(|Kd| + |Ks| + |Kt|), rounded to a probability that can be drawn
 float diffuse_probability(Interaction at) {
     return chance(at.material.p_d);
 }

@@ -1,4 +1,4 @@
-// No material has a diffuse lobe beside others: bsdf/diffuse/mixed with Kd = 0, to the bit.
+// No material has a diffuse lobe next to others: bsdf/diffuse/mixed with Kd = 0, to the bit.
 // Fills the slot <diffuse>.
 
 // uses: bsdf/interaction, bsdf/sample

@@ -10,7 +10,7 @@ vec3 cosine_lobe(vec2 u) {
     return vec3(sin_theta * phi.y, sin_theta * phi.x, sqrt(1.0 - u.x));
 }
 
-// value |N.wi| = Kd/pi wi.z, density wi.z/pi; nothing on the far side.
+// value |N.wi| = Kd/pi wi.z, density wi.z/pi; zero on the far side.
 BsdfValue lambert_lobe(Interaction at, vec3 wi) {
     float pdf = wi.z * 0.31830987;
     return value_if(wi.z > 0.0, BsdfValue(at.material.kd * pdf, pdf));

@@ -1,4 +1,4 @@
-// The diffuse lobe beside others.
+// The diffuse lobe next to others.
 // Twin of src/reference/bsdf/diffuse/mixed.rs. Fills the slot <diffuse>.
 
 // uses: bsdf/interaction, bsdf/sample, bsdf/diffuse/lambert, <choice>

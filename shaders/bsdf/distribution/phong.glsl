@@ -12,7 +12,7 @@ float phong_d(vec3 m, float alpha) {
     float x = near ? -s2 : (1.0 - m.z) / m.z;
     float scale = near ? 0.5 : -1.0;
     float d = (alpha + 2.0) * 0.15915494 * exp(scale * alpha * log1p(x));
-    // 1/mz overflows further down
+    // 1/mz overflows for smaller mz
     return m.z > 1e-30 ? d : 0.0;
 }
 

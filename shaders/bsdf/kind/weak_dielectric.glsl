@@ -1,8 +1,8 @@
 // A rough interface that hardly refracts, alpha |n - 1| < 1e-5.
 // Twin of src/reference/bsdf/kind/weak_dielectric.rs.
-// The transmitted lobe is so narrow that f32 cannot tell its density at a given direction. It is drawn as
-// that of any rough interface, but counts as a delta lobe: its weight needs no Jacobian, and it is not connected
-// to lights. Reflection is the rough one, with a density.
+// The transmitted lobe is so narrow that f32 cannot resolve its density at a given direction. It is drawn like that of
+// any rough interface, but counts as a delta lobe: its weight needs no Jacobian, and it is not connected to lights.
+// Reflection is the rough one, with a density.
 
 // uses: constants/lobe, bsdf/interaction, bsdf/sample, bsdf/facet, bsdf/reflection, bsdf/refraction, bsdf/transmission, bsdf/rough
 // uses: <diffuse>, <scaling>

@@ -1,4 +1,4 @@
-// Eye paths carry what the settings say, light paths the adjoint of it. Fills the slot <scaling>.
+// Eye paths scale as the settings say, light paths as their adjoint. Fills the slot <scaling>.
 
 // uses: path/origin
 

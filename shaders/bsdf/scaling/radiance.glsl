@@ -1,4 +1,4 @@
-// A path carries radiance: L/n^2 is what refraction keeps (model.md, "Radiance scaling").
+// A path carries radiance; refraction conserves L/n^2 (model.md, "Radiance scaling").
 // Twin of src/reference/bsdf/scaling/radiance.rs. Fills the slot <scaling>.
 
 // uses:

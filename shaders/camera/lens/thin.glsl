@@ -1,4 +1,4 @@
-// A point of the lens, drawn for each point that is to see the eye. Fills the slot <lens>.
+// A point of the lens, drawn for each point that is connected to the eye. Fills the slot <lens>.
 // Twin of src/reference/camera/lens.rs.
 // uses: camera/lens, sampler/unit_float, <sampler>, <blocks>
 

@@ -1,4 +1,4 @@
-// Nobody asks for standard errors.
+// No standard errors are requested.
 // uses:
 
 void moments_sample(uint lane, vec3 radiance, uint n) {

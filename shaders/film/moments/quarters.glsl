@@ -1,4 +1,4 @@
-// Four quarters of every pixel's samples, kept apart in a buffer beside the film, for `--denoise`.
+// Four quarters of every pixel's samples, stored in a buffer next to the film, for `--denoise`.
 // uses: film/film_quarters
 
 void moments_sample(uint lane, vec3 radiance, uint n) {

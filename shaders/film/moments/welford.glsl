@@ -1,4 +1,4 @@
-// The moments of every pixel, kept in a buffer beside the film, for `--aov stderr`.
+// The moments of every pixel, stored in a buffer next to the film, for `--aov stderr`.
 // uses: film/film_moments
 
 void moments_sample(uint lane, vec3 radiance, uint n) {

@@ -1,4 +1,4 @@
-// What a path does at a vertex that it is joined at, and how likely it is to do so from either side.
+// The scattering at a vertex where a path is joined, and its densities from either side.
 // Twin of src/reference/integrator/bidirectional/bend.rs.
 // uses: math/finite, math/vec, shape/ray, path/vertex, integrator/bidirectional/partial, <bsdf>, <correction>, <crossing>
 
@@ -13,7 +13,7 @@ struct Bend {
     bool some;
 };
 
-// Density per solid angle with which a path that comes from wi and has lost nothing of its colour would leave v towards wo.
+// Density per solid angle with which a path that comes from wi, with grey throughput, would leave v towards wo.
 float reverse_pdf(Vertex v, vec3 wi, vec3 wo) {
     Seen seen = seen_from(v.interaction.material, v.ng, v.ns, wi);
     vec3 back = to_local(seen.frame, wo);
@@ -21,7 +21,7 @@ float reverse_pdf(Vertex v, vec3 wi, vec3 wo) {
     return same_sides(seen.facing, wo, back) ? pdf : 0.0;
 }
 
-// What a path that came along wo does at v in the direction wi.
+// The scattering at v of a path that came along wo, in the direction wi.
 Bend bend(Vertex v, vec3 wo, vec3 wi) {
     vec3 local = to_local(v.frame, wi);
     BsdfValue value = bsdf_eval(v.interaction, local);
@@ -30,7 +30,7 @@ Bend bend(Vertex v, vec3 wo, vec3 wi) {
     return Bend(f, Junction(abs(dot3(wi, v.ng)), value.pdf, reverse_pdf(v, wi, wo)), leads_through(local), some);
 }
 
-// What the weights know along the direction that a path has just left v in.
+// The quantities of the weights along the direction in which a path has just left v.
 Partial left_partial(Subpath path, Vertex v, vec3 wo, Partial at) {
     vec3 wi = path.ray.d;
     float cosine = abs(dot3(wi, v.ng));

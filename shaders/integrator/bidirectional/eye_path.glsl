@@ -1,4 +1,4 @@
-// A vertex of an eye path: what it emits, its connections to a light and to the light path, and where the path goes on.
+// A vertex of an eye path: its emission, its connections to a light and to the light path, and its next direction.
 // uses: constants/bidirectional, constants/lobe, constants/material_kind, constants/none, constants/path, math/finite, math/steps, path/vertex, path/extend, camera/eye, integrator/bidirectional/bend, integrator/bidirectional/eye_rays, integrator/bidirectional/join, integrator/bidirectional/joint, integrator/bidirectional/partial, integrator/bidirectional/reservoir, <background>, <emission>, <direct>, <pick>, <depth>, <record>
 
 void end_path(inout EyeState s, inout Subpath path) {
@@ -25,7 +25,7 @@ void join_all(inout EyeState s, Joint x, Subpath path, inout ShadowRay to_light,
     }
 }
 
-// Goes on to the next direction; ends the path where there is none.
+// Continues in the next direction; ends the path where there is none.
 void go_on(inout EyeState s, inout Subpath path, Joint x, inout LightLane lane, uint pixel_index) {
     s.pick_normal = pick_normal(x.v);
     Extension e = extend(path, x.v, pixel_index, s.done);
@@ -63,7 +63,7 @@ void shade(inout EyeState s, inout Subpath path, inout ShadowRay to_light, inout
         if (path.bounce == 0u) {
             x.partial = from_eye(eye_importance(camera, x.v.p - traced.origin), cosine);
         }
-        // A path sets out with some light: what has none has lost it to absorption.
+        // A path starts with some light: a path with none has lost it to absorption.
         bool absorbed = is_black(path.throughput);
         lane.underflows += absorbed ? 1u : 0u;
         if (materials[x.v.material].kind == KIND_BLACK || depth_reached(path.bounce) || absorbed) {

@@ -1,13 +1,13 @@
 // The rays of one turn: the connections that the last vertex left pending, then the extension ray.
 // uses: constants/none, math/steps, shape/ray, <nearest>, <medium>, <null_interface>, <record>
 
-// Where the extension ray ended, how far it went from the last vertex, and that vertex.
+// The end of the extension ray, its distance from the last vertex, and that vertex.
 struct EyeTraced {
     Hit hit;
     Ray ray;
     float distance;
     vec3 origin;
-    // How many were traced.
+    // The number of rays traced.
     uint rays;
 };
 
@@ -26,8 +26,8 @@ uint next_phase(uint phase, uint light, uint first, uint second, uint alive) {
     return phase > PHASE_EXTEND ? PHASE_DONE : next;
 }
 
-// One loop for all rays, so that nearest() has one call: compilers copy it into each. What arrives is added to the sample in
-// the order of the connections.
+// One loop for all rays, so that nearest() has one call: compilers copy it into each call. Contributions are added to
+// the sample in the order of the connections.
 EyeTraced trace_eye_rays(inout EyeState s, inout Subpath path, inout ShadowRay to_light, inout ShadowRay to_first,
                          inout ShadowRay to_second) {
     EyeTraced traced;
@@ -71,7 +71,7 @@ EyeTraced trace_eye_rays(inout EyeState s, inout Subpath path, inout ShadowRay t
                 traced.ray = ray;
                 traced.distance += hit.t;
             } else {
-                // A connection of two vertices arrives in the medium that its far end looks into, or not at all.
+                // A connection of two vertices arrives in the medium that its far end faces, or not at all.
                 bool arrives = hit.shape == NONE && (phase == PHASE_LIGHT || ray.medium == shadow.medium);
                 vec3 arrived = shadow.contribution * transmittance;
                 record_arrival(s, arrived, arrives);

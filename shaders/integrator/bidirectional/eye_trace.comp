@@ -1,8 +1,8 @@
 // Bidirectional path tracing, the eye's side: camera ray → path loop, joined to lights and to the kept vertices of the light
 // path of the same sample → one radiance a sample.
 //
-// A turn of the loop is that of integrator/path/path_trace.comp. integrator/light/light_trace.comp has followed the light paths
-// of the same samples before, and has left their vertices in `light_vertices`.
+// A turn of the loop is that of integrator/path/path_trace.comp. integrator/light/light_trace.comp has already followed
+// the light paths of the same samples, and has left their vertices in `light_vertices`.
 //
 // Twin: src/reference/integrator/bidirectional/eye_path.rs.
 // uses: constants/workgroup, math/steps, <begin>, integrator/bidirectional/eye_rays, integrator/bidirectional/eye_path, <record>
@@ -38,7 +38,7 @@ void trace_eye(uint thread, uint column, uint row) {
             shade(s, path, to_light, to_first, to_second, traced, lane, thread, row * camera.width + column);
         }
     }
-    // A driver that ends loops by itself (Mesa 22) leaves their end conditions unmet: the picture would be wrong.
+    // A driver that ends loops early (Mesa 22) leaves their end conditions unmet: the picture would be wrong.
     bool more = unfinished(s, path);
     lane.loops = loop_failed || (more && loop_steps < job.budget) ? 1u : 0u;
     lane.unfinished = more ? 1u : 0u;
@@ -50,7 +50,7 @@ void trace_eye(uint thread, uint column, uint row) {
     lanes[thread] = lane;
 }
 
-// Whether a pixel is among those that are rendered.
+// Whether a pixel is rendered.
 bool is_rendered(uint column, uint row) {
     uint x = column - job.film_x;
     uint y = row - job.film_y;

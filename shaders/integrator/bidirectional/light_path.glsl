@@ -1,7 +1,7 @@
 // A light path whose vertices are joined to the eye, and kept for eye paths. Fills the slot <light_shade>.
 // uses: constants/bidirectional, constants/lobe, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, camera/eye, sampler/dimensions, sampler/unit_float, integrator/light/begin, integrator/light/splat, integrator/bidirectional/bend, integrator/bidirectional/joint, integrator/bidirectional/partial, integrator/bidirectional/reservoir, <sampler>, <blocks>, <aim>, <first_partial>, <depth>, <lens>, <record>
 
-// What the eye sees of a light it finds itself: no splat is pending.
+// The eye path finds the light that the eye sees directly: no splat is pending.
 void begin(inout LightState s, inout Subpath path, inout ShadowRay shadow, uint thread, uint pixel_index) {
     LightStart start = light_start(pixel_index, s.index);
     uvec4 u = sampler_block(pixel_index, s.index, path_block(light_block(0u)), camera.seed);
@@ -64,7 +64,7 @@ void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Trace
         if (path.bounce == 0u) {
             y.partial = first;
         }
-        // A path sets out with some light: what has none has lost it to absorption.
+        // A path starts with some light: a path with none has lost it to absorption.
         bool absorbed = is_black(path.throughput);
         lane.underflows += absorbed ? 1u : 0u;
         if (materials[y.v.material].kind == KIND_BLACK || depth_reached(path.bounce) || absorbed) {

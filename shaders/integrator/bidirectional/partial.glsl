@@ -1,5 +1,5 @@
-// What a subpath knows of the densities of all techniques, so that none of its vertices is looked at again.
-// Twin of src/reference/integrator/bidirectional/partial.rs, which has the formulas and where they come from.
+// The densities of all techniques, as far as a subpath knows them, so that its vertices need not be visited again.
+// Twin of src/reference/integrator/bidirectional/partial.rs, which has the formulas and their sources.
 
 // uses: math/vec
 
@@ -17,7 +17,7 @@ struct Junction {
     float cosine;
     // Density per solid angle of the connection's direction, by the subpath that has come here.
     float pdf;
-    // That of the way back, by a path that came along the connection.
+    // The same for the way back, by a path that came along the connection.
     float reverse_pdf;
 };
 
@@ -29,7 +29,7 @@ float hypot(float a, float b) {
     return most * sqrt(1.0 + ratio * ratio);
 }
 
-// No ratio is larger: products of two are finite, and so is the weight of 0 that they lead to.
+// Upper bound of every ratio: products of two are finite, and so is the weight of 0 to which they lead.
 float bounded(float x) {
     return min2(x, 1e18);
 }
@@ -62,7 +62,7 @@ Partial scatter(Partial at, Junction to) {
     return Partial(bounded(1.0 / to.pdf), bounded(to.cosine * back / to.pdf));
 }
 
-// Along a direction of a delta lobe: nothing joins its two ends, and p and p_r, two infinite densities, cancel.
+// Along a direction of a delta lobe: no connection joins its two ends, and p and p_r, two infinite densities, cancel.
 Partial scatter_delta(Partial at, float cosine) {
     return Partial(0.0, cosine * at.vc);
 }
@@ -72,25 +72,25 @@ float weight(float a, float b) {
     return 1.0 / (1.0 + a * a + b * b);
 }
 
-// Of a light that an eye path hits: 1/(1 + m(p_n/p) + m(p_e/cos) dVC).
+// A light that an eye path hits: 1/(1 + m(p_n/p) + m(p_e/cos) dVC).
 float hit_weight(Partial at, float connection_pdf, float emission) {
     return weight(bounded(connection_pdf * at.vcm), bounded(emission * at.vc));
 }
 
-// Of a light that an eye path's vertex is connected to:
+// A light to which an eye path's vertex is connected:
 // 1/(1 + m(p_b/p_n) + m(p_e c_x/(p_n c_l))(dVCM + dVC m(p_r))).
 float light_weight(Partial at, Junction x, float connection_pdf, float emission) {
     float ratio = emission * x.cosine / connection_pdf;
     return weight(bounded(x.pdf / connection_pdf), bounded(ratio * earlier(at, x.reverse_pdf)));
 }
 
-// Of a light path's vertex joined to the eye: 1/(1 + m(p_c c/(t² n_l))(dVCM + dVC m(p_r))).
+// A light path's vertex joined to the eye: 1/(1 + m(p_c c/(t² n_l))(dVCM + dVC m(p_r))).
 float splat_weight(Partial at, Junction y, float importance) {
     float ratio = importance * y.cosine;
     return weight(bounded(ratio * earlier(at, y.reverse_pdf)), 0.0);
 }
 
-// Of two vertices joined, `distance` apart:
+// Two vertices joined, `distance` apart:
 // 1/(1 + m(p_x c_y/d²)(dVCM_y + dVC_y m(p_r,y)) + m(p_y c_x/d²)(dVCM_x + dVC_x m(p_r,x))).
 float vertex_weight(Partial eye, Junction x, Partial light, Junction y, float distance) {
     float square = distance * distance;

@@ -1,4 +1,4 @@
-// Vertices of a light path that eye paths are joined to.
+// Vertices of a light path to which eye paths are joined.
 // Twin of src/reference/integrator/bidirectional/reservoir.rs.
 // uses: constants/bidirectional, constants/material_kind, math/finite
 
@@ -9,13 +9,13 @@ bool has_density(uint kind, vec3 kd) {
     return !none && !(smooth_only && is_black(kd));
 }
 
-// Where a vertex is to be kept after `seen` others, KEPT or more: nowhere. Each of all has the same probability, by the
-// uniform number u (Vitter, Random Sampling with a Reservoir, 1985, algorithm R).
+// Where a vertex is to be kept after `seen` others; KEPT or more means not at all. All have the same probability, by
+// the uniform number u (Vitter, Random Sampling with a Reservoir, 1985, algorithm R).
 uint kept_place(uint seen, float u) {
     return seen < KEPT ? seen : uint(u * float(seen + 1u));
 }
 
-// The number of vertices that each kept one stands for.
+// The number of vertices that each kept one represents.
 float kept_share(uint seen) {
     return float(seen < KEPT ? KEPT : seen) / float(KEPT);
 }

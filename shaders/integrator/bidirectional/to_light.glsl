@@ -2,7 +2,7 @@
 // Twin of src/reference/integrator/bidirectional/to_light.rs.
 // uses: math/vec, path/vertex, light/sample, integrator/bidirectional/partial, integrator/bidirectional/bend, <aim>, <light_choice>, <emission_pdf>
 
-// What the weights know at the vertex that is connected: the slot has no argument for it.
+// The quantities of the weights at the vertex that is connected: the slot has no argument for them.
 Partial weighed_at;
 
 // Density per area and solid angle of the start of a light path at q, a point of `prim` that p sees along wi, over the cosine

@@ -1,9 +1,9 @@
 // Light tracing: light → path loop → splats on the pixels from which the eye sees the path's vertices.
 //
-// A thread follows the light paths of one pixel, which is theirs by number alone, one a sample index. A turn of the loop is
-// that of integrator/path/path_trace.comp: the connection that the last vertex left pending, then the extension ray.
-// What arrives at the eye goes into the thread's own slots of `splats`, in the order of sample and vertex; the host adds
-// them to the film. A thread whose slots are full, or whose budget is spent, goes on in the next dispatch.
+// A thread follows the light paths that bear the number of one pixel, one a sample index. A turn of the loop is that of
+// integrator/path/path_trace.comp: the connection that the last vertex left pending, then the extension ray. Light that
+// arrives at the eye goes into the thread's own slots of `splats`, in the order of sample and vertex; the host adds it
+// to the film. A thread whose slots are full, or whose budget is spent, continues in the next dispatch.
 //
 // Twin: src/reference/integrator/light/.
 // uses: constants/workgroup, math/steps, path/trace, <light_shade>
@@ -38,7 +38,7 @@ void trace_light(uint thread) {
             shade(s, path, shadow, traced, lane, thread, pixel_index);
         }
     }
-    // A driver that ends loops by itself (Mesa 22) leaves their end conditions unmet: the picture would be wrong.
+    // A driver that ends loops early (Mesa 22) leaves their end conditions unmet: the picture would be wrong.
     bool more = unfinished(s, path, shadow);
     lane.loops = loop_failed || (more && loop_steps < job.budget && lane.splats < SPLATS) ? 1u : 0u;
     lane.unfinished = more ? 1u : 0u;

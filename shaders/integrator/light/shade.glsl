@@ -1,4 +1,4 @@
-// A light path alone: its connections to the eye, and where it goes on. Fills the slot <light_shade>.
+// A light path alone: its connections to the eye, and its next direction. Fills the slot <light_shade>.
 // uses: constants/material_kind, constants/none, math/finite, path/vertex, path/trace, path/extend, integrator/light/begin, integrator/light/splat, <depth>
 
 // Begins the next light path, with the light itself as the eye sees it.
@@ -15,7 +15,7 @@ void shade(inout LightState s, inout Subpath path, inout ShadowRay shadow, Trace
     bool alive = false;
     if (traced.hit.shape != NONE) {
         Vertex v = path_vertex(traced.ray, traced.hit, traced.distance, path.throughput);
-        // A path sets out with some light: what has none has lost it to absorption.
+        // A path starts with some light: a path with none has lost it to absorption.
         bool absorbed = is_black(path.throughput);
         lane.underflows += absorbed ? 1u : 0u;
         if (!(materials[v.material].kind == KIND_BLACK || depth_reached(path.bounce) || absorbed)) {

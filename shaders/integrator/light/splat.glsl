@@ -1,4 +1,4 @@
-// A vertex of a light path joined to the eye: what arrives there is a splat on the pixel that sees the vertex.
+// A vertex of a light path joined to the eye: the light that arrives is a splat on the pixel that sees the vertex.
 // Twin of src/reference/integrator/light/splat.rs.
 // uses: constants/none, constants/path, math/finite, camera/eye, sampler/dimensions, integrator/light/begin, path/extend, path/spawn, path/vertex, <bsdf>, <correction>, <crossing>, <lens>
 
@@ -10,14 +10,14 @@ struct SplatRay {
     uint pixel;
 };
 
-// Whether a pixel is among those that are rendered.
+// Whether a pixel is rendered.
 bool in_film(EyeSample eye) {
     uint x = eye.column - job.film_x;
     uint y = eye.row - job.film_y;
     return eye.seen && x < job.film_width && y < job.film_height;
 }
 
-// A connection along `ray`, unless it brings nothing or the eye does not see the vertex.
+// A connection along `ray`, unless it contributes nothing or the eye does not see the vertex.
 SplatRay splat_ray(EyeSample eye, Ray ray, vec3 contribution) {
     SplatRay splat;
     splat.shadow.ray = ray;
@@ -57,7 +57,7 @@ void leave_pending(inout LightState s, inout ShadowRay shadow, SplatRay splat) {
     s.splat_sample = s.index - 1u;
 }
 
-// Counts what came of a path's extension.
+// Counts the outcome of a path's extension.
 void count_extension(Subpath path, Extension e, inout LightLane lane) {
     lane.underflows += e.underflow ? 1u : 0u;
     lane.long_paths += e.alive && path.bounce == LONG_PATH ? 1u : 0u;

@@ -1,18 +1,18 @@
 // Path tracing: pixel → camera ray → path loop → film. Read this first.
 //
 // A thread owns a pixel and follows its samples one after the other. A turn of the loop is a bounce: begin a path if
-// none is alive, trace the shadow ray that the last vertex left pending and then the extension ray (through one call
-// of nearest(), the heaviest function there is), add a sample that has ended to the film, shade the next vertex.
-// A path that ends leaves its shadow ray pending while the thread already carries its next camera ray.
+// none is alive, trace the shadow ray that the last vertex left pending and then the extension ray (through one call of
+// nearest(), the heaviest function), add a sample that has ended to the film, shade the next vertex. A path that ends
+// leaves its shadow ray pending while the thread already carries its next camera ray.
 //
-// Between two bounces the thread may stop, its state kept in `paths`, and go on in the next dispatch: no driver's
-// watchdog and no limit on loops (Mesa 22: 65,535 iterations a subgroup and dispatch) can touch the picture.
+// Between two bounces the thread may stop, its state stored in `paths`, and continue in the next dispatch: no driver's
+// watchdog and no limit on loops (Mesa 22: 65,535 iterations a subgroup and dispatch) can affect the picture.
 //
-// Twin: src/reference/integrator/path/, which takes the same decisions in the same order, one sample at a time.
+// Twin: src/reference/integrator/path/, which makes the same decisions in the same order, one sample at a time.
 // uses: constants/workgroup, math/steps, film/film_pixel, <moments>, <begin>, path/trace, integrator/path/shade, <record>
 layout(local_size_x = WORKGROUP) in;
 
-// Of a pixel that has `samples` complete ones.
+// For a pixel with `samples` complete samples.
 bool unfinished(PathState s, Subpath path, uint samples) {
     return path.alive != 0u || s.ended != 0u || samples < job.sample_end;
 }
@@ -47,7 +47,7 @@ void trace_pixel(uint lane) {
             shade(s, path, shadow, traced, pixel, row * camera.width + column, job.sample_begin + pixel.samples);
         }
     }
-    // A driver that ends loops by itself (Mesa 22) leaves their end conditions unmet: the picture would be wrong.
+    // A driver that ends loops early (Mesa 22) leaves their end conditions unmet: the picture would be wrong.
     if (loop_failed || (unfinished(s, path, pixel.samples) && loop_steps < job.budget)) {
         pixel.loops += 1u;
     }
@@ -58,8 +58,8 @@ void trace_pixel(uint lane) {
 }
 
 void main() {
-    // What threads read at places known beforehand is read here, before any branch: where lanes may be masked, lavapipe of
-    // Mesa 22.3 reads a uniform lane by lane, twenty instructions a float instead of one (emit_load_ubo, lp_bld_nir_soa.c).
+    // Data that threads read at fixed places are read here, before any branch: where lanes may be masked, lavapipe of Mesa 22.3
+    // reads a uniform lane by lane, twenty instructions a float instead of one (emit_load_ubo, lp_bld_nir_soa.c).
     camera = camera_uniform;
     job = job_uniform;
     read_primitives();

@@ -1,4 +1,4 @@
-// A vertex of the path: what it emits, its connection to a light, and where the path goes on.
+// A vertex of the path: its emission, its connection to a light, and its next direction.
 // uses: constants/lobe, constants/material_kind, constants/none, constants/path, math/finite, path/vertex, path/trace, path/extend, sampler/dimensions, sampler/unit_float, <sampler>, <background>, <emission>, <direct>, <pick>, <depth>, <record>
 
 void end_path(inout PathState s, inout Subpath path) {
@@ -6,7 +6,7 @@ void end_path(inout PathState s, inout Subpath path) {
     s.ended = 1u;
 }
 
-// Goes on to the next direction; ends the path where there is none.
+// Continues in the next direction; ends the path where there is none.
 void go_on(inout PathState s, inout Subpath path, Vertex v, inout FilmPixel pixel, uint pixel_index,
            uint sample_index) {
     s.pick_normal = pick_normal(v);
@@ -32,7 +32,7 @@ void shade(inout PathState s, inout Subpath path, inout ShadowRay shadow, Traced
         Vertex v = path_vertex(traced.ray, traced.hit, traced.distance, path.throughput);
         record_hit(s, path, v);
         s.radiance += path.throughput * emission_seen(path, s.pick_normal, v, traced.origin, traced.distance);
-        // A path sets out with some light: what has none has lost it to absorption.
+        // A path starts with some light: a path with none has lost it to absorption.
         bool absorbed = is_black(path.throughput);
         pixel.underflows += absorbed ? 1u : 0u;
         if (materials[v.material].kind == KIND_BLACK || depth_reached(path.bounce) || absorbed) {

@@ -1,4 +1,4 @@
-// Weight of light that a vertex is connected to, where nothing but paths from the eye may find it. Fills the slot <weigh>.
+// Weight of light found by a connection, where only paths from the eye may find it. Fills the slot <weigh>.
 // uses: path/vertex, light/sample, <connect>
 
 float weigh(Subpath path, Vertex v, uint light, LightSample l, float p, float bsdf_pdf) {

@@ -1,4 +1,4 @@
-// Where a light path begins.
+// Points where light paths begin.
 // Twin of src/reference/light/emission/mod.rs.
 
 // uses: constants/none, light/sample
@@ -8,7 +8,7 @@ struct Emission {
     vec3 p;
     // Outward, of unit length.
     vec3 n;
-    // Density per area; 0: nothing begins here.
+    // Density per area; 0: no light path begins here.
     float area_pdf;
     // The face that the point is on, as in Hit.
     uint prim;

@@ -1,14 +1,14 @@
-// The choice of one of many lights: down a tree, at each node by what its halves can bring.
+// The choice of one of many lights: down a tree, at each node by the importance of its halves.
 // Twin of src/reference/light/tree/descent.rs.
 // uses: math/steps, light/tree/importance, light/tree/tickets
 
 struct TreeChoice {
     uint light;
-    // Probability of the choice; 0: no light can shine here.
+    // Probability of the choice; 0: no light can contribute here.
     float pmf;
 };
 
-// The share of the first child of node i, the one behind it, among `count` tickets; 2^32 - 1 where neither can shine.
+// The share of the first child of node i, the one that follows it, among `count` tickets; 2^32 - 1 if neither can contribute.
 uint first_child_share(uint i, uint count, vec3 p, vec3 n) {
     float a = node_importance(light_nodes[i + 1u], p, n);
     float b = node_importance(light_nodes[light_nodes[i].child], p, n);

@@ -1,4 +1,4 @@
-// What the lights of a node can bring to a point.
+// An upper bound of the light from a node's lights at a point.
 // Twin of src/reference/light/tree/importance.rs.
 // uses: math/vec
 
@@ -14,17 +14,17 @@ float sin_beyond(float cos_a, float sin_a, float cos_b, float sin_b) {
     return cos_a > cos_b ? 0.0 : beyond;
 }
 
-// Of an angle of [0, pi].
+// The sine of an angle of [0, pi].
 float sine_of(float cosine) {
     return sqrt(max2(1.0 - cosine * cosine, 0.0));
 }
 
-// power cos(theta') cos(theta_i')/d^2: the most that lights of that power within the ball and the cone of normals bring to
+// power cos(theta') cos(theta_i')/d^2: the most that lights of that power within the ball and the cone of normals contribute to
 // p (Conty Estevez & Kulla, Importance Sampling of Many Lights with Adaptive Tree Splitting, HPG 2018, section 5.1; pbrt 4,
-// section 12.6.3). theta_b is the angle under which the ball is seen, theta' = max(0, theta - theta_o - theta_b) for
-// theta, the angle between the axis and the direction to p, and theta_i' = max(0, theta_i - theta_b), the angle to n.
-// Emitters shine on both sides, so cos theta counts without its sign. From inside the ball no angle says anything.
-// n = 0: the point is lit from both sides. `power` is not power itself but that over 4 pi, of the whole scene's.
+// section 12.6.3). theta_b is the angle under which the ball is seen, theta' = max(0, theta - theta_o - theta_b) for theta, the
+// angle between the axis and the direction to p, and theta_i' = max(0, theta_i - theta_b), the angle to n. Emitters emit on
+// both sides, so cos theta counts without its sign. From inside the ball the angles give no bound. n = 0: the point is lit from
+// both sides. `power` is a light's power over 4 pi, as a share of the whole scene's.
 float node_importance(LightNode node, vec3 p, vec3 n) {
     vec3 to = node.centre - p;
     float r2 = node.radius * node.radius;

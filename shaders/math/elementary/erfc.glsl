@@ -1,9 +1,9 @@
-// The complement of the error function, which keeps the small values that erf loses to 1.
+// The complement of the error function, which resolves small values where erf rounds to 1.
 // Twin of src/reference/math/elementary/erfc.rs, which states error bounds and sources.
 
 // uses: math/vec, math/products, math/elementary/exp
 
-// erfc x and its slope's e^(-x^2), of which it is made.
+// erfc x, and the e^(-x^2) of which it is made.
 struct ErfcGauss {
     float erfc;
     float gauss;
@@ -23,7 +23,7 @@ ErfcGauss erfc_gauss(float x) {
     // erf x = x S(x^2), |x| <= 1/2, relative error 2^-28
     float s = x * x;
     float small = 1.1283791 + s * (-0.3761229 + s * (0.11278182 + s * (-0.026508145 + s * 0.0042732772)));
-    // erfc a = e^(-a^2) t E(t), t = 1/(1 + a/2), a >= 1/2, relative error 2^-25.8. Past 11 both results are 0 whatever a.
+    // erfc a = e^(-a^2) t E(t), t = 1/(1 + a/2), a >= 1/2, relative error 2^-25.8. Past 11 both results are 0.
     float a = min2(max2(x, -x), 11.0);
     float t = 1.0 / (1.0 + 0.5 * a);
     float r = t - 0.5;

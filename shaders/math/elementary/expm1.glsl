@@ -5,7 +5,7 @@
 
 // e^x - 1: -1 below -17.3, infinite above 88.72.
 float expm1(float x) {
-    // Past these ends the result is -1 or infinite whatever x.
+    // Past these ends the result is -1 or infinite.
     vec3 krq = exp_reduce(min2(max2(x, -18.0), 89.0));
     // 2^k ((1 - 2^-k) + r + q), with the rounding errors of both sums added back. The lower of the
     // two summands of b counts as 0 from k = 30 on: 2^-30 is below any rounding error of 1.

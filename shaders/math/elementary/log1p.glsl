@@ -8,7 +8,7 @@ float log1p(float x) {
     // 1 + x = u + delta: u rounded, delta exact (Fast2Sum, the larger summand first)
     float u = 1.0 + x;
     float delta = x > 1.0 ? 1.0 - (u - x) : x - (u - 1.0);
-    // u = 2^k (1 + f), sqrt(1/2) <= 1 + f < sqrt(2): the bits of sqrt(1/2) are moved to where the exponent ends.
+    // u = 2^k (1 + f), sqrt(1/2) <= 1 + f < sqrt(2): the constant takes sqrt(1/2)'s bits to 1's, where the exponent changes.
     uint bits = floatBitsToUint(u) + 0x004afb0du;
     float k = float(int(bits >> 23u) - 127);
     float f = uintBitsToFloat((bits & 0x007fffffu) + 0x3f3504f3u) - 1.0;

@@ -26,8 +26,8 @@ vec2 sincos_2pi(float u) {
     vec2 kr = quadrant(u);
     float r = kr.y;
     float z = r * r;
-    // sin(pi r / 2) = r + r (pi/2 - 1) + r^3 S(r^2), relative error 2^-27.9. r is exact, so that only the
-    // smaller part of the sum carries rounding errors; pi/2 - 1 in two parts.
+    // sin(pi r / 2) = r + r (pi/2 - 1) + r^3 S(r^2), relative error 2^-27.9. r is exact, so only the smaller part of
+    // the sum carries rounding errors; pi/2 - 1 in two parts.
     float s = r * (z * (-0.6459636 + z * (0.07968108 + z * -0.004603732)) + 1.5893255e-8);
     float sin_r = r + (r * 0.5707963 + s);
     // cos(pi r / 2) = 1 + r^2 C(r^2), error 2^-31

@@ -1,4 +1,4 @@
-// No surface lets light through: no path crosses one. Fills the slot <crossing>.
+// No surface transmits light: no path crosses one. Fills the slot <crossing>.
 
 // uses: path/vertex
 

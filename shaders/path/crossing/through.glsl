@@ -1,4 +1,4 @@
-// What changes where a path crosses a surface. Fills the slot <crossing>.
+// The changes where a path crosses a surface. Fills the slot <crossing>.
 
 // uses: constants/none, path/vertex, <scaling>
 
@@ -12,12 +12,12 @@ float crossing_scale(Vertex v, bool through) {
     return through ? transmission_scale(v.interaction.eta) : 1.0;
 }
 
-// The medium behind the surface: the shape's own on entering, air on leaving. Every object stands in air.
+// The medium behind the surface: the shape's own on entering, air on leaving. Every object is in air.
 uint medium_beyond(Vertex v) {
     return v.outside ? v.material : NONE;
 }
 
-// The medium that the path goes on in, having come through `medium`.
+// The medium in which the path continues, having come through `medium`.
 uint medium_after(Vertex v, bool through, uint medium) {
     return through ? medium_beyond(v) : medium;
 }

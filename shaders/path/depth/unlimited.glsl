@@ -1,4 +1,4 @@
-// Paths are as long as roulette lets them be.
+// Only roulette limits the length of paths.
 
 bool depth_reached(uint bounce) {
     return false;

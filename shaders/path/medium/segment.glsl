@@ -1,4 +1,4 @@
-// Absorption on every stretch of a path inside a medium, shadow rays too.
+// Absorption on every segment of a path inside a medium, shadow rays too.
 // uses: constants/none, path/medium/beer
 
 vec3 stretch_transmittance(uint medium, float t) {

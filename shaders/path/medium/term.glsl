@@ -1,4 +1,4 @@
-// Absorption as the hand-out prints it: A(t) in E_t alone, where the path meets the inside of a surface.
+// Absorption as in the hand-out: A(t) in E_t alone, where the path meets the inside of a surface.
 // uses: path/medium/beer
 
 vec3 stretch_transmittance(uint medium, float t) {

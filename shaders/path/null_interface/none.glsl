@@ -1,6 +1,6 @@
-// Every surface of this scene is there.
+// This scene has no null interfaces.
 
-// Whether a shadow ray may go on beyond a hit: if not, any hit ends it.
+// Whether a shadow ray may continue beyond a hit: if not, any hit ends it.
 const bool SHADOW_RAYS_PASS = false;
 
 struct Skipped {

@@ -2,18 +2,18 @@
 // "The null interface"). No bounce is counted and no random number drawn.
 // uses: constants/material_kind, constants/none, constants/ray, shape/ray, math/vec, <surface>, <self_distance>, <medium>
 
-// Whether a shadow ray may go on beyond a hit: if not, any hit ends it.
+// Whether a shadow ray may continue beyond a hit: if not, any hit ends it.
 const bool SHADOW_RAYS_PASS = true;
 
-// The ray beyond the surface, and what `term` takes off on leaving.
+// The ray beyond the surface, and the attenuation that `term` applies on leaving.
 struct Skipped {
     Ray ray;
     vec3 factor;
 };
 
 bool is_null_interface(Hit hit) {
-    // Any shape will do where none is hit: an `if` about the two reads crashed Mesa 22.3's compiler in kernels of one kind
-    // of shape.
+    // Any shape will do if none is hit: an `if` around the two reads crashed Mesa 22.3's compiler in
+    // kernels of one kind of shape.
     uint shape = hit.shape == NONE ? 0u : hit.shape;
     bool is_null = materials[shapes[shape].material].kind == KIND_NULL_INTERFACE;
     return is_null && hit.shape != NONE;

@@ -1,4 +1,4 @@
-// No roulette but for paths that would never end.
+// No roulette except for paths that would never end.
 // uses: path/roulette/long
 
 float roulette_survival(vec3 throughput, float eta_scale, uint bounce) {

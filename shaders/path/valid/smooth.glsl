@@ -1,16 +1,16 @@
-// Shading normals that wo sees, and delta directions that leave the face on the side they are meant for (model.md, "Valid
-// shading normals"). Fills the slot <valid>.
+// Shading normals that wo sees, and delta directions that leave the face on the intended side (model.md, "Valid shading
+// normals"). Fills the slot <valid>.
 // Twin of src/reference/path/valid.rs.
 // uses: constants/lobe, constants/material_kind, math/vec
 
-// wo.n that a normal has at least.
+// The least wo.n of a normal.
 const float SEEN = 1e-3;
-// Height over the face, of a direction that had to be lifted.
+// Height over the face of a direction that had to be lifted.
 const float LIFT = 1e-2;
 
 // The shading normal n of a surface that mirrors or refracts, turned just enough that wo sees it.
 //
-// n + (SEEN - wo.n) wo: there Fresnel's reflectance is all but 1, as on the rim of the smooth surface that is meant.
+// n + (SEEN - wo.n) wo: there Fresnel's reflectance is almost 1, as on the rim of the intended smooth surface.
 vec3 seen_normal(vec3 n, vec3 facing, vec3 wo, uint kind) {
     float c = dot3(n, wo);
     bool turned = c < SEEN && kind != KIND_BLACK && kind != KIND_DIFFUSE && n != facing;
@@ -18,8 +18,8 @@ vec3 seen_normal(vec3 n, vec3 facing, vec3 wo, uint kind) {
     return turned ? seen : n;
 }
 
-// The direction wi of a lobe, lifted just enough that it leaves the face on the side that wi_z, its cosine to the shading
-// normal, says. Only a delta lobe's can be: other densities would change with it.
+// The direction wi of a lobe, lifted just enough that it leaves the face on the side that wi_z, its cosine to the
+// shading normal, indicates. Only a delta lobe's direction can be lifted: other densities would change with it.
 //
 // wi + (LIFT - wi.g) g, g the face's normal on that side: as if the normal had been turned (Keller et al., The Iray Light
 // Transport Simulation and Rendering System, 2017, section 4.3).

@@ -1,14 +1,14 @@
-// The nearest hit by way of the hierarchy that src/flat/bvh builds.
+// The nearest hit by the hierarchy that src/flat/bvh builds.
 //
-// Ylitie, Karras, Laine, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, HPG 2017,
-// section 4. A group is the first inner child of a node and a word: in bits 24 ... 31 those that are still to be
-// visited, by priority, in bits 0 ... 7 which slots hold inner children.
+// Ylitie, Karras, Laine, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, HPG 2017, section 4.
+// A group is the first inner child of a node and a word: bits 24 ... 31 mark the children still to be visited, by
+// priority, bits 0 ... 7 the slots with inner children.
 //
-// Both loops test at their end: a driver that runs lanes in lockstep goes through a loop's body once more, all lanes
-// masked off, to find that none goes on, if the test stands at its beginning (a tenth of the time on Mesa's llvmpipe).
+// Both loops test at their end. With the test at the beginning, a driver that runs lanes in lockstep would run the body
+// once more, all lanes masked off, to find that none continues (a tenth of the time on Mesa's llvmpipe).
 //
-// The composer declares the words of nodes, uvec4 bvh_words[], and uint bvh_references[]; STACK, the entries that the
-// build has found to suffice; REACH, the largest coordinate.
+// The composer declares the words of nodes, uvec4 bvh_words[], and uint bvh_references[]; STACK, the number of entries
+// that the build has found sufficient; REACH, the largest coordinate.
 
 // uses: constants/none, math/steps, shape/ray, shape/bvh/bits, shape/bvh/slabs, <leaf>
 
@@ -16,8 +16,8 @@ const uint WAITING = 0xff000000u;
 
 uvec2 bvh_stack[STACK];
 
-// The lesser of `best` and the nearest hit with any primitive in the hierarchy but `skip`, by (t, shape, prim); where `any`
-// hit will do, the first that is found.
+// The lesser of `best` and the nearest hit with any primitive in the hierarchy but `skip`, by (t, shape, prim); with
+// `any`, the first hit found.
 Hit nearest_bvh(Ray ray, Target skip, Hit best, bool any) {
     Hit nearest = best;
     Slabs slabs = slabs_of(ray.o, ray.d, REACH);
@@ -60,7 +60,7 @@ Hit nearest_bvh(Ray ray, Target skip, Hit best, bool any) {
             group = bvh_stack[depth];
         }
     } while ((group.y & WAITING) != 0u);
-    // A driver that ends loops by itself leaves something over.
+    // A driver that ends loops early leaves some work undone.
     loop_failed = loop_failed || depth != 0u || (group.y & WAITING) != 0u;
     return nearest;
 }

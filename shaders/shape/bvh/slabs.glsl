@@ -1,4 +1,4 @@
-// A ray against the eight boxes of a node, so that no box hides a hit within it.
+// Tests a ray against the eight boxes of a node, so that no box hides a hit inside it.
 //
 // The padding, its proof and its constants: src/reference/accel/slabs.rs. Here a box has planes at
 // origin + q 2^k, q in 0 ... 255, on three axes. The parameter of a plane is one product and one sum from those of
@@ -8,11 +8,11 @@
 
 // uses: math/vec
 
-// What a ray's box tests have in common.
+// The part of a ray's box tests that all boxes share.
 struct Slabs {
     vec3 inverse;   // 1/d
-    vec3 entering;  // o moved forward along each axis by the padding, for planes that the ray enters by
-    vec3 leaving;   // o moved back, for planes that it leaves by
+    vec3 entering;  // o moved forward along each axis by the padding, for planes through which the ray enters
+    vec3 leaving;   // o moved back, for planes through which it leaves
     uint octant;    // 4, 2, 1: d.x, d.y, d.z are positive
 };
 
@@ -37,19 +37,19 @@ float plane(uint word, uint i) {
     return float(int((word >> (8u * i)) & 0xffu));
 }
 
-// A node's grid as a ray meets it, and the words of four children's planes.
+// A node's grid relative to a ray, and the words of four children's planes.
 struct Half {
     vec3 step;    // 2^k/d
     vec3 enter;   // parameter of plane 0, the origin moved forward
     vec3 leave;   // parameter of plane 0, the origin moved back
-    uvec3 near;   // planes that the ray enters by
-    uvec3 far;    // planes that it leaves by
-    uint bits;    // per child: what it adds to the mask ...
-    uint shifts;  // ... and where
+    uvec3 near;   // planes through which the ray enters
+    uvec3 far;    // planes through which it leaves
+    uint bits;    // per child: its bits in the mask ...
+    uint shifts;  // ... and their position
 };
 
-// What child i of the four adds to the mask: nothing if the ray misses it or enters it beyond t_max. At t_max itself
-// counts: the nearest hit may be one of several at one distance.
+// The contribution of child i of the four to the mask: none if the ray misses it or enters it beyond t_max. At t_max
+// itself counts: the nearest hit may be one of several at the same distance.
 uint child_hit(Half h, uint i, float t_max) {
     vec3 near = vec3(plane(h.near.x, i), plane(h.near.y, i), plane(h.near.z, i)) * h.step + h.enter;
     vec3 far = vec3(plane(h.far.x, i), plane(h.far.y, i), plane(h.far.z, i)) * h.step + h.leave;

@@ -1,4 +1,4 @@
-// Faces that coincide: which of them is there (model.md, "Coincident faces"). Fills the slot <cover>.
+// Coincident faces: which of them counts (model.md, "Coincident faces"). Fills the slot <cover>.
 // Twin of src/reference/shape/cover.rs. The lists are those of src/shape/coincident.rs.
 // uses: constants/none, constants/ray, math/steps, shape/ray, <face_point>
 
@@ -8,9 +8,9 @@ uvec2 coincidences_of(uint shape, uint prim) {
     return uvec2(coincident_faces[face], coincident_faces[face + 1u]);
 }
 
-// Whether a hit of `ray` with this face is none: the ray starts on a face that coincides with it, or one that comes first
-// is there. Of solids that touch, the one that the ray is in comes first: it `enters` the other from air alone. Unless
-// `asked`, it is not; an `if` about the loop crashes Mesa 22.3's compiler.
+// Whether a hit of `ray` with this face does not count: the ray starts on a face that coincides with it, or another
+// comes first at this point. Among touching solids, the one that contains the ray comes first: it `enters` the other
+// from air alone. Unless `asked`, the hit counts; an `if` around the loop crashes Mesa 22.3's compiler.
 bool is_covered(bool asked, Ray ray, uint shape, uint prim, float t, bool enters) {
     uvec2 list = coincidences_of(shape, prim);
     list.y = asked ? list.y : list.x;
@@ -28,9 +28,9 @@ bool is_covered(bool asked, Ray ray, uint shape, uint prim, float t, bool enters
     return covered;
 }
 
-// Whether a face that comes first is at the point p of this one.
+// Whether a face that comes first covers this one at the point p.
 bool is_covered_at(uint shape, uint prim, vec3 p) {
-    // What is no shape, the background, has no faces: any list will do, none of which is read.
+    // The background, which is no shape, has no faces: any list will do, because none of it is read.
     bool is_shape = shape != NONE;
     uvec2 list = coincidences_of(is_shape ? shape : 0u, is_shape ? prim : 0u);
     list.y = is_shape ? list.y : list.x;
@@ -45,7 +45,7 @@ bool is_covered_at(uint shape, uint prim, vec3 p) {
     return covered;
 }
 
-// What a ray meets that has left a solid where another touches it: that one, at once. Elsewhere `best`.
+// The hit of a ray that has left a solid where another touches it: with that one, at once. Elsewhere `best`.
 Hit touching(Ray ray, Hit best) {
     bool leaves = ray.start == START_OUTSIDE && ray.shape != NONE && ray.medium == NONE;
     uvec2 list = coincidences_of(leaves ? ray.shape : 0u, leaves ? ray.prim : 0u);

@@ -4,7 +4,7 @@
 // uses:
 
 struct FacePoint {
-    // On the face, its edge included.
+    // On the face, including its edge.
     bool within;
     // Weights of a triangle's second and third corner.
     vec2 uv;

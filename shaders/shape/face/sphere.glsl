@@ -3,7 +3,7 @@
 
 // uses: shape/face/point
 
-// Whatever lies on the sphere.
+// Every point of the sphere.
 FacePoint sphere_face_point() {
     return FacePoint(true, vec2(0.0));
 }

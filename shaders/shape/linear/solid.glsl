@@ -1,4 +1,4 @@
-// A solid's part in the search for the nearest hit, once its distance is known.
+// A solid in the search for the nearest hit, once its distance is known.
 // Twin of nearer_solid in src/reference/shape/linear.rs.
 
 // uses: shape/ray

@@ -14,19 +14,19 @@ vec3 abs3(vec3 v) {
     return vec3(abs(v.x), abs(v.y), abs(v.z));
 }
 
-// v0 + (u e1 + v e2): what is rounded at the size of the coordinates is rounded once.
+// v0 + (u e1 + v e2): only one rounding has the size of the coordinates.
 vec3 triangle_point(vec3 v0, vec3 v1, vec3 v2, vec2 uv) {
     return v0 + ((v1 - v0) * uv.x + (v2 - v0) * uv.y);
 }
 
-// A point uniform in the triangle: the square folded onto it, sqrt(u1) is the part of the way from v0 to its opposite edge.
+// A point uniform in the triangle: the square folded onto it, sqrt(u1) is the share of the way from v0 to its opposite edge.
 vec3 triangle_sample(vec3 v0, vec3 v1, vec3 v2, vec2 u) {
     float s = sqrt(u.x);
     return triangle_point(v0, v1, v2, vec2(s * (1.0 - u.y), s * u.y));
 }
 
-// e1 x e2 = 2 area ng, of edges scaled to a size of 1, so that neither small nor large ones leave the range of a float.
-// A triangle without area gets area 0 and the normal (0, 0, 1).
+// e1 x e2 = 2 area ng, for edges scaled to a size of 1, so that neither small nor large ones leave the range of a
+// float. A triangle without area gets area 0 and the normal (0, 0, 1).
 TriangleArea triangle_area(vec3 v0, vec3 v1, vec3 v2) {
     vec3 e1 = v1 - v0;
     vec3 e2 = v2 - v0;

@@ -1,4 +1,4 @@
-// Shading normals as the buffers hold them: nine floats a triangle, zeros where its mesh gives none.
+// Shading normals as in the buffers: nine floats a triangle, zeros where its mesh gives none.
 
 vec3 triangle_normal(uint i, uint k) {
     uint at = 9u * i + 3u * k;

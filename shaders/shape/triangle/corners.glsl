@@ -1,4 +1,4 @@
-// Triangles out of the buffers, which hold nine floats each, and their shapes.
+// Triangles from the buffers, nine floats each, and their shapes.
 
 struct Triangle {
     vec3 v0;

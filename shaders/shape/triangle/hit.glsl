@@ -3,8 +3,8 @@
 
 // uses: math/vec, math/products
 
-// What a ray's direction alone decides: the axis along which it is longest becomes z, and the shear
-// x - sx z, y - sy z lays the ray along it.
+// The part of the test that depends only on a ray's direction: the axis along which it is longest becomes z, and the
+// shear x - sx z, y - sy z maps the ray onto it.
 struct RayShear {
     uint axis;
     float sx;
@@ -22,7 +22,7 @@ struct TriangleHit {
     bool back;
 };
 
-// The components in cyclic order, so that `axis` comes last: orientation stays as it is.
+// The components in cyclic order, with `axis` last: orientation is preserved.
 vec3 axis_last(vec3 v, uint axis) {
     return axis == 0u ? v.yzx : (axis == 1u ? v.zxy : v);
 }
@@ -39,15 +39,15 @@ RayShear ray_shear(vec3 d) {
 
 // The hit with a triangle from both sides, or t = -1.
 //
-// Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013. A corner is sheared in the same way
-// whatever triangle it belongs to, and swapping two corners changes only the sign of an edge function, exactly. An edge
-// function has the sign of the exact one of the sheared corners, and 0 counts as inside. So no ray passes between
-// triangles that share an edge or a corner. A triangle whose sheared corners lie on a line has the sum 0 and is never
-// hit.
+// Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013. A corner is sheared in the same
+// way in every triangle it belongs to, and swapping two corners changes only the sign of an edge function,
+// exactly. An edge function has the sign of the exact one of the sheared corners, and 0 counts as inside. So no
+// ray passes between triangles that share an edge or a corner. A triangle whose sheared corners lie on a line
+// has the sum 0 and is never hit.
 //
-// The edge functions must be accurate relative to themselves, not only to the products they are made of: otherwise a
-// needle, or a triangle that is far smaller than its distance to the ray, is hit by rays that miss it by more than its
-// size, and t is as wrong as its weights are.
+// The edge functions must be accurate relative to themselves, not only to the products from which they are computed:
+// otherwise a needle, or a triangle that is far smaller than its distance to the ray, is hit by rays that miss it by
+// more than its size, and t is as wrong as its weights are.
 TriangleHit triangle_hit(vec3 o, RayShear shear, vec3 v0, vec3 v1, vec3 v2) {
     vec3 a = axis_last(v0 - o, shear.axis);
     vec3 b = axis_last(v1 - o, shear.axis);
@@ -58,7 +58,7 @@ TriangleHit triangle_hit(vec3 o, RayShear shear, vec3 v0, vec3 v1, vec3 v2) {
     float by = b.y - shear.sy * b.z;
     float cx = c.x - shear.sx * c.z;
     float cy = c.y - shear.sy * c.z;
-    // Twice the areas that the ray spans with the edges opposite v0, v1, v2.
+    // Twice the areas spanned by the ray and the edges opposite v0, v1, v2.
     float w0 = difference_of_products(bx, cy, by, cx);
     float w1 = difference_of_products(cx, ay, cy, ax);
     float w2 = difference_of_products(ax, by, ay, bx);

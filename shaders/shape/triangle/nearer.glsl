@@ -1,4 +1,4 @@
-// A triangle's part in the search for the nearest hit.
+// The triangle test of the search for the nearest hit.
 // Twin of src/reference/shape/triangle/nearer.rs.
 
 // uses: shape/ray, shape/triangle/hit, shape/triangle/origin, <triangles>, <covered>

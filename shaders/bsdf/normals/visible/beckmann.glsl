@@ -4,7 +4,7 @@
 // uses: math/vec, math/elementary/erfc_inverse, bsdf/interaction, bsdf/distribution/beckmann
 // uses: bsdf/normals/visible/incidence, bsdf/normals/visible/slope
 
-// How facets are seen along the plane of incidence.
+// The distribution of facets seen along the plane of incidence.
 struct BeckmannView {
     // |(alpha wo.x, alpha wo.y, wo.z)|
     float len;
@@ -34,7 +34,7 @@ vec3 visible_beckmann_sample(Interaction at, vec2 u) {
     return normalize3(incidence_to_frame(plane, vec3(along, across, 1.0)));
 }
 
-// D_wo(m) = G1(wo) max(0, wo.m) D(m)/wo.z with Smith's own G1 = 2 p/G(-p/q), whatever the rational one says.
+// D_wo(m) = G1(wo) max(0, wo.m) D(m)/wo.z with Smith's own G1 = 2 p/G(-p/q), not the rational one.
 float visible_beckmann_pdf(Interaction at, vec3 m) {
     float alpha = at.material.width;
     Incidence plane = incidence(at.wo);

@@ -4,8 +4,8 @@
 // uses: math/vec, math/elementary/sincos, bsdf/interaction, bsdf/distribution/ggx
 
 // A visible micro-normal (Dupuy & Benyoub, Sampling Visible GGX Normals with Spherical Caps, 2023).
-// w = normalize(alpha wo.x, alpha wo.y, wo.z); a point of the cap z in (-w.z, 1] about N, and h = it + w. In
-// z = (1 - u2)(1 + w.z) - w.z both h.z and 1 +- z would cancel; formed apart they do not.
+// w = normalize(alpha wo.x, alpha wo.y, wo.z); a point of the cap z in (-w.z, 1] about N, and h = this point + w. In z
+// = (1 - u2)(1 + w.z) - w.z both h.z and 1 +- z would cancel; computed separately they do not.
 vec3 visible_ggx_sample(Interaction at, vec2 u) {
     float alpha = at.material.width;
     vec3 w = normalize3(vec3(alpha * at.wo.x, alpha * at.wo.y, at.wo.z));

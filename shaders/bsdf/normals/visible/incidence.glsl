@@ -3,7 +3,7 @@
 
 // uses: math/vec
 
-// Where wo leans, seen from above.
+// The azimuth and inclination of wo.
 struct Incidence {
     // Sine of the angle between wo and N'.
     float sine;
@@ -29,7 +29,7 @@ vec3 incidence_from_frame(Incidence plane, vec3 v) {
     return vec3(v.x * plane.cos_phi + v.y * plane.sin_phi, v.y * plane.cos_phi - v.x * plane.sin_phi, v.z);
 }
 
-// u away from 0, where a Gaussian ends at infinity: the least that a uniform number can be, and is not 0.
+// u moved away from 0, where a Gaussian ends at infinity: at least the least nonzero uniform number.
 float above_zero(float u) {
     return max2(u, 5.9604645e-8);
 }

@@ -1,4 +1,4 @@
-// Normals of Phong, nearly as they are seen.
+// Nearly the visible normals of Phong.
 // Twin of src/reference/bsdf/normals/visible/phong.rs, which has the formulas and the bound of the weight.
 
 // uses: math/vec, math/elementary/exp, math/elementary/expm1, math/elementary/log1p, math/elementary/erfc_inverse
@@ -36,13 +36,13 @@ vec2 phong_lean(float x, float kappa) {
 
 // h = sqrt(sinh y/y) of the lean whose tangent squared is t2: y = ln(1 + t2)/2, sinh y = t2/(2 sqrt(1 + t2)).
 float phong_excess(float t2) {
-    // up to where a Phong lobe has any facets, and no square overflows
+    // beyond, a Phong lobe has no facets, and squares overflow
     float t = min2(t2, 1e30);
     float h = sqrt(t / (sqrt(1.0 + t) * log1p(t)));
     return t > 0.0 ? h : 1.0;
 }
 
-// A micro-normal, of the density of visible_phong_pdf.
+// A micro-normal with the density of visible_phong_pdf.
 vec3 visible_phong_sample(Interaction at, vec2 u) {
     float alpha = at.material.alpha;
     Incidence plane = incidence(at.wo);

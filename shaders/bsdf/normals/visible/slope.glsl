@@ -14,7 +14,7 @@ struct SlopeLaw {
     float limit;
 };
 
-// A law whose limit is kept where the Gaussian is: beyond 4.5 widths there are 2e-10 of it.
+// A law whose limit is clamped to where the Gaussian is: beyond 4.5 widths lie 2e-10 of it.
 SlopeLaw slope_law(float p, float r, float gamma, float limit) {
     return SlopeLaw(p, r, gamma, min2(limit, 4.5));
 }
@@ -33,17 +33,17 @@ struct SlopeShare {
 // G(t).
 SlopeShare slope_share(SlopeLaw law, float t) {
     ErfcGauss g = erfc_gauss(t);
-    // what compilers leave out where gamma is the constant 0
+    // compilers drop this where gamma is the constant 0
     float grown = law.gamma == 0.0 ? 1.0 : exp(law.gamma * (t * t));
     return SlopeShare(
         law.p * g.erfc + law.r * (g.gauss * grown), g.erfc, g.gauss, 1.7724539 * law.r * (1.0 - law.gamma) * grown);
 }
 
-// A slope near the one with G(t) = u G(-limit); whole is G(-limit).
-// Where visibility matters, it is right at both ends and where q -> infinity: with s^2 = -ln u, t = s - limit/(1 + c s), c
-// such that 1 - G/G(-limit) begins as s^2 does. Elsewhere it is a Gaussian's, cut off at -limit, then moved and narrowed
-// as the first two moments of (1 + t q/p) e^(-t^2) are; but next to a limit that is not dark, where few facets are left,
-// it is one that would be as bright all through.
+// A slope near the one with G(t) = u G(-limit); whole is G(-limit). Where visibility matters, it is right at both
+// ends and where q -> infinity: with s^2 = -ln u, t = s - limit/(1 + c s), c such that 1 - G/G(-limit) begins as
+// s^2 does. Elsewhere it is a Gaussian's, cut off at -limit, then moved and narrowed to the first two moments of (1
+// + t q/p) e^(-t^2); but next to a limit that is not dark, where few facets are left, it is one for uniform
+// brightness.
 float slope_start(SlopeLaw law, SlopeShare whole, float u) {
     float s = sqrt(-log1p(u - 1.0));
     float limit = law.limit;
@@ -61,8 +61,8 @@ float slope_start(SlopeLaw law, SlopeShare whole, float u) {
     return tilt > 0.4 ? seen : narrow;
 }
 
-// One step of Householder's method of third order (1970) from t towards G = goal: the error's fourth power is what is left
-// of it. -limit is not passed, nor approached or left by more than a factor of 8.
+// One step of Householder's method of third order (1970) from t towards G = goal: the error is raised to its fourth
+// power. -limit is not passed, nor approached or left by more than a factor of 8.
 float slope_step(SlopeLaw law, float goal, float t) {
     SlopeShare at = slope_share(law, t);
     float h = law.gamma * (t * t);

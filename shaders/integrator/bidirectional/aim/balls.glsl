@@ -1,13 +1,13 @@
-// The direction that a light path sets out in: half of them about the light's normal, half at what gathers light. Fills the slot
-// <aim>.
+// The direction in which a light path starts: half of them about the light's normal, half at objects that gather light.
+// Fills the slot <aim>.
 // Twin of src/reference/integrator/bidirectional/aim.rs.
 // uses: math/frame, math/steps, math/vec, bsdf/diffuse/lambert, light/sphere
 
 // 1/pi: the cosine lobe's density over the cosine.
 const float LOBE = 0.3183098861837907;
 
-// A direction from the point p of a light with normal n: one in two within the cone of an aim, each as likely; `choice` and u
-// are uniform. From inside a ball, and where there is none, cos/pi.
+// A direction from the point p of a light with normal n: one in two within the cone of an aim, each as likely; `choice`
+// and u are uniform. From inside a ball, and without aims, cos/pi.
 vec3 aimed_direction(vec3 p, vec3 n, float choice, vec2 u) {
     uint place = uint(choice * float(2u * AIMS));
     vec3 d = to_world(frame_about(n), cosine_lobe(u));

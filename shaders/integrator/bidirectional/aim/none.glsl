@@ -1,4 +1,4 @@
-// Nothing gathers light: light paths set out about the light's normal. Fills the slot <aim>.
+// Nothing gathers light: light paths start about the light's normal. Fills the slot <aim>.
 // uses: math/frame, bsdf/diffuse/lambert
 
 vec3 aimed_direction(vec3 p, vec3 n, float choice, vec2 u) {

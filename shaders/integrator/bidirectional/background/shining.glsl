@@ -1,4 +1,4 @@
-// Radiance of everything outside, which sends out no light paths.
+// Radiance of the surroundings, which send out no light paths.
 // Twin of the function of its name in src/reference/integrator/bidirectional/eye_path.rs.
 // uses: integrator/bidirectional/partial, <outside>, <pick>
 

@@ -2,8 +2,8 @@
 // Twin of the function of its name in src/reference/integrator/bidirectional/eye_path.rs.
 // uses: constants/none, math/vec, path/vertex, integrator/bidirectional/partial, integrator/bidirectional/to_light, <light>, <pick>
 
-// Radiance * weight. The density runs from the last real vertex, `origin`, of pick_normal n, `distance` away; nothing else
-// could have found what the camera sees.
+// Radiance * weight. The density is taken from the last real vertex, `origin`, of pick_normal n, `distance` away; no
+// connection could have found the light that the camera sees.
 vec3 emission_seen(Subpath path, Partial partial, vec3 n, Vertex v, vec3 origin, float distance) {
     vec3 seen = vec3(0.0);
     uint light = shapes[v.shape].light;

@@ -1,4 +1,4 @@
-// What the weights know at the first vertex that light arrives at. Fills the slot <first_partial>.
+// The quantities of the weights at the first vertex that light reaches. Fills the slot <first_partial>.
 // Twin of the function of its name in src/reference/integrator/bidirectional/light_path.rs.
 // uses: math/vec, path/vertex, integrator/bidirectional/partial, <light>, <pick>
 

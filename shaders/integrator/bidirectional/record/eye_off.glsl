@@ -1,4 +1,4 @@
-// Nothing is written down of an eye path: a rendering.
+// Records nothing of an eye path: a rendering.
 // uses: integrator/bidirectional/joint
 
 void record_hit(inout EyeState s, Joint x) {

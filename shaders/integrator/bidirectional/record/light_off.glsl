@@ -1,4 +1,4 @@
-// Nothing is written down of a light path: a rendering.
+// Records nothing of a light path: a rendering.
 // uses: integrator/bidirectional/joint
 
 void record_start(uint sample_index, uint thread) {

@@ -1,4 +1,4 @@
-// The decisions at a light path's vertices, for `compare --paired`: a chain beside the path's reservoir.
+// The decisions at a light path's vertices, for `compare --paired`: a chain next to the path's reservoir.
 // Twin of src/reference/integrator/bidirectional/signature.rs.
 // uses: constants/decision, integrator/bidirectional/joint, integrator/path/signature
 

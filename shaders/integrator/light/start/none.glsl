@@ -1,4 +1,4 @@
-// Nothing shines: no light path begins. Fills the slot <light_start>.
+// Nothing emits: no light path begins. Fills the slot <light_start>.
 // uses: constants/none, integrator/light/start/point
 
 LightStart light_start(uint pixel_index, uint sample_index) {

@@ -11,6 +11,6 @@ struct LightStart {
     uint light;
     uint shape;
     uint medium;
-    // Something begins here.
+    // A light path begins here.
     bool emits;
 };

@@ -8,7 +8,7 @@ LightStart light_start(uint pixel_index, uint sample_index) {
     LightStart start;
     start.point = light_emission(light, u.y >> 8u, vec2(unit_float(u.z), unit_float(u.w)));
     float p = light_pmf(light) * start.point.area_pdf;
-    // A broken density breaks what it divides, which the film then drops and counts.
+    // A broken density breaks the quotient, which the film then drops and counts.
     bool covered = is_covered_at(lights[light].shape, start.point.prim, start.point.p);
     start.emits = (p > 0.0 || !is_finite(p)) && !covered;
     start.radiance = lights[light].radiance / (start.emits ? p : 1.0);

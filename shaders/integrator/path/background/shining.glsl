@@ -1,4 +1,4 @@
-// Radiance of everything outside, found by a path that leaves the scene.
+// Radiance of the surroundings, found by a path that leaves the scene.
 // uses: <outside>, <pick>, <connect>
 
 vec3 background_seen(Subpath path, vec3 n, vec3 origin) {

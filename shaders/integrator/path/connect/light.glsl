@@ -1,4 +1,4 @@
-// Weights where light is found by connections alone, but for what the camera and delta lobes see.
+// Weights where light is found by connections alone, except the light that the camera and delta lobes see.
 
 float connection_weight(float light_pdf, float bsdf_pdf) {
     return 1.0;

@@ -7,12 +7,12 @@ float power_heuristic(float p, float q) {
     return 1.0 / (1.0 + ratio * ratio);
 }
 
-// Of light that was connected to.
+// Light found by a connection.
 float connection_weight(float light_pdf, float bsdf_pdf) {
     return power_heuristic(light_pdf, bsdf_pdf);
 }
 
-// Of light that the path has hit; nothing else could have found what a delta lobe or the camera sees.
+// Light found by a hit; no connection could have found the light that a delta lobe or the camera sees.
 float hit_weight(bool delta, float bsdf_pdf, float light_pdf) {
     return delta ? 1.0 : power_heuristic(bsdf_pdf, light_pdf);
 }

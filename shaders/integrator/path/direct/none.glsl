@@ -1,4 +1,4 @@
-// No connections to lights: there are none, or they were not asked for.
+// No connections to lights: the scene has no lights, or the settings no connections.
 // uses: path/vertex
 
 ShadowRay connect(inout PathState s, Subpath path, Vertex v, uint pixel_index, uint sample_index) {

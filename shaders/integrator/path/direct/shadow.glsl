@@ -1,8 +1,8 @@
-// The ray that looks for what stands between a vertex and a point of a light.
+// The ray from a vertex to a point of a light that looks for occluders.
 // Twin of src/reference/integrator/path/direct.rs.
 // uses: constants/ray, math/finite, path/spawn, integrator/path/pick/candidate
 
-// Pending unless the point brings nothing.
+// Pending unless the point contributes nothing.
 ShadowRay shadow_to_light(Subpath path, Vertex v, Candidate c) {
     ShadowRay shadow;
     shadow.pending = 0u;

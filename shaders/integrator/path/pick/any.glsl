@@ -1,4 +1,4 @@
-// Few lights or many, as the scene has them: for kernels that more than one scene shares. Fills the slot <pick>.
+// Few lights or many, depending on the scene: for kernels that several scenes share. Fills the slot <pick>.
 // Twin of the functions of their names in src/reference/integrator/path/pick/mod.rs.
 // uses: constants/lights, light/tree/descent, integrator/path/pick/every, integrator/path/pick/tree
 

@@ -1,15 +1,15 @@
-// A connection of a vertex to a point of one light, before anyone has looked for what stands between.
+// A connection of a vertex to a point of one light, before the shadow ray.
 // Twin of src/reference/integrator/path/pick/candidate.rs.
 // uses: constants/none, math/finite, path/vertex, <light>, <bsdf>, <weigh>, <cover>
 
 struct Candidate {
-    // Index, or NONE: there is no light to pick.
+    // Index, or NONE if there is no light to pick.
     uint light;
     // wi, distance and face of the point.
     LightSample point;
     // Leads through the surface.
     bool through;
-    // What arrives if nothing stands in the way; black where the point cannot be seen or shines on what scatters nothing.
+    // The light that arrives if nothing is in the way; black if the point cannot be seen or its light is not scattered.
     vec3 contribution;
 };
 
@@ -17,8 +17,8 @@ Candidate no_candidate() {
     return Candidate(NONE, LightSample(vec3(0.0), -1.0, 0.0, 1.0, NONE), false, vec3(0.0));
 }
 
-// The point of `light` that u24 and u draw. `expected`: how many points of this light are drawn on average, as
-// pick_probability says.
+// The point of `light` that u24 and u draw. `expected` is the average number of points drawn on this light, as given by
+// pick_probability.
 Candidate candidate(Subpath path, Vertex v, uint light, float expected, uint u24, vec2 u) {
     LightSample l = light_sample(light, v.p, u24, u);
     float p = expected * l.pdf;

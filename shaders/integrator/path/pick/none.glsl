@@ -1,4 +1,4 @@
-// No light is picked: there is none, or paths find it themselves. Fills the slot <pick>.
+// No light is picked: the scene has none, or paths find it by hits alone. Fills the slot <pick>.
 // uses: path/vertex
 
 vec3 pick_normal(Vertex v) {

@@ -1,4 +1,4 @@
-// A light picked by its power, wherever the vertex is; or the only one. Fills the slot <pick>.
+// A light picked by its power, independently of the vertex; or the only one. Fills the slot <pick>.
 // Twin of the functions of their names in src/reference/integrator/path/pick/mod.rs.
 // uses: sampler/unit_float, integrator/path/pick/candidate, <light_choice>
 

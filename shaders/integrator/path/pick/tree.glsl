@@ -1,8 +1,8 @@
-// A light picked among many by what the tree expects of it.
+// A light picked among many by its importance in the tree.
 // Twin of src/reference/integrator/path/pick/tree.rs.
 // uses: constants/material_kind, sampler/unit_float, light/tree/descent, light/tree/tickets, integrator/path/pick/candidate
 
-// The normal on whose side a vertex can be lit; 0 where light may come from both.
+// The normal on whose side a vertex can be lit; 0 if light may come from both.
 vec3 lit_side(Vertex v) {
     return v.interaction.material.kind < KIND_ROUGH_DIELECTRIC ? v.facing : vec3(0.0);
 }

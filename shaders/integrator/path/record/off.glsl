@@ -1,4 +1,4 @@
-// Nothing is written down.
+// Records nothing.
 // uses: path/vertex
 
 void record_hit(inout PathState s, Subpath path, Vertex v) {

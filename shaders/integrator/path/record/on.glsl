@@ -1,4 +1,4 @@
-// Every event of a path, in order, for `--trace`; what does not fit is left out.
+// Every event of a path, in order, for `--trace`; events that do not fit are dropped.
 // uses: constants/none, constants/record, path/vertex
 
 void record(inout PathState s, Record event) {
@@ -8,11 +8,11 @@ void record(inout PathState s, Record event) {
     s.recorded += 1u;
 }
 
-// The vertex is told once it is shaded.
+// The vertex is recorded once it is shaded.
 void record_hit(inout PathState s, Subpath path, Vertex v) {
 }
 
-// A connection tells of its light.
+// Records a connection with its light.
 void record_light(inout PathState s, vec3 contribution, uint light) {
 }
 

@@ -1,4 +1,4 @@
-// The decisions of every path, hashed, for `compare --paired`, and what each sample came to. The kernel traces a
+// The decisions of every path, hashed, for `compare --paired`, and the value of each sample. The kernel traces a
 // connection a turn after its vertex: vertices and connections each have a chain, both in the order of the reference.
 // Twin of src/reference/integrator/path/signature.rs.
 // uses: constants/decision, path/vertex, integrator/path/signature
