@@ -1,7 +1,7 @@
-//! The CPU renderer: the truth that the kernels are held against, written once and generic over the scalar.
+//! The CPU renderer: the reference with which the kernels are compared, written once and generic over the scalar.
 //!
-//! Same folders, file, function and argument names as `shaders/` (`tests/library/twin_names/` lists what differs, and
-//! why). Reads `prepared`, never the GPU's buffers.
+//! Same folders, file, function and argument names as `shaders/` (`tests/library/twin_names/` lists the differences and
+//! their reasons). Reads `prepared`, never the GPU's buffers.
 //!
 //! Throughout, unless a function says otherwise: lengths are in the scene's unit and positions in rendering space;
 //! directions have unit length; radiance is in W·sr⁻¹·m⁻² per channel of linear RGB; a `pdf` is per steradian, an

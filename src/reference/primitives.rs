@@ -23,14 +23,14 @@ pub use crate::prepared::record::light::scalar::Light;
 use crate::prepared::{LightKind, Shape};
 use crate::shape::{self, Bounds, Coincidence, Coincidences, Primitive, ShapeKind};
 
-/// Each kind in an array of its own; numbered through in this order.
+/// Each kind in its own array; numbered consecutively in this order.
 #[derive(Clone, Debug)]
 pub struct Primitives<F> {
     pub spheres: Vec<Sphere<F>>,
     pub boxes: Vec<Cuboid<F>>,
     pub cylinders: Vec<Cylinder<F>>,
     pub triangles: Vec<Triangle<F>>,
-    /// Of the corners of each triangle; empty where no mesh gives any.
+    /// The corners' normals of each triangle; empty if no mesh gives any.
     pub normals: Vec<[Vec3<F>; 3]>,
     pub coincident: Coincidences,
 }
@@ -50,7 +50,7 @@ impl<F: Real> Primitives<F> {
         }
     }
 
-    /// The box about each, taken exactly from its numbers.
+    /// The box around each, taken exactly from its numbers.
     pub fn extents(&self) -> impl Iterator<Item = Bounds> {
         let spheres = self.spheres.iter().map(|s| s.widened(F::f64).extent());
         let boxes = self.boxes.iter().map(|b| b.widened(F::f64).extent());
@@ -66,12 +66,12 @@ impl<F: Real> Primitives<F> {
         self.triangles.get(number.checked_sub(solids)?)
     }
 
-    /// How many there are.
+    /// The number of primitives.
     pub fn len(&self) -> usize {
         self.spheres.len() + self.boxes.len() + self.cylinders.len() + self.triangles.len()
     }
 
-    /// Whether there are none.
+    /// Whether there are no primitives.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -110,7 +110,7 @@ impl<F: Real> Primitives<F> {
         }
     }
 
-    /// The least of `best` and the hits with all, each of which is tried.
+    /// The least of `best` and the hits with all primitives, each of which is tried.
     pub fn nearest(&self, ray: Ray<F>, skip: Target, mut best: Hit<F>) -> Hit<F> {
         if !self.coincident.is_empty() {
             let shear = ray_shear(ray.d);
@@ -235,8 +235,8 @@ impl<F: Real> Primitives<F> {
         }
     }
 
-    /// Density with which [`Self::light_sample`] from `p` would have drawn a point of primitive `prim` of `light`,
-    /// `distance` away under the cosine |N_L·w|.
+    /// Density with which [`Self::light_sample`] from `p` would have drawn a point of primitive `prim` of `light`, at
+    /// `distance` with the cosine |N_L·w|.
     pub fn light_pdf(
         &self,
         light: &Light<F>,

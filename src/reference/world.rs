@@ -1,4 +1,4 @@
-//! A prepared scene in the scalar of the reference: what the kernels read from buffers.
+//! A prepared scene in the scalar of the reference: the data that kernels read from buffers.
 
 use super::accel::Accel;
 use super::bsdf::Material;
@@ -18,37 +18,37 @@ use super::shape::{Hit, Ray, Surface, Target, no_hit};
 pub use crate::prepared::record::aim::scalar::Aim;
 use crate::prepared::{LightKind, MaterialKind, NONE, Prepared, Shape};
 
-/// The scene that paths travel in.
+/// The scene in which paths travel.
 pub struct World<F> {
     pub width: u32,
     pub camera: Camera<F>,
-    /// None of a pinhole.
+    /// `None` for a pinhole.
     pub lens: Option<Lens<F>>,
     pub eye_medium: u32,
     pub shapes: Vec<Shape>,
     pub primitives: Primitives<F>,
     pub materials: Vec<Material<F>>,
     pub lights: Vec<Light<F>>,
-    /// Index among the lights of everything outside, where it shines.
+    /// Index of the background among the lights, if it emits.
     pub background_light: Option<usize>,
-    /// Where a picture shows it.
+    /// The picture of the surroundings, if the scene has one.
     pub surroundings: Option<Surroundings<F>>,
-    /// Of each light, the material whose inside it stands in, or `NONE`.
+    /// For each light, the material in which it lies, or `NONE`.
     pub light_media: Vec<u32>,
-    /// What light paths of bidirectional path tracing are aimed at.
+    /// The balls at which light paths of bidirectional path tracing are aimed.
     pub aims: Vec<Aim<F>>,
     light_cdf: Vec<u32>,
     /// The tree of lights, and the ways to them.
     pub light_nodes: Vec<LightNode<F>>,
     pub light_trails: Vec<u32>,
     triangle_cdf: Vec<u32>,
-    /// Over all primitives, where a loop over them would be slower.
-    /// Whether any surface is one.
+    /// Whether any surface is a null interface.
     null_interfaces: bool,
+    /// The hierarchy over all primitives, if a loop over them would be slower.
     accel: Option<Accel<F>>,
 }
 
-/// Up to so many primitives are searched one by one; from there on the hierarchy is faster, whatever their kind
+/// Up to this many primitives are searched one by one; beyond, the hierarchy is faster for every kind of primitive
 /// (`docs/records/2026-11-22-reference-search.md`).
 const LINEAR_PRIMITIVES: usize = 16;
 
@@ -93,7 +93,7 @@ impl<F: Real> World<F> {
         touching(&self.primitives, ray, best)
     }
 
-    /// What a shadow ray meets: the nearest hit where the scene has null interfaces, which let it pass; else any will do.
+    /// The obstacle of a shadow ray: the nearest hit if the scene has null interfaces, which let the ray pass; else any hit.
     pub fn obstacle(&self, ray: Ray<F>, skip: Target) -> Hit<F> {
         match &self.accel {
             Some(accel) if !self.null_interfaces => {
@@ -104,7 +104,7 @@ impl<F: Real> World<F> {
         }
     }
 
-    /// Whether a face that comes first is at the point `p` of this one.
+    /// Whether a face that comes first covers this one at the point `p`.
     pub fn is_covered_at(&self, shape: u32, prim: u32, p: Vec3<F>) -> bool {
         is_covered_at(&self.primitives, shape, prim, p)
     }
@@ -115,7 +115,7 @@ impl<F: Real> World<F> {
         self.primitives.surface(shape, ray, hit)
     }
 
-    /// The light that a shape is.
+    /// The light on a shape.
     pub fn light_of(&self, shape: u32) -> Option<usize> {
         let light = self.shapes[shape as usize].light;
         (light != NONE).then_some(light as usize)
@@ -150,7 +150,7 @@ impl<F: Real> World<F> {
         }
     }
 
-    /// What is seen along `wi` of `light`, which is everything outside.
+    /// The light seen along `wi` from `light`, which is the background.
     pub fn outside_seen(&self, light: usize, wi: Vec3<F>) -> Outside<F> {
         let radiance = self.lights[light].radiance;
         match &self.surroundings {
@@ -172,8 +172,8 @@ impl<F: Real> World<F> {
         self.primitives.emission_pdf(light, cdf, p, prim, wi)
     }
 
-    /// Density with which [`Self::light_sample`] from `p` would have drawn a point of primitive `prim` of `light`,
-    /// `distance` away under the cosine |N_L·w|.
+    /// Density with which [`Self::light_sample`] from `p` would have drawn a point of primitive `prim` of `light`, at
+    /// `distance` with the cosine |N_L·w|.
     pub fn light_pdf(&self, light: usize, p: Vec3<F>, prim: u32, cosine: F, distance: F) -> F {
         let (light, cdf) = (&self.lights[light], &self.triangle_cdf);
         self.primitives

@@ -1,4 +1,4 @@
-//! From primitives to nodes and leaves, from the top down, on all cores and always alike.
+//! Builds nodes and leaves over primitives, top down and on all cores; the result never depends on the threads.
 
 use rayon::prelude::*;
 
@@ -10,16 +10,16 @@ use crate::reference::math::lanes::WIDTH;
 use crate::reference::primitives::Primitives;
 use crate::shape::Extent;
 
-/// Primitives that a leaf has at most.
+/// The most primitives in a leaf.
 const LEAF: usize = WIDTH;
 /// From this depth on sets are halved by count: by eight a level, which ends within 11 more.
 const HALVING_DEPTH: usize = 24;
-/// Levels that a tree has at most.
+/// The most levels of a tree.
 pub const DEPTH: usize = HALVING_DEPTH + 11;
-/// Larger sets are built side by side.
+/// Larger sets are built in parallel.
 const SERIAL: usize = 4096;
 
-/// A tree, or a part of one.
+/// A tree or a part of one.
 pub struct Built<F> {
     pub nodes: Vec<Node>,
     pub leaves: Vec<Leaf<F>>,
@@ -34,7 +34,7 @@ pub fn items<F: Real>(primitives: &Primitives<F>) -> Vec<Item> {
     (0..).zip(primitives.extents()).map(item).collect()
 }
 
-/// Primitives that are to lie under one child, and the box around them.
+/// The primitives of one child, and the box around them.
 struct Set<'a> {
     items: &'a mut [Item],
     extent: Extent,
@@ -48,7 +48,7 @@ impl<'a> Set<'a> {
 }
 
 impl<F: Real> Built<F> {
-    /// Nothing yet.
+    /// An empty tree.
     pub fn new() -> Self {
         Self {
             nodes: Vec::new(),
@@ -56,7 +56,7 @@ impl<F: Real> Built<F> {
         }
     }
 
-    /// Adds all that lies over `items`, one at least, and returns its top.
+    /// Adds the nodes and leaves over `items`, at least one, and returns their top.
     pub fn add(&mut self, primitives: &Primitives<F>, items: &mut [Item], depth: usize) -> Child {
         if items.len() <= LEAF {
             let numbers = items.iter().map(|item| item.primitive);
@@ -85,7 +85,7 @@ impl<F: Real> Built<F> {
         Child::Node(at as u32)
     }
 
-    /// Adds a part with its top, which it returns by its new number.
+    /// Appends a part and returns its top by its new number.
     fn append(&mut self, (top, mut part): (Child, Self)) -> Child {
         let (nodes, leaves) = (self.nodes.len() as u32, self.leaves.len() as u32);
         let moved = |child| match child {
@@ -101,7 +101,7 @@ impl<F: Real> Built<F> {
     }
 }
 
-/// Divides `items` into the children of a node: the largest box that is no leaf, again and again.
+/// Divides `items` into the children of a node: splits the largest box that is no leaf, repeatedly.
 fn sets(items: &mut [Item], depth: usize) -> Vec<Set<'_>> {
     let mut sets = vec![Set::new(items)];
     while sets.len() < WIDTH {
@@ -140,7 +140,7 @@ mod tests {
     use crate::reference::shape::Sphere;
     use crate::shape;
 
-    /// Spheres at x(i), for a tree that is built in two ways: of few primitives by one thread, of many by several.
+    /// Spheres at x(i), for a tree that is built in two ways: from few primitives by one thread, from many by several.
     fn spheres(count: u32, x: impl Fn(u32) -> f64) -> Primitives<f64> {
         let mut primitives = Primitives::new(&shape::Primitives::default());
         let sphere = |i| Sphere {
@@ -173,7 +173,7 @@ mod tests {
     fn every_primitive_lies_in_one_leaf_and_no_tree_is_too_deep() {
         let apart = |i: u32| f64::from(i);
         let together = |_: u32| 1.0;
-        // Each is split off by itself: the deepest tree that the heuristic makes.
+        // Each is split off alone: the deepest tree that the heuristic makes.
         let ever_nearer = |i: u32| 0.9f64.powi(i as i32);
         for (count, place) in [
             (1, &apart as &dyn Fn(u32) -> f64),

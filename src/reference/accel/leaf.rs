@@ -3,25 +3,25 @@
 //! The triangle test (`shape/triangle/hit.rs`) misses where one edge function is positive and another negative. An edge
 //! function is p − q for two products p and q, computed so that its sign is right. Rounding keeps order: if p < q, then
 //! p rounded ≤ q rounded. So the plain difference of the rounded products has the right sign or is 0, and eight of them
-//! are computed at once. Where it is not beyond [`FAINT`], and of all that may be hit, the test itself decides: no bit of
-//! a hit depends on this file.
+//! are computed at once. Where it does not exceed [`FAINT`], and for every primitive that may be hit, the test itself
+//! decides: no bit of a hit depends on this file.
 
 use crate::reference::math::lanes::{Bits, Lanes, WIDTH};
 use crate::reference::math::{Real, Vec3};
 use crate::reference::primitives::Primitives;
 use crate::reference::shape::RayShear;
 
-/// In units of [`Real::LEAST_NORMAL`], 2²⁴: a difference beyond it is one of products whose errors do not underflow, so
-/// that the test computes its sign rightly.
+/// In units of [`Real::LEAST_NORMAL`], 2²⁴: a larger difference is one of products whose errors do not underflow, so
+/// the test computes its sign correctly.
 const FAINT: f64 = 16_777_216.0;
 
-/// Primitives of a leaf. One that is no triangle has corners that are not numbers: nothing is certain of it.
+/// Primitives of a leaf. One that is no triangle has NaN corners: it is never ruled out.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 pub struct Leaf<F> {
     /// By corner, axis and primitive.
     corners: [[[F; WIDTH]; 3]; 3],
-    /// Numbers of the primitives; those beyond `count` are not looked at.
+    /// Numbers of the primitives; those from `count` on are ignored.
     numbers: [u32; WIDTH],
     count: u32,
 }
@@ -68,7 +68,7 @@ impl<F: Real> Leaf<F> {
         let o = [o.x, o.y, o.z];
         let o = [o[x], o[y], o[z]].map(F::Lanes::splat);
         let [sx, sy] = [shear.sx, shear.sy].map(F::Lanes::splat);
-        // Bit for bit the sheared corners of the test.
+        // The sheared corners of the test, bit for bit.
         let sheared = |corner: &[[F; WIDTH]; 3]| {
             let corner = [x, y, z].map(|axis| F::Lanes::new(corner[axis]));
             let away = corner[2] - o[2];
@@ -95,7 +95,7 @@ mod tests {
     use crate::reference::shape::{Triangle, ray_shear, triangle_hit};
     use crate::shape;
 
-    /// A number in −1 … 1 that is often one of few, so that rays meet edges and corners, and sometimes tiny.
+    /// A number in −1 … 1, often one of few, so that rays meet edges and corners, and sometimes tiny.
     fn coordinate(state: &mut u32) -> f32 {
         *state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         let x = (*state >> 8) as f32 / 8_388_608.0 - 1.0;

@@ -1,5 +1,5 @@
-//! The reference's own acceleration structure: the nearest hit without trying every primitive, the same hit
-//! to the last bit.
+//! The reference's own acceleration structure: it finds the nearest hit without trying every primitive, and the hit is
+//! the same to the last bit.
 
 mod build;
 mod leaf;
@@ -15,7 +15,7 @@ use super::shape::{Hit, Ray, Target, ray_shear};
 use crate::prepared::NONE;
 use tree::Tree;
 
-/// A hierarchy over the primitives of a scene, numbered through.
+/// A hierarchy over the primitives of a scene, numbered consecutively.
 pub struct Accel<F> {
     tree: Tree<F>,
 }
@@ -28,9 +28,8 @@ impl<F: Real> Accel<F> {
         }
     }
 
-    /// The least of `best` and all hits with the primitives that the hierarchy was built over, by
-    /// (t, shape, prim); `skip` is passed over. A search for hits before `t_max` begins with
-    /// [`no_hit`](super::shape::no_hit).
+    /// The least, by (t, shape, prim), of `best` and all hits with the primitives that the hierarchy was built over;
+    /// `skip` is passed over. A search for hits before `t_max` begins with [`no_hit`](super::shape::no_hit).
     pub fn nearest(
         &self,
         primitives: &Primitives<F>,

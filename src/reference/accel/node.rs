@@ -6,14 +6,14 @@ use super::slabs::Slabs;
 use crate::reference::math::lanes::WIDTH;
 use crate::shape::Extent;
 
-/// What a node leads to.
+/// A child of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Child {
     Node(u32),
     Leaf(u32),
 }
 
-/// The boxes of up to eight children, in the order of planes: what a ray needs of all of them lies together.
+/// The boxes of up to eight children, plane by plane: the data that a ray needs of all of them are contiguous.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub struct Node {
@@ -30,7 +30,7 @@ pub struct Boxes {
 }
 
 impl Node {
-    /// No box of it is met: ∞ … −∞.
+    /// No ray meets this box: ∞ … −∞.
     pub const EMPTY: Self = Self {
         planes: [
             [f32x8::new([f32::INFINITY; WIDTH]); 3],
@@ -48,18 +48,18 @@ impl Node {
         self.children[i] = child;
     }
 
-    /// Numbers its children anew.
+    /// Renumbers its children.
     pub fn renumber(&mut self, number: impl Fn(Child) -> Child) {
         self.children = self.children.map(number);
     }
 
-    /// Child `i` of those that have been set.
+    /// Child `i`, which has been set.
     #[inline(always)]
     pub fn child(&self, i: usize) -> Child {
         self.children[i & (WIDTH - 1)]
     }
 
-    /// The box of child `i`, if there is one.
+    /// The box of child `i`, if it has been set.
     #[cfg(test)]
     pub fn extent(&self, i: usize) -> Option<Extent> {
         let [lo, hi] = self
@@ -68,8 +68,8 @@ impl Node {
         (lo[0] <= hi[0]).then_some(Extent { lo, hi })
     }
 
-    /// Where the ray enters each grown box, 0 if it starts within, and which it enters before `t_max` or at it: the
-    /// nearest hit may be one of several at one distance.
+    /// Where the ray enters each grown box, 0 if it starts inside, and which boxes it enters at or before `t_max`: the
+    /// nearest hit may be one of several at the same distance.
     #[inline(always)]
     pub fn meet(&self, slabs: &Slabs, t_max: f32) -> Boxes {
         let near = |axis: usize| {
@@ -119,7 +119,7 @@ mod tests {
         for zero in [0.0, -0.0] {
             assert!(near(entry([-3.0, 0.0, 0.0], [1.0, zero, zero], 10.0), 2.0));
             assert!(near(entry([3.0, 0.5, 0.5], [-1.0, zero, zero], 10.0), 2.0));
-            // Within a face, within an edge, within a face's plane but beside the face.
+            // Within a face, within an edge, in a face's plane but outside the face.
             assert!(near(entry([-3.0, 1.0, 0.0], [1.0, zero, zero], 10.0), 2.0));
             assert!(near(entry([-3.0, 1.0, -1.0], [1.0, zero, zero], 10.0), 2.0));
             assert_eq!(entry([-3.0, 1.0, 1.01], [1.0, zero, zero], 10.0), None);

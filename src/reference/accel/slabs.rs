@@ -1,23 +1,23 @@
-//! A ray against boxes, so that no box hides a hit within it.
+//! Tests a ray against boxes, so that no box hides a hit inside it.
 //!
 //! Let u = 2⁻²⁴, R = max |oₖ| + reach, where no box has a coordinate beyond ±reach.
 //!
-//! * A primitive's own test computes with rounded numbers. What it reports as a hit at t may, taken exactly, miss
-//!   the primitive; but o + t d lies within 48 u R of the primitive's box on every axis. For a triangle: each
+//! * A primitive's own test computes with rounded numbers. A hit that it reports at t may, taken exactly, miss the
+//!   primitive; but o + t d lies within 48 u R of the primitive's box on every axis. For a triangle: each
 //!   sheared corner is wrong by 6 u R (difference, shear, product, difference); the weights, positive and
-//!   relatively exact to 2 u, and the sums that make t of them add 14 u R along the axis of the shear, and no more
+//!   relatively exact to 2 u, and the sums that give t add 14 u R along the axis of the shear, and no more
 //!   along the others. For a sphere: 10 u R for the foot of the perpendicular on the ray, 7 u R for the roots,
-//!   12 u R where the lesser one is found by division. For a cylinder 25 u R, as all is turned into its frame
+//!   12 u R where the lesser one is found by division. For a cylinder 25 u R, as all is rotated into its frame
 //!   first; for a box 5 u R.
 //! * The plane x of a box is met at (x − o)/d, computed with three roundings after o was moved: as if the plane
-//!   stood up to 5 u R elsewhere. The kernels' planes are sums of two products: 10 u R.
+//!   were up to 5 u R elsewhere. The kernels' planes are sums of two products: 10 u R.
 //! * A direction's component below u² in size is replaced by ±u², so that nothing is divided by 0: over the
 //!   distance of any hit, at most √3 R, it moves the ray by 4 u² R.
 //! * The ray of an `f64` rendering is rounded to `f32` for its boxes: 1 u R for the origin, 2 u R for the direction.
 //!
-//! So boxes grown by [`PAD`]·u·R = 64 u R on each side contain every hit within them, and the computed
-//! entry ≤ t ≤ exit. Instead of growing each box, the ray's origin is moved: one way for the planes it meets
-//! first, the other way for those it leaves by. `tests/device/bvh/` holds the 48 u R against what the tests report.
+//! So boxes grown by [`PAD`]·u·R = 64 u R on each side contain every hit within them, and the computed entry ≤ t ≤
+//! exit. Instead of growing each box, the ray's origin is moved: one way for the planes through which it enters, the
+//! other way for those through which it leaves. `tests/device/bvh/` checks the 48 u R on the tests' own hits.
 
 use wide::f32x8;
 
@@ -26,15 +26,15 @@ use crate::reference::math::{Real, max2};
 /// Growth of boxes in units of u·R.
 const PAD: f32 = 64.0;
 
-/// What a ray's box tests have in common, for [`Node::meet`](super::node::Node::meet).
+/// The part of a ray's box tests that all boxes share, for [`Node::meet`](super::node::Node::meet).
 pub struct Slabs {
     /// 1/d
     pub inverse: [f32x8; 3],
-    /// The origin moved forward along each axis by the padding, for planes that the ray enters by.
+    /// The origin moved forward along each axis by the padding, for planes through which the ray enters.
     pub entering: [f32x8; 3],
-    /// The origin moved back, for planes that it leaves by.
+    /// The origin moved back, for planes through which it leaves.
     pub leaving: [f32x8; 3],
-    /// On each axis which of a box's planes the ray enters by: 0, the lower, or 1.
+    /// On each axis, the plane through which the ray enters a box: 0, the lower, or 1.
     pub first: [usize; 3],
 }
 

@@ -1,4 +1,4 @@
-//! Where to divide a set of boxes in two: binned surface area heuristic.
+//! Divides a set of boxes in two by the binned surface area heuristic.
 //!
 //! Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, IRT 2007.
 
@@ -15,10 +15,10 @@ pub struct Item {
     pub primitive: u32,
 }
 
-/// Larger sets are looked through on all cores.
+/// Larger sets are binned on all cores.
 const SERIAL: usize = 1 << 14;
 
-/// Reorders `items` (two at least) and returns how many come first, never none and never all, and the boxes around both
+/// Reorders `items`, at least two, and returns how many come first, never none and never all, and the boxes around both
 /// parts; `None` if all centres coincide.
 pub fn split(items: &mut [Item]) -> Option<(usize, [Extent; 2])> {
     let centre = |item: &Item| Extent::point(item.extent.twice_centre());
@@ -36,7 +36,7 @@ pub fn split(items: &mut [Item]) -> Option<(usize, [Extent; 2])> {
     Some((first, extents))
 }
 
-/// What `of_part` makes of all items: by parts and merged where they are many. Of no items it is neutral.
+/// `of_part` over all items: in parts, merged, where they are many. Over no items it must be neutral.
 fn over_parts<T: Send>(
     items: &[Item],
     of_part: impl Fn(&[Item]) -> T + Sync,
@@ -88,7 +88,7 @@ impl Bins {
     }
 }
 
-/// Of each axis and bin the box around its items, and their number.
+/// The box around the items of each axis and bin, and their number.
 type Filled = [[(Extent, u32); BINS]; 3];
 
 fn merge(mut a: Filled, b: Filled) -> Filled {
@@ -98,7 +98,7 @@ fn merge(mut a: Filled, b: Filled) -> Filled {
     a
 }
 
-/// Where a set is divided.
+/// A plane that divides a set.
 struct Plane {
     axis: usize,
     /// The first of the second part.
@@ -107,7 +107,7 @@ struct Plane {
     extents: [Extent; 2],
 }
 
-/// The plane of the least Σ area·count; `None` if one bin of each axis has all.
+/// The plane of the least Σ area·count; `None` if on each axis one bin has all items.
 fn cheapest_plane(filled: &Filled) -> Option<Plane> {
     let mut best = None;
     let mut least = f64::MAX;
@@ -130,7 +130,7 @@ fn cheapest_plane(filled: &Filled) -> Option<Plane> {
     best
 }
 
-/// Box and number of the items of the first bins up to each.
+/// Box and number of items of the first bins, up to each.
 fn sums<'a>(bins: impl Iterator<Item = &'a (Extent, u32)>) -> [(Extent, u32); BINS] {
     let mut sums = [(Extent::EMPTY, 0); BINS];
     let mut all = (Extent::EMPTY, 0);

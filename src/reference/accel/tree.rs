@@ -1,4 +1,4 @@
-//! A hierarchy of boxes, eight under each node, and the search of a ray through it.
+//! A hierarchy of boxes, eight children to a node, and its traversal by a ray.
 
 use arrayvec::ArrayVec;
 
@@ -13,7 +13,7 @@ use crate::reference::primitives::Primitives;
 use crate::reference::shape::Ray;
 use crate::shape::Extent;
 
-/// Children that wait: all but one of a level's.
+/// The most children that wait: all but one on each level.
 const STACK: usize = DEPTH * (WIDTH - 1) + 1;
 
 /// A bounding volume hierarchy.
@@ -36,7 +36,7 @@ struct Met {
 }
 
 impl<F: Real> Tree<F> {
-    /// The tree over all primitives: the same however many threads build it.
+    /// The tree over all primitives, the same for any number of threads.
     pub fn new(primitives: &Primitives<F>) -> Self {
         let mut items = items(primitives);
         let mut built = Built::new();
@@ -50,7 +50,7 @@ impl<F: Real> Tree<F> {
         }
     }
 
-    /// A way through the tree for `ray`.
+    /// The traversal of the tree by `ray`.
     #[inline(always)]
     pub fn walk(&self, ray: Ray<F>) -> Walk<'_, F> {
         let (o, d) = (ray.o, ray.d);
@@ -65,7 +65,7 @@ impl<F: Real> Tree<F> {
     }
 }
 
-/// The leaves that a ray comes to, the nearer first.
+/// The leaves that a ray reaches, the nearer first.
 pub struct Walk<'a, F> {
     tree: &'a Tree<F>,
     slabs: Slabs,
@@ -130,7 +130,7 @@ fn above<F: Real>(t: F) -> f32 {
     }
 }
 
-/// Puts `met` where those from `first` on stay in order, the nearest last.
+/// Inserts `met` into the entries from `first` on, which stay sorted, the nearest last.
 #[inline(always)]
 fn insert(waiting: &mut ArrayVec<Met, STACK>, first: usize, met: Met) {
     let mut i = waiting.len();

@@ -1,4 +1,4 @@
-//! What a rough reflection and a rough refraction through one micro-normal share; twin of
+//! The quantities that a rough reflection and a rough refraction through one micro-normal share; twin of
 //! `shaders/bsdf/facet.glsl`.
 
 use super::choice::reflect_probability;
@@ -18,7 +18,7 @@ pub struct Facet<F> {
     pub ci: F,
     /// Reflectance.
     pub f: Vec3<F>,
-    /// Probability that it reflects, once it is drawn.
+    /// Probability that it reflects, given that it was drawn.
     pub p_reflect: F,
     /// Density with which it is drawn.
     pub pm: F,

@@ -7,7 +7,7 @@ use crate::reference::math::{Real, Vec3, max2, mean3, min2};
 #[derive(Clone, Copy, Debug)]
 pub struct Interaction<F> {
     pub material: Material<F>,
-    /// To the path's previous vertex, of unit length, in the frame of N': wo.z > 0, but for rays that just graze a
+    /// To the path's previous vertex, of unit length, in the frame of N': wo.z > 0, except for rays that just graze a
     /// surface (0) and shading normals that turn away from them (below 0), where only Kd scatters.
     pub wo: Vec3<F>,
     /// n_o / n_i.
@@ -16,10 +16,10 @@ pub struct Interaction<F> {
     pub one_minus_eta2: F,
     /// (n_i / n_o)² − 1, rounded from f64.
     pub d: F,
-    /// A(t) of the stretch that led here inside the medium, with absorption by `term`; 1 otherwise. It stands
-    /// wherever E_t does, so one formula serves both settings.
+    /// A(t) of the segment that led here inside the medium, with absorption by `term`; 1 otherwise. It appears wherever
+    /// E_t does, so one formula serves both settings.
     pub attenuation: Vec3<F>,
-    /// The path's throughput over its mean, by which the choice of lobe weighs channels; 1 unless the path says otherwise.
+    /// The path's throughput over its mean, by which the choice of lobe weighs channels; 1 unless the path sets it.
     pub carried: Vec3<F>,
 }
 
@@ -42,10 +42,10 @@ pub fn interaction<F: Real>(
     }
 }
 
-/// The mean of `f` over what the path carries, within [0, 1]: Σ βf/Σ β, which for a grey `f` is `f` to the bit.
+/// The mean of `f` weighted by the throughput, within [0, 1]: Σ βf/Σ β, which for a grey `f` is `f` to the bit.
 ///
-/// Chosen by it, a reflection of weight f/R leaves the mean of the path's throughput as it is; by the plain mean of f its
-/// channels would drift apart, each with a variance that grows at every choice.
+/// If R is this mean, a reflection of weight f/R leaves the mean of the path's throughput as it is; with the plain mean
+/// of f the channels would drift apart, each with a variance that grows at every choice.
 pub fn carried_mean<F: Real>(at: &Interaction<F>, f: Vec3<F>) -> F {
     let mean = mean3(f);
     let weighted = mean + mean3(at.carried * (f - Vec3::splat(mean)));

@@ -1,11 +1,11 @@
-//! What a surface does with light (docs/model.md); twin of `shaders/bsdf/`.
+//! BSDFs (docs/model.md); twin of `shaders/bsdf/`.
 //!
-//! Everything is in the frame of N', the normal on `wo`'s side: `wo` points to the path's previous vertex and
-//! `wo.z > 0`, `wi` to its next, and `wi.z < 0` where light is transmitted. Micro-normals `m` have `m.z > 0`.
-//! `eta` is n_o/n_i, the index on `wo`'s side over that on the other. Where the kernel has a slot, filled once
-//! for the scene, the functions here take `settings`, or look at the material.
+//! Everything is in the frame of N', the normal on `wo`'s side: `wo` points to the path's previous vertex and `wo.z >
+//! 0`, `wi` to its next, and `wi.z < 0` where light is transmitted. Micro-normals `m` have `m.z > 0`. `eta` is n_o/n_i,
+//! the index on `wo`'s side over that on the other. Where the kernel has a slot, filled once for the scene, the
+//! functions here take `settings`, or inspect the material.
 //!
-//! | file | what | section |
+//! | file | content | section |
 //! |---|---|---|
 //! | [`distribution`] | D, G1 and sampling of the three distributions | model.md, "Distributions and shadowing" |
 //! | [`fresnel`] | Schlick's and exact reflectance | model.md, "Fresnel" |
@@ -13,8 +13,8 @@
 //! | [`choice`] | which lobe is drawn | model.md, "Choice of lobe" |
 //! | [`snell`], [`facet`], [`reflection`], [`refraction`], [`transmission`], [`diffuse`] | one lobe's value and density | model.md, "Density and value" |
 //! | [`scaling`] | radiance or flux | model.md, "Radiance scaling" |
-//! | [`rough`] | what the kinds with micro-normals share | model.md, "Sampling a direction" |
-//! | [`kind`] | lobes put together, one file a kind of material | model.md, "Limits" |
+//! | [`rough`] | the code that kinds with micro-normals share | model.md, "Sampling a direction" |
+//! | [`kind`] | lobes combined, one file a kind of material | model.md, "Limits" |
 
 pub mod choice;
 pub mod diffuse;

@@ -21,7 +21,7 @@ pub fn reflection_jacobian<F: Real>(c: F) -> F {
     F::one() / (F::new(4.0) * c)
 }
 
-/// value·|N·wi| = D G F/(4 wo.z) (eq. 20), density pm R/(4c); nothing unless c, wo.z and wi.z > 0.
+/// value·|N·wi| = D G F/(4 wo.z) (eq. 20), density pm R/(4c); zero unless c, wo.z and wi.z > 0.
 pub fn reflection_lobe<F: Real>(at: &Interaction<F>, wi: Vec3<F>, x: Facet<F>) -> BsdfValue<F> {
     let value = reflected_share(at, x.c, x.f) * (F::new(0.25) * x.dg);
     let pdf = x.pm * x.p_reflect * reflection_jacobian(x.c);

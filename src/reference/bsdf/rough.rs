@@ -1,4 +1,4 @@
-//! What the kinds with micro-normals share: how a sample begins, and their reflecting side. Twin of
+//! The code that kinds with micro-normals share: how a sample begins, and their reflecting side. Twin of
 //! `shaders/bsdf/rough.glsl`.
 
 use super::choice::reflect_probability;
@@ -14,12 +14,12 @@ use super::sample::{
 use crate::reference::math::{Real, Vec3, dot3};
 use crate::settings::Settings;
 
-/// What a sample of a rough surface draws first.
+/// The first draws of a sample of a rough surface.
 #[derive(Clone, Copy, Debug)]
 pub struct RoughDraw<F> {
     /// The diffuse lobe was chosen.
     pub diffuse: bool,
-    /// A micro-normal, whichever lobe was chosen; it may be one that wo cannot see.
+    /// A micro-normal, for either lobe; wo may be unable to see it.
     pub m: Vec3<F>,
     /// wo·m
     pub c: F,

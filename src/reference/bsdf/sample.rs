@@ -1,4 +1,4 @@
-//! What sampling and evaluation take and return; twin of `shaders/bsdf/sample.glsl`.
+//! Arguments and results of sampling and evaluation; twin of `shaders/bsdf/sample.glsl`.
 
 pub use crate::layout::constants::lobe::{
     LOBE_DELTA, LOBE_DIFFUSE, LOBE_NONE, LOBE_REFLECTION, LOBE_TRANSMISSION,
@@ -6,7 +6,7 @@ pub use crate::layout::constants::lobe::{
 use crate::reference::math::finite::is_finite;
 use crate::reference::math::{Real, Vec3, vec3};
 
-/// What sampling draws from, uniform in [0, 1).
+/// The random numbers of one draw, uniform in [0, 1).
 #[derive(Clone, Copy, Debug)]
 pub struct BsdfRandom<F> {
     /// Between the diffuse lobe and the rest.
@@ -26,7 +26,7 @@ pub struct BsdfSample<F> {
     pub wi: Vec3<F>,
     /// value·|N·wi| / density, per channel.
     pub weight: Vec3<F>,
-    /// Density of `wi` per solid angle, over all lobes; without meaning for a delta lobe.
+    /// Density of `wi` per solid angle, over all lobes; meaningless for a delta lobe.
     pub pdf: F,
     /// `LOBE_…`, with [`LOBE_DELTA`] or without.
     pub lobe: u32,
@@ -59,7 +59,7 @@ pub fn no_value<F: Real>() -> BsdfValue<F> {
     }
 }
 
-/// `value`, or nothing.
+/// `value`, or zero.
 pub fn value_if<F: Real>(valid: bool, value: BsdfValue<F>) -> BsdfValue<F> {
     if valid { value } else { no_value() }
 }

@@ -8,7 +8,7 @@ use super::scaling::transmission_scale;
 use crate::reference::math::{Real, Vec3, normalize3};
 use crate::settings::Settings;
 
-/// m = ±normalize(eta wo + wi) with mz > 0 (eq. 16; the sign so that ior < 1 is right too).
+/// m = ±normalize(eta wo + wi) with mz > 0 (eq. 16; the sign makes it right for ior < 1 too).
 pub fn transmission_half_vector<F: Real>(at: &Interaction<F>, wi: Vec3<F>) -> Vec3<F> {
     let m = normalize3(at.wo * at.eta + wi);
     if m.z < F::zero() { -m } else { m }
@@ -20,13 +20,13 @@ pub fn transmission_jacobian<F: Real>(at: &Interaction<F>, c: F) -> F {
     refracted_cosine(at, c) / (k * k)
 }
 
-/// What the facet lets through, without the Jacobian and without eta²: D G (1 − F) c/wo.z, × A(t).
+/// Light that the facet transmits, without the Jacobian and without eta²: D G (1 − F) c/wo.z, × A(t).
 pub fn transmitted<F: Real>(at: &Interaction<F>, x: Facet<F>) -> Vec3<F> {
     (Vec3::one() - x.f) * at.attenuation * (x.dg * x.c)
 }
 
-/// value·|N·wi| = D G (1 − F) c J/wo.z (eq. 21), × eta² for radiance after J, which is as small as eta⁻²; density
-/// pm (1 − R) J; nothing unless c, wo.z > 0 and ci, wi.z < 0.
+/// value·|N·wi| = D G (1 − F) c J/wo.z (eq. 21), × eta² for radiance after J, which is as small as eta⁻²; density pm (1
+/// − R) J; zero unless c, wo.z > 0 and ci, wi.z < 0.
 pub fn transmission_lobe<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,

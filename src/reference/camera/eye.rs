@@ -1,26 +1,26 @@
-//! The eye as a point sees it; twin of `shaders/camera/eye.glsl`.
+//! The eye as seen from a point; twin of `shaders/camera/eye.glsl`.
 
 use super::Camera;
 use crate::reference::math::{Real, Vec3, dot3, length3};
 
-/// The way to the eye, and the pixel that looks back.
+/// The direction to the eye, and the pixel that sees the point.
 #[derive(Clone, Copy, Debug)]
 pub struct EyeSample<F> {
     /// Towards the eye, of unit length.
     pub wi: Vec3<F>,
     pub distance: F,
-    /// The eye sees the point within the picture.
+    /// The point is within the picture as the eye sees it.
     pub seen: bool,
     pub column: u32,
-    /// From the top.
+    /// Counted from the top.
     pub row: u32,
     /// See [`eye_importance`].
     pub importance: F,
 }
 
-/// What radiance · cosine at the point `to` from the eye adds to its pixel, for one of n_l = width · height light paths:
-/// p_c/(t² n_l), p_c = 1/(A cos³) the density of the pixel's directions per solid angle, A = 4 |right||up|/n_l the
-/// pixel's area on the picture plane at distance 1. With cos = z/t that is t/(4 |right||up| z³).
+/// The importance of the eye at the point `to` from it: radiance · cosine there times this is added to its pixel by one of n_l
+/// = width · height light paths. It is p_c/(t² n_l), p_c = 1/(A cos³) the density of the pixel's directions per solid angle, A
+/// = 4 |right||up|/n_l the pixel's area on the picture plane at distance 1. With cos = z/t that is t/(4 |right||up| z³).
 ///
 /// Veach, Robust Monte Carlo Methods for Light Transport Simulation, 1997, section 8.3.2: the importance that a pinhole
 /// emits.

@@ -1,6 +1,5 @@
-//! A thin lens: rays start at points of its disc, and those of one point of the picture meet in the plane that is sharp;
-//! twin of `shaders/camera/lens.glsl` and `shaders/camera/lens/`.
-//! The formulas: model.md, "The lens".
+//! A thin lens: rays start at points of its disc, and those through one point of the picture meet in the focal plane;
+//! twin of `shaders/camera/lens.glsl` and `shaders/camera/lens/`. The formulas: model.md, "The lens".
 //!
 //! Potmesil & Chakravarty, A Lens and Aperture Camera Model for Synthetic Image Generation, SIGGRAPH 1981; Pharr, Jakob,
 //! Humphreys, Physically Based Rendering, 4th edition, section 5.2.3.
@@ -42,18 +41,18 @@ pub fn lens_point<F: Real>(camera: &Camera<F>, lens: &Lens<F>, q: [F; 2]) -> Vec
     camera.eye + (lens.right * q[0] + lens.up * q[1])
 }
 
-/// The point of the pixel through which a pinhole's ray has the direction of the ray from the lens's point `q` through the
-/// point `at`: F d1 − l, where d1 is the pinhole's direction to the plane at distance 1, l the lens's point and F the
-/// distance that is sharp, is that of d1 − l/F.
+/// The point of the pixel through which a pinhole's ray has the direction of the ray from the lens's point `q` through
+/// the point `at`. F d1 − l has the direction of d1 − l/F, where d1 is the pinhole's direction to the plane at distance
+/// 1, l the lens's point and F the focal distance.
 pub fn lens_pixel<F: Real>(lens: &Lens<F>, q: [F; 2], at: [F; 2]) -> [F; 2] {
     [at[0] - q[0] * lens.blur, at[1] - q[1] * lens.blur]
 }
 
 /// The lens's point `q` from the point `p`.
 ///
-/// Light to it counts as light to a pinhole there does: the pixel's area A in the plane at the distance F is A F², and the
-/// density of its directions per solid angle F²/(A F² cos³). That the point is one of the lens's area, both renderers'
-/// paths share: eye paths start at each with the same density as it is drawn here.
+/// Light that arrives there counts like light that arrives at a pinhole there: the pixel's area A in the plane at the
+/// distance F is A F², and the density of its directions per solid angle F²/(A F² cos³). The density of the point on
+/// the lens's area cancels, because eye paths start at each point with the density with which it is drawn here.
 pub fn lens_sample<F: Real>(
     camera: &Camera<F>,
     lens: &Lens<F>,
@@ -65,7 +64,7 @@ pub fn lens_sample<F: Real>(
     eye_at(camera, to, [x + q[0] * lens.blur, y + q[1] * lens.blur])
 }
 
-/// The eye that the point `p` sees: of a lens a point, drawn by the numbers of `block` among those of the light path.
+/// The eye that the point `p` sees: for a lens, a point drawn by the numbers of `block` among those of the light path.
 pub fn eye_drawn<F: Real>(
     world: &World<F>,
     settings: &Settings,

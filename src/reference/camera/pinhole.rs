@@ -5,8 +5,8 @@ use crate::reference::math::{Real, Vec3, normalize3};
 
 /// Unit direction of the ray through the point (a, b) of the pixel in column `x` and row `y`, row 0 at the top.
 ///
-/// (a, b) lies in [0, 1)², (0, 0) is the pixel's lower left corner: uniform numbers make a box filter one
-/// pixel wide. Below 2²⁴ pixels a side.
+/// (a, b) lies in [0, 1)², (0, 0) is the pixel's lower left corner: uniform numbers make a box filter one pixel wide.
+/// For fewer than 2²⁴ pixels a side.
 pub fn camera_direction<F: Real>(camera: &Camera<F>, x: u32, y: u32, a: F, b: F) -> Vec3<F> {
     let (two, one) = (F::new(2.0), F::one());
     let row = camera.height - 1 - y;

@@ -1,12 +1,12 @@
-//! The sums of samples that follow one another, made from those of two parts of them. No kernel does this: the host joins
-//! blocks of samples, of which a device has one at a time.
+//! Joins the sums of two consecutive ranges of samples. No kernel does this: the host joins blocks of samples, and a
+//! device has one block at a time.
 
 use super::film_moments::FilmMoments;
 use super::film_quarters::FilmQuarters;
 use super::pixel_sum::{PixelSum, film_add};
 use crate::reference::math::{Real, Vec3};
 
-/// The sum of both. Relative error below 3·2⁻⁴⁸ in `f32`, of sums ≥ 0.
+/// The sum of both. Relative error below 3·2⁻⁴⁸ in `f32`, for sums ≥ 0.
 pub fn film_join<F: Real>(a: PixelSum<F>, b: PixelSum<F>) -> PixelSum<F> {
     // s + err = a.sum + b.sum exactly: Knuth, The Art of Computer Programming 2, 4.2.2, theorem B (2Sum)
     let s = a.sum + b.sum;
@@ -21,13 +21,13 @@ pub fn film_join<F: Real>(a: PixelSum<F>, b: PixelSum<F>) -> PixelSum<F> {
     }
 }
 
-/// Σ ± sample of both: + of the last of `b`, which has `n` samples.
+/// Σ ± sample of both: + for the last of `b`, which has `n` samples.
 pub fn film_join_contrast<F: Real>(a: Vec3<F>, b: Vec3<F>, n: u32) -> Vec3<F> {
     // The sign of a's samples changes once for each of b's.
     if n & 1 == 0 { b + a } else { b - a }
 }
 
-/// The quarters of both, the samples of `b` being `n` and the first of them of even index.
+/// The quarters of both; `b` has `n` samples, the first of even index.
 pub fn film_join_quarters<F: Real>(
     a: FilmQuarters<F>,
     b: FilmQuarters<F>,

@@ -4,8 +4,8 @@
 use super::pixel_sum::{PixelSum, film_add, is_summable};
 use crate::reference::math::{Real, Vec3, vec3};
 
-/// Mean and Σ (x − mean)² of the samples so far, per channel. Kept beside the film, whose sum they never touch,
-/// and like it in two parts each: a plain `f32` would stand still after some million samples.
+/// Mean and Σ (x − mean)² of the samples so far, per channel. Stored next to the film, whose sum they never touch, and
+/// like it in two parts each: a plain `f32` would stagnate after some million samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FilmMoments<F> {
     pub mean: PixelSum<F>,
@@ -21,17 +21,17 @@ impl<F: Real> Default for FilmMoments<F> {
     }
 }
 
-/// Adds sample number `n`, counted from 1; a broken one counts as 0, as it does in the film.
+/// Adds sample number `n`, counted from 1; a broken one counts as 0, as in the film.
 ///
 /// Samples that are all equal leave `m2` exactly 0. In `f32`, u = 2⁻²⁴, with A the largest sample, D the largest
 /// difference of two, σ² = `m2` / `n` and `n` ≤ 10⁷:
 ///
-/// - the mean that the next delta is taken from is off by less than E = 3u (A + D): what is left out of its first
-///   part, uA, twice, and two roundings of a delta, each divided by its `n`;
+/// - the mean that the next delta is taken from is off by less than E = 3u (A + D): the second part of the mean, uA,
+///   omitted twice, and two roundings of a delta, each divided by its `n`;
 /// - so `m2` has a relative error below 2√2 E/σ + (E/σ)² + 6u: Σ |delta| ≤ √(2 `n` `m2`) by Cauchy and Schwarz, and
-///   three roundings of each product beside those of the sums. It does not grow with `n`.
+///   three roundings of each product in addition to those of the sums. It does not grow with `n`.
 ///
-/// Deviations must square to numbers of `f32`: they are to be between 1e-18 and 1e18.
+/// Squared deviations must be representable in `f32`: deviations are to be between 1e-18 and 1e18.
 pub fn film_moments<F: Real>(moments: &mut FilmMoments<F>, radiance: Vec3<F>, n: u32) {
     let x = if is_summable(radiance) {
         radiance
@@ -48,8 +48,8 @@ pub fn film_moments<F: Real>(moments: &mut FilmMoments<F>, radiance: Vec3<F>, n:
 /// The standard error of the mean of `n` ≥ 2 samples, in their unit.
 ///
 /// Presumes that the samples are independent, which is true of [`Sampler::Random`](crate::settings::Sampler): every
-/// pixel, sample and dimension draws random numbers of its own. Of Sobol points it would be too large: their error comes
-/// from two groups of them ([`film_half_difference`](super::film_half_difference)).
+/// pixel, sample and dimension draws its own random numbers. It would be too large for Sobol points: their error is
+/// estimated from two groups of them ([`film_half_difference`](super::film_half_difference)).
 pub fn film_stderr<F: Real>(moments: &FilmMoments<F>, n: u32) -> Vec3<F> {
     // s²/n with the unbiased s² = Σ (x − mean)² / (n − 1)
     let variance = moments.m2.sum / (F::from_u32(n) * F::from_u32(n - 1));

@@ -1,11 +1,11 @@
-//! The sum of one pixel's samples, which keeps counting where a plain `f32` sum stands still.
+//! The sum of one pixel's samples, which keeps counting where a plain `f32` sum stagnates.
 
 use crate::reference::math::{Real, Vec3};
 
-/// A sum in two parts: `sum` is the whole rounded to the scalar, `comp` what rounding left out.
+/// A sum in two parts: `sum` is the whole rounded to the scalar, `comp` the rounding error.
 ///
-/// In `f32` that makes 48 bits. The samples are added one at a time, in the order of their index, so that
-/// the picture does not depend on how the work was sliced.
+/// In `f32` that makes 48 bits. The samples are added one at a time, in the order of their index, so the picture does
+/// not depend on how the work was sliced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelSum<F> {
     pub sum: Vec3<F>,
@@ -22,8 +22,8 @@ impl<F: Real> PixelSum<F> {
     }
 }
 
-/// Whether every component is below 2⁹⁶ (in f64 2⁹⁹²): 2³² of them, the most that a pixel may have, add up below 2¹²⁸
-/// (2¹⁰²⁴), where the scalar ends.
+/// Whether every component is below 2⁹⁶ (in f64 2⁹⁹²): 2³² of them, the most that a pixel may have, add up to less than
+/// 2¹²⁸ (2¹⁰²⁴), where the scalar ends.
 pub fn is_summable<F: Real>(x: Vec3<F>) -> bool {
     let below = |x: F| x.abs() < F::SUMMABLE;
     below(x.x) && below(x.y) && below(x.z)
@@ -35,8 +35,8 @@ pub fn film_add<F: Real>(pixel: PixelSum<F>, x: Vec3<F>) -> PixelSum<F> {
     let s = pixel.sum + x;
     let y = s - pixel.sum;
     let err = (pixel.sum - (s - y)) + (x - y);
-    // Both parts normalised again, or comp would stand still at 2²⁴ in its turn: sum + comp = s + low
-    // exactly, |s| ≥ |low|: Dekker, A Floating-Point Technique, 1971 (Fast2Sum)
+    // Both parts normalised again, or comp would itself stagnate at 2²⁴: sum + comp = s + low exactly, |s| ≥ |low|:
+    // Dekker, A Floating-Point Technique, 1971 (Fast2Sum)
     let low = pixel.comp + err;
     let sum = s + low;
     PixelSum {
@@ -111,7 +111,7 @@ mod tests {
         assert!(
             (mean / (exact / f64::from(n)) - 1.0).abs() <= bound / exact + f64::from(f32::EPSILON)
         );
-        // the comparison fails on a plain sum
+        // a plain sum fails the comparison
         let plain: f32 = samples.iter().sum();
         assert!((f64::from(plain) - exact).abs() > bound);
     }

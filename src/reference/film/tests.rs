@@ -1,11 +1,11 @@
-//! Moments against two passes in f64, and against sums done by hand.
+//! Moments compared with two passes in f64, and with sums done by hand.
 
 use super::{FilmMoments, FilmPixel, film_half_difference, film_moments, film_sample, film_stderr};
 use crate::reference::math::{Vec3, vec3};
 use crate::reference::sampler::random::sampler_block;
 use crate::reference::sampler::unit_float;
 
-/// Σ (x − mean)², and the error that it is granted, from the bound of [`film_moments`].
+/// Σ (x − mean)², and the error allowed for it, from the bound of [`film_moments`].
 struct Exact {
     m2: f64,
     error: f64,
@@ -78,7 +78,7 @@ fn the_squares_are_those_of_two_passes_in_f64() {
         );
         // twice the sample: four times the square, to the bit
         assert_eq!(ours.m2.sum.y, 4.0 * ours.m2.sum.x, "{name}");
-        // the comparison fails on the formula that cancels
+        // the formula that cancels fails the comparison
         if name.starts_with("offset") {
             assert!(
                 (textbook(&samples) - exact.m2).abs() > exact.error,
@@ -90,7 +90,7 @@ fn the_squares_are_those_of_two_passes_in_f64() {
 
 #[test]
 fn squares_keep_adding_up_past_two_to_the_24() {
-    // 0 and 1 in turn: Σ (x − ½)² = n/4. Each of these adds less than half a unit to a plain sum of 2²⁴ of them.
+    // 0 and 1 alternating: Σ (x − ½)² = n/4. Each of these adds less than half a unit to a plain sum of 2²⁴ of them.
     let n = 1u32 << 25;
     let ours = moments((0..n).map(|i| (i % 2) as f32));
     let exact = f64::from(n) / 4.0;
@@ -125,8 +125,8 @@ fn the_error_of_the_mean_of_four() {
     assert_eq!(stderr.y, 2f32.sqrt());
 }
 
-/// Every sequence of n samples that are 0 or 1, each as likely: the mean of h² is their variance over n, ¼/n, whether
-/// the groups are equally large or not.
+/// Every sequence of n samples that are 0 or 1, each as likely: the mean of h² is their variance over n, ¼/n, for
+/// equally large groups and for others.
 #[test]
 fn the_half_difference_squares_to_the_variance_of_the_mean() {
     for n in 2..=9u32 {
@@ -142,7 +142,7 @@ fn the_half_difference_squares_to_the_variance_of_the_mean() {
     }
 }
 
-/// Of an odd number of samples whose groups are all equal or cancel, the two extremes of dependence: a group of m samples,
+/// An odd number of samples whose groups are all equal or cancel, the two extremes of dependence: a group of m samples,
 /// each 0 or 1 as one coin falls, has the variance m²/4, one of constants 0.
 #[test]
 fn of_odd_numbers_of_dependent_samples_the_square_is_within_its_bounds() {
@@ -189,8 +189,8 @@ fn the_half_difference_of_two_samples_and_of_three() {
     assert_eq!(half_difference(&[5.0, f32::NAN]), -2.5);
 }
 
-/// Where the noise is a ten-thousandth of the samples, a plain difference of two sums of 2²² samples drowns in their
-/// rounding; the sum of either sign does not.
+/// If the noise is a ten-thousandth of the samples, a plain difference of two sums of 2²² samples drowns in their
+/// rounding; the alternating sum does not.
 #[test]
 fn little_noise_of_many_samples_is_not_lost() {
     let n = 1u32 << 22;

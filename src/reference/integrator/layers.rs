@@ -1,4 +1,4 @@
-//! What a camera ray sees first, for the layers beside a picture.
+//! The first surfaces that a camera ray sees, for the layers of `--aov`.
 
 use super::bidirectional::reservoir::has_density;
 use super::path::begin_path;
@@ -13,7 +13,7 @@ use crate::reference::path::{SampleId, depth_reached};
 use crate::reference::world::World;
 use crate::settings::{Roulette, Settings};
 
-/// The most that a ray is followed through mirrors and smooth glass.
+/// The most mirrors and smooth interfaces that a ray is followed through.
 const THROUGH: u32 = 32;
 
 /// Where a camera ray has hit something.
@@ -31,20 +31,20 @@ pub struct First<F> {
     pub material: u32,
 }
 
-/// What one sample sees.
+/// The surfaces that one sample sees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen<F> {
     pub first: Option<First<F>>,
-    /// Of what was hit first, or the colour of the background; in [0, 1].
+    /// Of the first hit, or the colour of the background; in [0, 1].
     pub albedo: Vec3<F>,
-    /// Behind mirrors and smooth glass, times what they leave of it: of the first surface that scatters.
+    /// Behind mirrors and smooth glass: of the first surface that scatters, times the light that they pass on.
     pub albedo_behind: Vec3<F>,
-    /// Shading normal there; zero where there is none.
+    /// Shading normal there; zero if there is no such surface.
     pub ns_behind: Vec3<F>,
 }
 
-/// How one sample of a pixel is seen: by the camera ray of its path, and, from mirrors and smooth glass on, by the directions
-/// that its path takes there.
+/// The first surfaces of one sample of a pixel: along the camera ray of its path, and, from mirrors and smooth glass
+/// on, along the directions that its path takes there.
 pub fn first_seen<F: Real>(world: &World<F>, settings: &Settings, id: SampleId) -> Seen<F> {
     let settings = undisturbed(settings);
     let mut path = begin_path(world, &settings, id).path;
@@ -103,7 +103,7 @@ fn first<F: Real>(world: &World<F>, v: &Vertex<F>) -> First<F> {
     }
 }
 
-/// Kd + Ks + what is let through, 1 − Ks, of a surface; of a light its colour, whose largest channel is 1.
+/// Kd + Ks + the transmitted share, 1 − Ks, of a surface; for a light its colour, whose largest channel is 1.
 fn albedo<F: Real>(world: &World<F>, v: &Vertex<F>) -> Vec3<F> {
     let m = &v.interaction.material;
     match world.light_of(v.shape) {
@@ -123,7 +123,7 @@ fn specular<F: Real>(m: &Material<F>) -> Vec3<F> {
     }
 }
 
-/// Of everything outside along `d`: its radiance up to 1.
+/// Of the surroundings along `d`: their radiance up to 1.
 fn background_colour<F: Real>(world: &World<F>, d: Vec3<F>) -> Vec3<F> {
     match world.background_light {
         None => Vec3::zero(),

@@ -1,7 +1,7 @@
 //! Estimators of the picture, a folder each; twin of `shaders/integrator/`.
 //!
-//! What a path is, and how it travels, stands in [`path`](super::path); an integrator decides where paths begin, what
-//! they are connected to, and which pixels they bring light to.
+//! [`path`](super::path) defines a path and how it travels; an integrator decides where paths begin, what they are
+//! connected to, and which pixels they contribute to.
 
 pub mod bidirectional;
 pub mod layers;

@@ -3,8 +3,8 @@
 use super::sample::{LightSample, area_density, area_sample, choice_below, solid_angle_pdf};
 use crate::reference::math::{Real, Vec3, vec3};
 
-/// How many faces across each axis are sampled from `p`, 0 to 2: from outside those that show their
-/// front, at most one an axis; from inside, or from a point on the box that sees none, all six.
+/// The number of faces across each axis that are sampled from `p`, 0 to 2: from outside those that show their front, at
+/// most one an axis; from inside, or from a point on the box that sees none, all six.
 pub fn faces_seen<F: Real>(p: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>) -> Vec3<F> {
     let seen = |p: F, lo: F, hi: F| {
         if p < lo || hi < p {
@@ -30,8 +30,8 @@ pub fn face_areas<F: Real>(e: Vec3<F>) -> Vec3<F> {
     vec3(e.y * e.z, e.z * e.x, e.x * e.y)
 }
 
-/// Whether the upper face across an axis is meant: the one that shows its front, or of both the one that the
-/// second half of the choice falls on.
+/// Whether the upper face across an axis is chosen: the one that shows its front, or if both are sampled, the one that
+/// the second half of the choice selects.
 pub fn upper_face<F: Real>(p: F, lo: F, faces: F, area: F, choice: F) -> bool {
     if faces == F::one() {
         lo <= p
@@ -83,8 +83,7 @@ pub fn box_light_sample<F: Real>(
     area_sample(lo + e * at - p, n, area_density(total), face)
 }
 
-/// Density of `box_light_sample` at a point that a path has hit `distance` away under the cosine
-/// `cosine` = |N_L·w|.
+/// Density of `box_light_sample` at a point that a path has hit at `distance` with the cosine `cosine` = |N_L·w|.
 pub fn box_light_pdf<F: Real>(p: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>, distance: F, cosine: F) -> F {
     let area = faces_seen(p, lo, hi) * face_areas(hi - lo);
     let total = area.x + area.y + area.z;

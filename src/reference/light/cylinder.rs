@@ -19,8 +19,8 @@ pub struct CylinderArea<F> {
     pub inside: bool,
 }
 
-/// From outside the caps that show their front, and beside the cylinder the half of the side that is
-/// turned to the point; from inside everything.
+/// From outside, the caps that show their front, and from next to the cylinder the half of the side that faces the
+/// point; from inside, everything.
 pub fn cylinder_area<F: Real>(p: Vec3<F>, radius: F, height: F) -> CylinderArea<F> {
     let beside = radius < (p.x * p.x + p.y * p.y).sqrt();
     let below = p.z < F::zero();
@@ -44,7 +44,7 @@ pub fn cylinder_area<F: Real>(p: Vec3<F>, radius: F, height: F) -> CylinderArea<
 
 /// A point uniform over the areas of `cylinder_area`; the part is chosen by `u24` < 2²⁴.
 ///
-/// Beside the cylinder a point of the half that does not show its front after all yields no sample: pdf 0.
+/// Next to the cylinder, a point of that half may still show its back; it yields no sample: pdf 0.
 pub fn cylinder_light_sample<F: Real>(
     p: Vec3<F>,
     cylinder: &Cylinder<F>,
@@ -105,8 +105,7 @@ pub fn cylinder_light_sample<F: Real>(
     }
 }
 
-/// Density of `cylinder_light_sample` at a point that a path has hit `distance` away under the cosine
-/// `cosine` = |N_L·w|.
+/// Density of `cylinder_light_sample` at a point that a path has hit at `distance` with the cosine `cosine` = |N_L·w|.
 pub fn cylinder_light_pdf<F: Real>(
     p: Vec3<F>,
     cylinder: &Cylinder<F>,

@@ -9,8 +9,8 @@ use crate::reference::shape::triangle::area::{triangle_area, triangle_sample};
 /// A point of a mesh: the triangle by `u24` < 2²⁴ from the mesh's own n + 1 entries `cdf`, then a point
 /// uniform in it. `first` is the mesh's first triangle among all, `triangles`.
 ///
-/// Both faces of a triangle shine. Whether another part of the mesh stands before the point is the shadow
-/// ray's affair, so no triangle is left out for facing away.
+/// Both faces of a triangle emit. No triangle is excluded for facing away: whether another part of the mesh is in front
+/// of the point is left to the shadow ray.
 pub fn mesh_light_sample<F: Real>(
     p: Vec3<F>,
     triangles: &[Triangle<F>],
@@ -27,8 +27,8 @@ pub fn mesh_light_sample<F: Real>(
     area_sample(point - p, surface.ng, density, first + i)
 }
 
-/// Density of `mesh_light_sample` at a point of triangle `prim` that a path has hit `distance` away under
-/// the cosine `cosine` = |N_L·w|.
+/// Density of `mesh_light_sample` at a point of triangle `prim` that a path has hit at `distance` with the cosine
+/// `cosine` = |N_L·w|.
 pub fn mesh_light_pdf<F: Real>(
     triangles: &[Triangle<F>],
     first: u32,

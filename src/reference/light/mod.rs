@@ -1,9 +1,9 @@
 //! Explicit sampling of emitters; twin of `shaders/light/`.
 //!
 //! Every `*_light_sample` draws a point of a light as seen from `p` and returns its density per solid angle;
-//! `*_light_pdf` returns the density with which the same function would have drawn a point that a path
-//! has hit. Densities per area become densities per solid angle by p_ω = p_A·r²/|N_L·w|, with one
-//! cosine (model.md, "Connections").
+//! `*_light_pdf` returns the density with which the same function would have drawn a point that a path has hit.
+//! Densities per area become densities per solid angle by p_ω = p_A·r²/|N_L·w|, with one cosine (model.md,
+//! "Connections").
 
 pub mod background;
 pub mod r#box;

@@ -1,4 +1,4 @@
-//! What a path sees that leaves the scene; twin of `shaders/light/outside.glsl`.
+//! The light outside the scene, seen by a path that leaves it; twin of `shaders/light/outside.glsl`.
 
 use crate::reference::math::Vec3;
 
@@ -6,6 +6,6 @@ use crate::reference::math::Vec3;
 pub struct Outside<F> {
     /// W·sr⁻¹·m⁻².
     pub radiance: Vec3<F>,
-    /// Per steradian: that with which the background as a light draws the direction.
+    /// Per steradian: the density with which the background as a light draws the direction.
     pub pdf: F,
 }

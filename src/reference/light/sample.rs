@@ -1,4 +1,4 @@
-//! What a light sampler returns; twin of `shaders/light/sample.glsl`.
+//! The result of a light sampler; twin of `shaders/light/sample.glsl`.
 
 use crate::prepared::NONE;
 use crate::reference::math::{Real, Vec3, dot3, length3, vec3};
@@ -10,12 +10,12 @@ pub struct LightSample<F> {
     pub wi: Vec3<F>,
     /// To the point; −1: the background, beyond everything.
     pub distance: F,
-    /// Per steradian; 0: no sample, whatever else stands here.
+    /// Per steradian; 0: no sample, and the other fields are meaningless.
     pub pdf: F,
     /// |N_L·wi| at the point.
     pub cosine: F,
-    /// The face that the point is on, as in [`Hit::prim`](crate::reference::shape::Hit::prim): with the light's shape, what
-    /// a shadow ray leads to. Of surroundings the texel.
+    /// The face that the point is on, as in [`Hit::prim`](crate::reference::shape::Hit::prim): with the light's shape,
+    /// the target of a shadow ray. For surroundings the texel.
     pub prim: u32,
 }
 
@@ -32,7 +32,7 @@ impl<F: Real> LightSample<F> {
     }
 }
 
-/// 1/area; 0 where there is none.
+/// 1/area; 0 for no area.
 pub fn area_density<F: Real>(area: F) -> F {
     let some = area > F::zero();
     let density = F::one() / if some { area } else { F::one() };

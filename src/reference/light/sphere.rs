@@ -11,8 +11,8 @@ const INV_2PI: f64 = 0.159_154_943_091_895_35;
 
 /// 1 − cos θ_max of the cone that a sphere of radius r subtends at a distance d > r from its centre.
 ///
-/// sin²θ_max/(1 + cos θ_max), with sin = r/d and cos² = (1 − sin)(1 + sin): no digit is lost however small
-/// the sphere or however near its surface.
+/// sin²θ_max/(1 + cos θ_max), with sin = r/d and cos² = (1 − sin)(1 + sin): no digit is lost, even for tiny spheres or
+/// next to the surface.
 pub fn cone_height<F: Real>(radius: F, distance: F) -> F {
     let one = F::one();
     let sin = radius / distance;
@@ -20,8 +20,8 @@ pub fn cone_height<F: Real>(radius: F, distance: F) -> F {
     sin * sin / (one + cos)
 }
 
-/// A direction uniform in the cone that the sphere subtends; from inside, or from a point on it, where there
-/// is no cone, a point uniform on the sphere.
+/// A direction uniform in the cone that the sphere subtends; from inside, or from a point on it, where no cone exists,
+/// a point uniform on the sphere.
 pub fn sphere_light_sample<F: Real>(
     p: Vec3<F>,
     centre: Vec3<F>,
@@ -37,8 +37,8 @@ pub fn sphere_light_sample<F: Real>(
     }
 }
 
-/// Density of `sphere_light_sample` at a point that a path has hit `distance` away under the cosine
-/// `cosine` = |N_L·w|, which matter only from inside.
+/// Density of `sphere_light_sample` at a point that a path has hit at `distance` with the cosine `cosine` = |N_L·w|;
+/// both matter only from inside.
 pub fn sphere_light_pdf<F: Real>(
     p: Vec3<F>,
     centre: Vec3<F>,
@@ -59,7 +59,7 @@ pub fn sphere_density<F: Real>(radius: F) -> F {
     area_density(F::new(FOUR_PI) * (radius * radius))
 }
 
-/// 1/(2π(1 − cos θ_max)); 0 where a sphere is so small that f32 has no number for it.
+/// 1/(2π(1 − cos θ_max)); 0 for a sphere so small that f32 cannot represent it.
 pub fn cone_pdf<F: Real>(height: F) -> F {
     let lost = height < F::new(1e-37);
     let pdf = F::new(INV_2PI) / if lost { F::one() } else { height };

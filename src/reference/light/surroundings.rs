@@ -1,5 +1,5 @@
-//! A picture of all directions as a light: of constant radiance in each texel, drawn by luminance times solid angle. Twin of
-//! `shaders/light/surroundings.glsl`.
+//! A picture of all directions as a light: its radiance is constant within a texel, and texels are drawn by luminance
+//! times solid angle. Twin of `shaders/light/surroundings.glsl`.
 //!
 //! Pharr, Jakob & Humphreys, Physically Based Rendering, 4th edition, section 12.5.2, with directions uniform within a texel's
 //! solid angle, so that the density is constant there.
@@ -20,7 +20,7 @@ use crate::reference::math::{Real, Vec3, vec3};
 pub struct Surroundings<F> {
     pub map: Map<F>,
     pub rows: Vec<Row<F>>,
-    /// Of each texel, where its counts out of 2²⁴ end within its row.
+    /// For each texel, where its counts out of 2²⁴ end within its row.
     pub ends: Arc<Vec<u32>>,
     pub picture: Arc<Film>,
 }
@@ -58,7 +58,7 @@ pub fn surroundings_texel<F: Real>(s: &Surroundings<F>, wi: Vec3<F>) -> u32 {
     row.min(s.map.height - 1) * s.map.width + column.min(s.map.width - 1)
 }
 
-/// Of the picture as its file has it.
+/// The radiance in the picture's file.
 pub fn surroundings_radiance<F: Real>(s: &Surroundings<F>, texel: u32) -> Vec3<F> {
     let [r, g, b] = s.picture.rgb[texel as usize].map(|x| F::new(x.into()));
     vec3(r, g, b)
@@ -90,8 +90,8 @@ pub fn fraction_of<F: Real>(u24: u32, begin: u32, end: u32) -> F {
     (F::from_u32(u24 - begin) + F::new(0.5)) / F::from_u32(end - begin)
 }
 
-/// cos θ and sin θ of the place `x` between the edges of a row, by which it was drawn: cos θ itself, or sin²(θ/2) = h from the
-/// nearer pole. dω = dφ d cos θ = 2 dφ dh.
+/// cos θ and sin θ of the place `x` between the edges of a row, by the quantity drawn uniformly: cos θ itself, or
+/// sin²(θ/2) = h from the nearer pole. dω = dφ d cos θ = 2 dφ dh.
 pub fn height_and_radius<F: Real>(row: u32, height: u32, x: F) -> [F; 2] {
     let middle = 4 * row >= height && 4 * (row + 1) <= 3 * height;
     let south = 2 * row + 1 > height;
@@ -123,8 +123,8 @@ pub fn surroundings_direction<F: Real>(
 
 /// A direction, drawn by the texels' probabilities.
 ///
-/// Its pdf is that of the texel which is seen along the direction: rounding may make it a neighbour of the one that was drawn,
-/// and what is divided by the pdf must belong to it.
+/// Its pdf is that of the texel seen along the direction, which rounding may make a neighbour of the one drawn: the
+/// radiance that is divided by the pdf is that texel's.
 pub fn surroundings_light_sample<F: Real>(s: &Surroundings<F>, u: [F; 2]) -> LightSample<F> {
     let counts = F::new(16_777_216.0);
     let row24 = (u[1] * counts).to_u32();
@@ -153,7 +153,7 @@ pub fn surroundings_light_sample<F: Real>(s: &Surroundings<F>, u: [F; 2]) -> Lig
     }
 }
 
-/// What is seen along `wi`, times `scale`.
+/// The light seen along `wi`, times `scale`.
 pub fn surroundings_outside<F: Real>(
     s: &Surroundings<F>,
     scale: Vec3<F>,

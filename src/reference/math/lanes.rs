@@ -1,10 +1,10 @@
-//! Eight scalars side by side, on which one instruction works: each does what one scalar does, to the bit.
+//! Eight scalars side by side, on which one instruction works: each gets the scalar result, to the bit.
 
 use std::ops::{Mul, Sub};
 
 use wide::{f32x8, f64x8};
 
-/// How many stand side by side.
+/// The number of scalars.
 pub const WIDTH: usize = 8;
 
 /// [`WIDTH`] scalars `F`.
@@ -51,7 +51,7 @@ macro_rules! lanes {
 lanes!(f32, f32x8);
 lanes!(f64, f64x8);
 
-/// The places of a mask's bits, the lowest first.
+/// The positions of a mask's bits, the lowest first.
 #[derive(Clone, Copy, Debug)]
 pub struct Bits(pub u32);
 

@@ -41,7 +41,7 @@ pub fn difference_of_products<F: Real>(a: F, b: F, c: F, d: F) -> F {
 mod tests {
     use super::*;
 
-    /// In `f64` products of `f32` are exact, and so is the sign of their difference; it is rounded once.
+    /// In `f64`, products of `f32` are exact, and so is the sign of their difference; it is rounded once.
     #[test]
     fn f32_is_within_two_half_ulps_of_f64() {
         let mut state = 1u32;
@@ -52,7 +52,7 @@ mod tests {
         for i in 0..1_000_000 {
             let mut near_one = || 1.0 + (next() >> 9) as f32 * f32::EPSILON;
             let (a, b) = (near_one(), near_one());
-            // Now unrelated factors, now ones of nearly the same product.
+            // Unrelated factors and ones of nearly the same product, alternating.
             let c = if i % 2 == 0 { near_one() } else { a.next_up() };
             let d = if i % 2 == 0 {
                 near_one()

@@ -1,7 +1,7 @@
-//! The scalar that the reference is generic over.
+//! The reference's scalar type.
 //!
-//! In `f32` every operation is the one the kernel performs, in the same order, so that the two agree
-//! bit for bit on a device that rounds correctly; in `f64` the same text tells what `f32` costs.
+//! In `f32` every operation is the one that the kernel performs, in the same order, so that the two agree bit for bit
+//! on a device that rounds correctly; in `f64` the same code measures the error of `f32`.
 
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -33,13 +33,13 @@ pub trait Real:
     + SubAssign
     + MulAssign
 {
-    /// Eight side by side.
+    /// Eight scalars side by side.
     type Lanes: Lanes<Self> + Debug + Send + Sync + 'static;
     /// Half the distance from 1 to the next larger number: 2⁻²⁴ or 2⁻⁵³.
     const ULP: Self;
     /// The least number of full precision, 2⁻¹²⁶ or 2⁻¹⁰²².
     const LEAST_NORMAL: Self;
-    /// 2⁻³² of where the scalar ends: 2⁹⁶ or 2⁹⁹².
+    /// 2⁻³² of the scalar's upper limit: 2⁹⁶ or 2⁹⁹².
     const SUMMABLE: Self;
     /// 2^⌈p/2⌉ + 1, which splits a number of p bits into halves: see `products`.
     const SPLIT: Self;

@@ -1,10 +1,10 @@
-//! How far a rounded result is from the truth.
+//! The distance of a rounded result from the true value.
 
-/// |computed − truth| in units of the last place that an `f32` of the size of `truth` has.
+/// computed − truth| in units of the last place of an `f32` of the size of `truth`.
 ///
 /// Infinite where one of the two is a NaN or overflows and the other does not.
 pub fn ulps(computed: f32, truth: f64) -> f64 {
-    // What rounds to ∞ in f32: MAX + half a unit.
+    // Rounds to ∞ in f32: MAX + half a unit.
     let overflow = f64::from(f32::MAX) + 2f64.powi(103);
     if truth.is_nan() || computed.is_nan() {
         return if truth.is_nan() && computed.is_nan() {

@@ -42,7 +42,7 @@ impl<F: Real> Vec3<F> {
     }
 }
 
-/// `b < a ? b : a`, spelt out because SPIR-V leaves FMin's answer open for NaN and for zeros of two signs.
+/// `b < a ? b : a`, spelt out because SPIR-V leaves FMin's result undefined for NaN and for zeros of two signs.
 pub fn min2<F: Real>(a: F, b: F) -> F {
     if b < a { b } else { a }
 }

@@ -1,16 +1,16 @@
-//! Which random numbers belong to which path; twin of `shaders/path/blocks/`.
+//! The random numbers of each path; twin of `shaders/path/blocks/`.
 
 use crate::reference::sampler::LIGHT_PATH;
 
-/// The end that a path begins at.
+/// The end at which a path begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     Eye,
     Light,
 }
 
-/// The block of [`sampler::dimensions`](crate::reference::sampler::dimensions); of a light path, which shares no number
-/// with the eye path of the same pixel and sample, among its own.
+/// The block of [`sampler::dimensions`](crate::reference::sampler::dimensions); for a light path, which shares no
+/// number with the eye path of the same pixel and sample, one of its own.
 pub fn path_block(from: Origin, block: u32) -> u32 {
     match from {
         Origin::Eye => block,

@@ -5,7 +5,7 @@ use super::vertex::Vertex;
 use crate::reference::math::frame::to_world;
 use crate::reference::math::{Real, Vec3, dot3};
 
-/// `value` of a path from the eye; on a light path [`adjoint_value`].
+/// `value` for a path from the eye; for a light path [`adjoint_value`].
 pub fn corrected<F: Real>(
     from: Origin,
     v: &Vertex<F>,
@@ -19,8 +19,9 @@ pub fn corrected<F: Real>(
     }
 }
 
-/// `value` |wo·Ns||wi·Ng|/(|wo·Ng||wi·Ns|): the BSDF of shading normals is not symmetric. `value` has the cosine |wi·Ns| already,
-/// or is a weight made with it. 0 where wo's sides differ, as on eye paths; `value` itself where the two normals are one.
+/// `value` |wo·Ns||wi·Ng|/(|wo·Ng||wi·Ns|): the BSDF of shading normals is not symmetric. `value` has the cosine
+/// |wi·Ns| already, or is a weight made with it. 0 where wo's sides differ, as on eye paths; `value` itself where the
+/// two normals are equal.
 ///
 /// Veach, Robust Monte Carlo Methods for Light Transport Simulation, 1997, eq. 5.19.
 pub fn adjoint_value<F: Real>(

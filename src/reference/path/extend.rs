@@ -1,4 +1,4 @@
-//! Where a path goes on from a vertex; twin of `shaders/path/extend.glsl`.
+//! The next direction of a path at a vertex; twin of `shaders/path/extend.glsl`.
 
 use super::blocks::{Origin, path_block};
 use super::correction::corrected;
@@ -15,11 +15,11 @@ use crate::reference::math::frame::to_world;
 use crate::reference::sampler::{bsdf_block, chance, roulette_block, unit_float};
 use crate::settings::Settings;
 
-/// What came of the attempt.
+/// The outcome of an extension.
 #[derive(Clone, Copy, Debug)]
 pub struct Extension {
     pub alive: bool,
-    /// Less throughput is left than the scalar holds.
+    /// The throughput is below the least that the scalar can represent.
     pub underflow: bool,
     /// The throughput is NaN or infinite.
     pub broken: bool,
@@ -27,8 +27,8 @@ pub struct Extension {
     pub lobe: u32,
 }
 
-/// Draws the next direction and moves the path onto it, where there is one. On a path from a light `settings` are those
-/// of the adjoint.
+/// Draws the next direction and moves the path onto it, if there is one. On a path from a light `settings`
+/// are those of the adjoint.
 #[inline]
 pub fn extend<F: Real>(
     settings: &Settings,

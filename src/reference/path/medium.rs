@@ -20,7 +20,7 @@ pub fn beer3<F: Real>(sigma: Vec3<F>, t: F) -> Vec3<F> {
     vec3(beer(sigma.x, t), beer(sigma.y, t), beer(sigma.z, t))
 }
 
-/// Transmittance of a stretch of length `t` in `medium`, a material or `NONE`; 1 with `term`.
+/// Transmittance of a segment of length `t` in `medium`, a material or `NONE`; 1 with `term`.
 pub fn stretch_transmittance<F: Real>(
     world: &World<F>,
     absorption: Absorption,
@@ -33,7 +33,7 @@ pub fn stretch_transmittance<F: Real>(
     }
 }
 
-/// The hand-out's A(t), at the end of a stretch of length `t` that meets the inside of a surface.
+/// The hand-out's A(t), at the end of a segment of length `t` that meets the inside of a surface.
 pub fn term_attenuation<F: Real>(
     world: &World<F>,
     absorption: Absorption,

@@ -1,4 +1,4 @@
-//! What a path is and how it travels, whichever end it began at; twin of `shaders/path/`.
+//! Paths and how they travel, from either end; twin of `shaders/path/`.
 
 pub mod blocks;
 pub mod correction;
@@ -16,11 +16,11 @@ use super::sampler::sampler_block;
 use super::shape::Ray;
 use crate::settings::Settings;
 
-/// Which random numbers a path draws.
+/// Selects the random numbers of a path.
 #[derive(Clone, Copy, Debug)]
 pub struct SampleId {
     pub column: u32,
-    /// From the top.
+    /// Counted from the top.
     pub row: u32,
     /// row · width + column of the full picture.
     pub pixel: u32,
@@ -36,7 +36,7 @@ impl SampleId {
     }
 }
 
-/// What carries over from one vertex to the next.
+/// The state that passes from one vertex to the next.
 #[derive(Clone, Copy, Debug)]
 pub struct Subpath<F> {
     /// The next ray.
@@ -44,14 +44,14 @@ pub struct Subpath<F> {
     pub throughput: Vec3<F>,
     /// Product of the eta² that radiance scaling has put into `throughput`.
     pub eta_scale: F,
-    /// Density of the ray's direction; without meaning where `delta` is set.
+    /// Density of the ray's direction; meaningless where `delta` is set.
     pub pdf: F,
     /// The ray comes from the camera or from a delta lobe.
     pub delta: bool,
     pub bounce: u32,
 }
 
-/// Whether a path of so many bounces goes no further; never without a `--max-depth`.
+/// Whether a path ends after this many bounces; never without a `--max-depth`.
 pub fn depth_reached(settings: &Settings, bounce: u32) -> bool {
     settings.model.max_depth.is_some_and(|n| bounce >= n)
 }

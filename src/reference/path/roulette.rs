@@ -5,10 +5,10 @@ pub use crate::layout::constants::path::LONG_PATH;
 use crate::reference::math::{Real, Vec3, max_component, min2};
 use crate::settings::Roulette;
 
-/// Probability in (0, 1] that a path of this throughput goes on after bounce number `bounce` (from 0).
+/// Probability in (0, 1] that a path of this throughput continues after bounce number `bounce` (from 0).
 ///
-/// On throughput: from the third bounce, with the radiance scale eta² divided out, because in glass of index
-/// n throughput is n² smaller without being worth less.
+/// By throughput: from the third bounce, with the radiance scale eta² divided out, because in glass of index n
+/// throughput is n² smaller without being worth less.
 pub fn roulette_survival<F: Real>(
     roulette: Roulette,
     throughput: Vec3<F>,

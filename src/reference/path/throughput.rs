@@ -1,4 +1,4 @@
-//! What a path carries, and where f32 ends for it; twin of `shaders/path/throughput.glsl`.
+//! The throughput of a path, and where it underflows; twin of `shaders/path/throughput.glsl`.
 
 use crate::reference::math::{Real, Vec3, max_component, mean3, min2, vec3};
 
@@ -8,7 +8,7 @@ pub fn underflows<F: Real>(t: Vec3<F>, w: Vec3<F>) -> bool {
     max_component(both) > F::zero() && max_component(t * w) < F::LEAST_NORMAL
 }
 
-/// `t` over its mean; 1 where that has underflowed.
+/// `t` over its mean; 1 if the mean has underflowed.
 pub fn channel_shares<F: Real>(t: Vec3<F>) -> Vec3<F> {
     let mean = mean3(t);
     if mean >= F::LEAST_NORMAL {

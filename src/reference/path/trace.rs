@@ -10,7 +10,7 @@ use crate::reference::world::World;
 use crate::settings::Settings;
 
 /// Traces the extension ray to the next surface that is no null interface, attenuating the throughput on its way.
-/// Returns the hit, or `None` where the ray leaves the scene, and the distance from the last vertex.
+/// Returns the hit, or `None` if the ray leaves the scene, and the distance from the last vertex.
 pub fn extend_ray<F: Real>(
     world: &World<F>,
     settings: &Settings,
@@ -36,18 +36,18 @@ pub fn extend_ray<F: Real>(
     }
 }
 
-/// A connection under way to a point of a light.
+/// A connection to be traced to a point of a light.
 #[derive(Clone, Copy, Debug)]
 pub struct ShadowRay<F> {
     /// Ends at the point.
     pub ray: Ray<F>,
     /// Does not stop the ray.
     pub target: Target,
-    /// What arrives if nothing stands in its way.
+    /// The light that arrives if nothing is in its way.
     pub contribution: Vec3<F>,
 }
 
-/// What arrives over a connection, or `None` where something stands in its way.
+/// The light that arrives over a connection, or `None` if something is in its way.
 pub fn shadow_ray<F: Real>(
     world: &World<F>,
     settings: &Settings,
@@ -57,7 +57,7 @@ pub fn shadow_ray<F: Real>(
     shadow_ray_into(world, settings, c, rays).map(|(light, _)| light)
 }
 
-/// The same, and the medium that the connection ends in.
+/// The same, and the medium in which the connection ends.
 pub fn shadow_ray_into<F: Real>(
     world: &World<F>,
     settings: &Settings,
@@ -87,7 +87,7 @@ fn is_null_interface<F: Real>(world: &World<F>, hit: Hit<F>) -> bool {
     world.materials[material as usize].kind == MaterialKind::NullInterface
 }
 
-/// The ray beyond a null interface, and what `term` takes off on leaving.
+/// The ray beyond a null interface, and the attenuation that `term` applies on leaving.
 struct Skipped<F> {
     ray: Ray<F>,
     factor: Vec3<F>,

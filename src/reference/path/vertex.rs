@@ -12,13 +12,13 @@ use crate::reference::shape::{Hit, Ray, Surface, triangle_self_distance};
 use crate::reference::world::World;
 use crate::settings::Settings;
 
-/// A point of a surface, and all that the path's next steps ask of it.
+/// A point of a surface, with the data that the path's next steps need.
 #[derive(Clone, Copy, Debug)]
 pub struct Vertex<F> {
     pub p: Vec3<F>,
     /// Outward geometric normal.
     pub ng: Vec3<F>,
-    /// Shading normal on the side of `ng`, as the surface has it.
+    /// Shading normal on the side of `ng`, as the surface defines it.
     pub ns: Vec3<F>,
     /// Geometric normal on wo's side.
     pub facing: Vec3<F>,
@@ -113,8 +113,8 @@ pub fn same_sides<F: Real>(facing: Vec3<F>, wi: Vec3<F>, wi_local: Vec3<F>) -> b
     (dot3(wi, facing) > F::zero()) == (wi_local.z > F::zero())
 }
 
-/// How far along a ray from a mesh its origin's rounding error reaches; solids tell theirs by the side that the
-/// ray leaves to.
+/// How far along a ray from a mesh its origin's rounding error reaches; solids recognise their own by the side to which
+/// the ray leaves.
 pub fn self_distance<F: Real>(kind: ShapeKind, p: Vec3<F>, ng: Vec3<F>, d: Vec3<F>) -> F {
     match kind {
         ShapeKind::Mesh => triangle_self_distance(p, ng, d),
@@ -122,7 +122,7 @@ pub fn self_distance<F: Real>(kind: ShapeKind, p: Vec3<F>, ng: Vec3<F>, d: Vec3<
     }
 }
 
-/// The medium behind the surface: the shape's own on entering, air on leaving. Every object stands in air.
+/// The medium behind the surface: the shape's own on entering, air on leaving. Every object is in air.
 pub fn medium_beyond<F: Real>(v: &Vertex<F>) -> u32 {
     if v.outside { v.material } else { NONE }
 }

@@ -2,9 +2,9 @@
 
 use crate::reference::math::Real;
 
-/// Uniform numbers are multiples of 2⁻²⁴ ([`unit_float`](super::unit_float)): u < `p` comes true with the probability
-/// ⌈p·2²⁴⌉·2⁻²⁴. From p = 2⁻¹² on that is p to within a share of 2⁻¹², and `p` is returned; for what is rarer it may be
-/// many times p. What divides by it is then right on average however rare the event.
+/// Uniform numbers are multiples of 2⁻²⁴ ([`unit_float`](super::unit_float)): u < `p` is true with the probability
+/// ⌈p·2²⁴⌉·2⁻²⁴. From p = 2⁻¹² on that is p to within a share of 2⁻¹², and `p` is returned; for rarer events it may be
+/// many times p. A division by it is then right on average, even for rare events.
 pub fn chance<F: Real>(p: F) -> F {
     let drawn = -(-p * F::new(16777216.0)).floor() * F::new(5.960464477539063e-8);
     if p < F::new(0.000244140625) { drawn } else { p }
@@ -15,7 +15,7 @@ mod tests {
     use super::super::unit_float;
     use super::*;
 
-    /// How many of the 2²⁴ uniform numbers are below p: they ascend, so the count is where p would stand.
+    /// How many of the 2²⁴ uniform numbers are below p: they ascend, so the count is where p would be inserted.
     fn below(p: f32) -> u32 {
         let (mut low, mut high) = (0u32, 1 << 24);
         while low < high {
@@ -37,7 +37,7 @@ mod tests {
             let drawn = f64::from(below(p)) * 2f64.powi(-24);
             assert_eq!(f64::from(chance(p)), drawn, "{p:e}");
         }
-        // The test can fail: p itself is not what is drawn.
+        // The test can fail: p itself is not the probability of the draw.
         assert_ne!(
             f64::from(below(1e-12)) * 2f64.powi(-24),
             f64::from(1e-12f32)

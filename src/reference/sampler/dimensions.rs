@@ -1,4 +1,4 @@
-//! Which of a path's random numbers is used for what; the same for every scene, kernel and setting.
+//! The use of each of a path's random numbers; the same for every scene, kernel and setting.
 //!
 //! | block | x | y | z | w |
 //! |---|---|---|---|---|
@@ -7,17 +7,18 @@
 //! | [`bsdf_block`] | choice of the lobe | reflect or refract | micro-normal u₁ | micro-normal u₂ |
 //! | [`roulette_block`] | roulette | diffuse u₁ | diffuse u₂ | – |
 //!
-//! Bounce 0 is at the first surface that the camera sees. A number that a path has no use for is skipped,
-//! never given to something else.
+//! Bounce 0 is at the first surface that the camera sees. A number that a path does not use is skipped, never used for
+//! something else.
 //!
-//! A light path has blocks of its own, [`LIGHT_PATH`] + the same numbers: `camera_block` chooses its light (x), the
-//! primitive (y) and the point (z, w), `light_block(0)` its direction (x, y). The point of the lens (z, w) that a vertex is
-//! joined to is that of `light_block(bounce + 1)`, of the light's own point that of `light_block(0)`; a bidirectional light
+//! A light path has its own blocks, [`LIGHT_PATH`] + the same numbers: `camera_block` chooses its light (x), the
+//! primitive (y) and the point (z, w), `light_block(0)` its direction (x, y). The point of the lens (z, w) that a
+//! vertex is joined to comes from `light_block(bounce + 1)`, for the light's own point from `light_block(0)`; a
+//! bidirectional light path, whose own point is not joined, uses that of `light_block(0)` for its aim (z).
 //! path, whose own point is not joined, has that of `light_block(0)` for what it is aimed at (z).
 
 pub use crate::layout::constants::path::LIGHT_PATH;
 
-/// Where in its pixel the camera ray goes through, and where in the lens.
+/// The points of the pixel and the lens through which the camera ray passes.
 pub fn camera_block() -> u32 {
     0
 }

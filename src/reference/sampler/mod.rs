@@ -1,7 +1,7 @@
 //! Random numbers from integers alone, so that CPU and GPU draw the same; twin of `shaders/sampler/`.
 //!
-//! A sampler is a pure function `sampler_block(pixel, sample_index, block, seed)` to four words, one block
-//! of the layout in [`dimensions`]. It keeps no state: a path may be cut anywhere and carried on elsewhere.
+//! A sampler is a pure function `sampler_block(pixel, sample_index, block, seed)` to four words, one block of the
+//! layout in [`dimensions`]. It has no state: a path may be interrupted anywhere and continued elsewhere.
 
 mod chance;
 pub mod dimensions;
@@ -21,7 +21,7 @@ pub use chance::chance;
 pub use dimensions::{LIGHT_PATH, bsdf_block, camera_block, light_block, roulette_block};
 pub use unit_float::unit_float;
 
-/// Four words for one block of a path by the sampler chosen, `pixel` = row · width + column of the full picture.
+/// Four words for one block of a path from the chosen sampler, `pixel` = row · width + column of the full picture.
 pub fn sampler_block(
     sampler: Sampler,
     pixel: u32,

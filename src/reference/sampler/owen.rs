@@ -3,8 +3,8 @@
 /// Flips each binary digit of a number in [0, 1) or not, by a hash of the digits before it: Owen's nested scrambling
 /// (Randomly Permuted (t,m,s)-Nets, 1995), `seed` in place of its random bits. `seed` must itself be well mixed.
 ///
-/// Bit 0 is the first digit after the point. Sums and products carry to later digits only, and an even factor leaves a
-/// digit out of its own hash. Numbers whose first k digits agree and whose next differ stay so.
+/// Bit 0 is the first digit after the point. Sums and products carry to later digits only, and an even factor excludes
+/// a digit from its own hash. Numbers whose first k digits agree and whose next differ stay so.
 ///
 /// Laine & Karras, Stratified Sampling for Stochastic Transparency, EGSR 2011; Burley, Practical Hash-based
 /// Owen Scrambling, JCGT 9(4), 2020; constants of Vegdahl, Building a Better LK Hash, 2021

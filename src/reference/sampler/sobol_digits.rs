@@ -13,8 +13,8 @@
 //! obeys p(E) r = 0, and the quotient p(E) q = xᵏ. So the digits of a coordinate, e at a time, are those of the index in base
 //! p, up to one linear map of e digits, the same everywhere, which the first numbers m₁ … mₑ decide.
 //!
-//! The digits in base p come by halves: over GF(2) p(x)ʰ = p(xʰ) where h is a power of two, three terms. Quotient and
-//! remainder by p⁸ stand in the upper and lower half; both are divided by p⁴ at once, all four by p², and so on.
+//! The digits in base p come by halving: over GF(2) p(x)ʰ = p(xʰ) where h is a power of two, three terms. Quotient and
+//! remainder by p⁸ are in the upper and lower half; both are divided by p⁴ at once, all four by p², and so on.
 //!
 //! p and m are those of Joe & Kuo, Constructing Sobol' Sequences with Better Two-Dimensional Projections, SIAM J. Sci.
 //! Comput. 30, 2008 (`new-joe-kuo-6`, d = 2, 3, 4).

@@ -16,9 +16,9 @@ pub fn lowbias32(x: u32) -> u32 {
 /// Four words for one block of a path, `pixel` = row · width + column of the full picture. Samples whose indices agree in
 /// their last `group_bits` binary digits are a group.
 ///
-/// Burley, Practical Hash-based Owen Scrambling, JCGT 9(4), 2020: the index is shuffled, the coordinates are
-/// scrambled, each block of each group of samples by itself. The shuffle keeps every run of 2ᵏ samples of a group that
-/// starts at a multiple of 2ᵏ together, so that in each dimension one of them lies in each of 2ᵏ equal intervals.
+/// Burley, Practical Hash-based Owen Scrambling, JCGT 9(4), 2020: the index is shuffled, the coordinates are scrambled,
+/// separately for each block of each group of samples. The shuffle keeps every run of 2ᵏ samples of a group that starts
+/// at a multiple of 2ᵏ together, so that in each dimension one of them lies in each of 2ᵏ equal intervals.
 ///
 /// Words y and z (a diffuse direction) have dimensions 1 and 0, a (0, 2)-sequence; z and w (points of lights,
 /// micro-normals) 0 and 2, t ≤ 1; x and y (the pixel) 3 and 1, t ≤ 2.
@@ -29,7 +29,7 @@ pub fn sobol_block(
     block: u32,
     seed: u32,
 ) -> [u32; 4] {
-    // What a kernel computes once a thread, a hash of pixel and seed, makes the hash of the rest a short one.
+    // A kernel computes this hash of pixel and seed once a thread, which makes the hash of the rest a short one.
     let key = pcg4d([pixel, 0, 0, seed]);
     let group = sample_index & ((1 << group_bits) - 1);
     let place = (block << group_bits).wrapping_add(group);

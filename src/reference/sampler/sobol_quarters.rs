@@ -1,4 +1,5 @@
-//! Scrambled Sobol points in four groups: the quarters of the samples are independent pictures, as judging a denoised one needs.
+//! Scrambled Sobol points in four groups: the quarters of the samples are independent pictures, by which a denoised one
+//! is judged.
 
 use super::sobol_groups::sobol_block;
 

@@ -27,9 +27,9 @@ pub fn box_face<F: Real>(x: bool, y: bool, d: Vec3<F>) -> u32 {
 
 /// The first hit with a box along the unit vector `d`, or t = −1.
 ///
-/// `start` is the ray's relation to this very box. To its outside: never. To its inside: where it leaves,
-/// t ≥ 0, always found. From elsewhere: the least t > 0, so that a ray which starts in the plane of a face
-/// is not stopped there. Slabs: Kay and Kajiya, Ray Tracing Complex Scenes, SIGGRAPH 1986.
+/// `start` is the ray's relation to this box. If it leaves to the outside: never. To the inside: at the exit, t ≥ 0,
+/// always found. From elsewhere: the least t > 0, so that a ray which starts in the plane of a face is not stopped
+/// there. Slabs: Kay and Kajiya, Ray Tracing Complex Scenes, SIGGRAPH 1986.
 #[inline(always)]
 pub fn box_hit<F: Real>(o: Vec3<F>, d: Vec3<F>, lo: Vec3<F>, hi: Vec3<F>, start: u32) -> BoxHit<F> {
     let x = slab(o.x, d.x, lo.x, hi.x, start);
@@ -54,8 +54,8 @@ pub fn box_enters<F: Real>(face: u32, d: Vec3<F>) -> bool {
     (along > F::zero()) == face.is_multiple_of(2)
 }
 
-/// The coordinate of a point of a face: of the face's plane along the axis `across` it, clamped to the face
-/// elsewhere.
+/// The coordinate of a point of a face: the coordinate of the face's plane along the axis `across` it, clamped to the
+/// face along the others.
 pub fn box_snap<F: Real>(across: bool, upper: bool, p: F, lo: F, hi: F) -> F {
     let plane = if upper { hi } else { lo };
     if across { plane } else { min2(max2(p, lo), hi) }

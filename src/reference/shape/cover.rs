@@ -1,14 +1,15 @@
-//! Faces that coincide: which of them is there (model.md, "Coincident faces"); twin of `shaders/shape/cover/`.
+//! Coincident faces: which of them counts (model.md, "Coincident faces"); twin of `shaders/shape/cover/`.
 
 use super::ray::{Hit, Ray, START_OUTSIDE};
 use crate::prepared::NONE;
 use crate::reference::math::{Real, Vec3};
 use crate::reference::primitives::Primitives;
 
-/// What a search for the nearest hit asks of a hit before it counts.
+/// Decides whether a hit counts in a search for the nearest.
 pub trait Cover<F> {
-    /// Whether a hit of `ray` with this face is none: the ray starts on a face that coincides with it, or one that comes
-    /// first is there. Of solids that touch, the one that the ray is in comes first: it `enters` the other from air alone.
+    /// Whether a hit of `ray` with this face does not count: the ray starts on a face that coincides with it, or
+    /// another face comes first at this point. Among touching solids, the one that contains the ray comes first: the
+    /// ray `enters` the other from air alone.
     fn is_covered(&self, ray: Ray<F>, shape: u32, prim: u32, t: F, enters: bool) -> bool;
 }
 
@@ -33,20 +34,20 @@ impl<F: Real> Cover<F> for Primitives<F> {
     }
 }
 
-/// Whether a face that comes first is at the point `p` of this one.
+/// Whether a face that comes first covers this one at the point `p`.
 pub fn is_covered_at<F: Real>(
     primitives: &Primitives<F>,
     shape: u32,
     prim: u32,
     p: Vec3<F>,
 ) -> bool {
-    // What is no shape, the background, has no faces.
+    // The background, which is no shape, has no faces.
     shape != NONE
         && (primitives.coincident.of(shape, prim).iter())
             .any(|c| c.touches == 0 && primitives.face_point(c, p).within)
 }
 
-/// What a ray meets that has left a solid where another touches it: that one, at once. Elsewhere `best`.
+/// The hit of a ray that has left a solid where another touches it: with that one, at once. Elsewhere `best`.
 pub fn touching<F: Real>(primitives: &Primitives<F>, ray: Ray<F>, best: Hit<F>) -> Hit<F> {
     if ray.start != START_OUTSIDE || ray.shape == NONE || ray.medium != NONE {
         return best;

@@ -24,7 +24,7 @@ pub struct CylinderHit<F> {
     pub part: u32,
 }
 
-/// The stretch of a ray inside the infinite cylinder x² + y² ≤ r², in the cylinder's frame.
+/// The interval of a ray inside the infinite cylinder x² + y² ≤ r², in the cylinder's frame.
 ///
 /// a t² − 2b t + c = 0 with a = dx² + dy², b = −(ox dx + oy dy), c = ρ² − r² = (ρ − r)(ρ + r). The
 /// discriminant b² − a c cancels; it equals a r² − (ox dy − oy dx)², which does not. A ray that starts on the
@@ -57,10 +57,9 @@ pub fn side_stretch<F: Real>(o: Vec3<F>, d: Vec3<F>, radius: F, start: u32, part
 
 /// The first hit with a capped cylinder along the unit vector `d`, or t = −1.
 ///
-/// `start` is the ray's relation to this very cylinder, `part` the part that it starts on. To its
-/// outside: never. To its inside: where it leaves, t ≥ 0, always found. From elsewhere: the least t > 0.
-/// The solid is what an infinite cylinder and the space between two planes have in common, and so are the
-/// stretches.
+/// `start` is the ray's relation to this cylinder, `part` the part that it starts on. If it leaves to the outside:
+/// never. To the inside: at the exit, t ≥ 0, always found. From elsewhere: the least t > 0. The solid is the
+/// intersection of an infinite cylinder with the space between two planes, and so are the ray's intervals.
 pub fn cylinder_hit<F: Real>(
     o: Vec3<F>,
     d: Vec3<F>,
@@ -96,7 +95,7 @@ pub fn cylinder_hit<F: Real>(
     }
 }
 
-/// Whether a ray along `d` goes through a cap from outside; not asked of the side, which touches no other solid.
+/// Whether a ray along `d` goes through a cap from outside; never called for the side, which touches no other solid.
 pub fn cap_enters<F: Real>(cylinder: &Cylinder<F>, part: u32, d: Vec3<F>) -> bool {
     let along = dot3(d, cylinder.w);
     match part {
@@ -113,8 +112,8 @@ pub fn cylinder_surface<F: Real>(ray: Ray<F>, hit: Hit<F>, cylinder: &Cylinder<F
     let on_side = hit.prim == CYLINDER_SIDE;
     let on_base = hit.prim == CYLINDER_BASE;
     let rho = (p.x * p.x + p.y * p.y).sqrt();
-    // Where the radius is below the resolution of the coordinates, the side that faces the ray will do, from within the
-    // other; any, where the ray runs along the axis.
+    // If the radius is below the resolution of the coordinates, take the side that faces the ray, or from within the
+    // other one; any side if the ray runs along the axis.
     let on_axis = rho == F::zero();
     let leaves = start_on(ray, cylinder.shape) == START_INSIDE;
     let along = to_local(frame, if leaves { ray.d } else { -ray.d });

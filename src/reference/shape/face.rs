@@ -10,14 +10,14 @@ use crate::reference::math::{Real, Vec3, cross3, difference_of_products};
 /// A point of a face's plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FacePoint<F> {
-    /// On the face, its edge included.
+    /// On the face, including its edge.
     pub within: bool,
     /// Weights of a triangle's second and third corner.
     pub uv: [F; 2],
 }
 
 impl<F: Real> FacePoint<F> {
-    /// On a face that has no weights, or not.
+    /// A point on a face that has no weights, or off it.
     fn solid(within: bool) -> Self {
         Self {
             within,
@@ -26,7 +26,7 @@ impl<F: Real> FacePoint<F> {
     }
 }
 
-/// Whatever lies on the sphere.
+/// Every point of the sphere.
 pub fn sphere_face_point<F: Real>() -> FacePoint<F> {
     FacePoint::solid(true)
 }

@@ -1,9 +1,8 @@
-//! The nearest hit by trying each primitive; twin of `shaders/shape/linear/`, where the loops are written out.
+//! The nearest hit by trying each primitive; twin of `shaders/shape/linear/`, where the loops are unrolled.
 //!
-//! Each takes the best hit so far and returns the best of that and its own, so that they can be
-//! called in any order: the least (t, shape, primitive) wins. A search begins with
-//! [`no_hit(t_max)`](super::no_hit) and passes over the shape or triangle `skip`. The loops are for shapes of which no two
-//! faces coincide.
+//! Each function takes the best hit so far and returns the better of that and its own, so they can be called in any
+//! order: the least (t, shape, primitive) wins. A search begins with [`no_hit(t_max)`](super::no_hit) and passes over
+//! the shape or triangle `skip`. The loops are for shapes without coincident faces.
 
 use super::r#box::box_enters;
 use super::cover::{Cover, NoCover};
@@ -41,7 +40,7 @@ pub fn nearer_sphere<F: Real>(
     let start = start_on(ray, sphere.shape);
     let mut t = sphere_hit(ray.o, ray.d, sphere.centre, sphere.radius, start);
     if t >= F::zero() && t <= best.t && cover.is_covered(ray, sphere.shape, 0, t, false) {
-        // What comes first at one point of a sphere does at all.
+        // A shape that comes first at one point of a sphere comes first at all of them.
         t = -F::one();
     }
     nearer_solid(t, sphere.shape, 0, skip, best)
@@ -63,7 +62,7 @@ pub fn nearer_box<F: Real>(
         && hit.t <= best.t
         && cover.is_covered(ray, shape, hit.face, hit.t, enters)
     {
-        // Not where it is entered: where it is left.
+        // The entry does not count: take the exit.
         hit = box_hit(ray.o, ray.d, lo, hi, START_INSIDE);
         if cover.is_covered(ray, shape, hit.face, hit.t, false) {
             hit.t = -F::one();
@@ -88,7 +87,7 @@ pub fn nearer_cylinder<F: Real>(
         && hit.t <= best.t
         && cover.is_covered(ray, shape, hit.part, hit.t, enters)
     {
-        // Not where it is entered: where it is left. A ray that starts on no part is told that it starts on a cap.
+        // The entry does not count: take the exit. A ray that starts on no part gets a cap as its start.
         hit = cylinder_hit(ray.o, ray.d, cylinder, START_INSIDE, CYLINDER_BASE);
         if cover.is_covered(ray, shape, hit.part, hit.t, false) {
             hit.t = -F::one();

@@ -1,9 +1,9 @@
 //! Rays and the shapes that they hit; twin of `shaders/shape/`.
 //!
-//! A ray that leaves a shape never meets that shape by its own rounding error, and no offset ever skips
-//! another shape: the side that it leaves to says which root of a convex shape is meant ([`ray`]), and a
-//! triangle of a mesh is told from the one that the ray starts on by planes and orientation
-//! ([`triangle::nearer`]). No constant here has a unit of length.
+//! A ray that leaves a shape never meets that shape because of its own rounding error, and no offset ever skips another
+//! shape: the side to which it leaves determines the root of a convex shape ([`ray`]), and a triangle of a mesh is
+//! distinguished from the one on which the ray starts by planes and orientation ([`triangle::nearer`]). No constant
+//! here has a unit of length.
 
 pub mod r#box;
 pub mod cover;

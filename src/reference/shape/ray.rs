@@ -4,24 +4,24 @@ pub use crate::layout::constants::ray::{FAR, START_ELSEWHERE, START_INSIDE, STAR
 use crate::prepared::NONE;
 use crate::reference::math::{Real, Vec3};
 
-/// The half-line o + t d, 0 < t < t_max, what it starts on and what it travels in.
+/// The half-line o + t d, 0 < t < t_max, with the surface on which it starts and the medium in which it travels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray<F> {
     pub o: Vec3<F>,
-    /// [`FAR`] where nothing limits it.
+    /// [`FAR`] if nothing limits it.
     pub t_max: F,
     /// Unit length.
     pub d: Vec3<F>,
-    /// The shape that it starts on, or [`NONE`].
+    /// The shape on which it starts, or [`NONE`].
     pub shape: u32,
-    /// The primitive that it starts on, as in [`Hit::prim`], or [`NONE`].
+    /// The primitive on which it starts, as in [`Hit::prim`], or [`NONE`].
     pub prim: u32,
-    /// Which side of `shape` it leaves to: [`START_ELSEWHERE`], [`START_OUTSIDE`] or [`START_INSIDE`].
+    /// The side of `shape` to which it leaves: [`START_ELSEWHERE`], [`START_OUTSIDE`] or [`START_INSIDE`].
     pub start: u32,
-    /// How far the origin's rounding error reaches along the ray, where it starts on a mesh; else 0. See
+    /// How far the origin's rounding error reaches along the ray, if it starts on a mesh; else 0. See
     /// [`triangle_self_distance`](super::triangle_self_distance).
     pub t_self: F,
-    /// The material that it travels in, or [`NONE`].
+    /// The material in which it travels, or [`NONE`].
     pub medium: u32,
 }
 
@@ -41,11 +41,11 @@ impl<F: Real> Ray<F> {
     }
 }
 
-/// What a shadow ray leads to and must not be stopped by: a solid, or one triangle of a mesh.
+/// The target of a shadow ray, which must not stop it: a solid, or one triangle of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Target {
     pub shape: u32,
-    /// As in [`Hit::prim`]; of a solid no other face is met either.
+    /// As in [`Hit::prim`]; no other face of a solid is met either.
     pub prim: u32,
 }
 
@@ -62,7 +62,7 @@ impl Target {
 /// Where a ray meets a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<F> {
-    /// Distance; the limit of the search where nothing is hit.
+    /// Distance; the limit of the search if nothing is hit.
     pub t: F,
     /// [`NONE`]: nothing is hit.
     pub shape: u32,
@@ -75,7 +75,7 @@ pub struct Hit<F> {
 /// A point of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface<F> {
-    /// On the surface as exactly as `F` allows.
+    /// On the surface, as exactly as `F` allows.
     pub p: Vec3<F>,
     /// Outward geometric normal, unit length.
     pub ng: Vec3<F>,
@@ -93,14 +93,14 @@ pub fn no_hit<F: Real>(t_max: F) -> Hit<F> {
     }
 }
 
-/// Whether a hit comes before `best`: the least (t, shape, prim), in lexicographic order (model.md,
-/// "Order of hits"). Where nothing was hit yet it must come before the limit, `best.t`, itself.
+/// Whether a hit comes before `best`: the least (t, shape, prim), in lexicographic order (model.md, "Order of hits").
+/// Before the first hit it must come before the limit, `best.t`.
 pub fn closer<F: Real>(t: F, shape: u32, prim: u32, best: Hit<F>) -> bool {
     let before = shape < best.shape || (shape == best.shape && prim < best.prim);
     t < best.t || (t == best.t && best.shape != NONE && before)
 }
 
-/// How the ray starts as `shape` sees it.
+/// How the ray starts relative to `shape`.
 pub fn start_on<F: Real>(ray: Ray<F>, shape: u32) -> u32 {
     if shape == ray.shape {
         ray.start

@@ -3,15 +3,15 @@
 use crate::layout::constants::ray::{FAR, PARALLEL, START_ELSEWHERE, START_INSIDE};
 use crate::reference::math::{Real, max2, min2};
 
-/// A stretch of a ray; empty where near > far.
+/// An interval of a ray; empty where near > far.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slab<F> {
     pub near: F,
     pub far: F,
 }
 
-/// The stretch with lo ≤ o + t d ≤ hi along one axis. A parallel ray is between the planes or it is not;
-/// sliding along one of them it misses, unless it starts there to the inside.
+/// The interval with lo ≤ o + t d ≤ hi along one axis. A parallel ray is either between the planes or not; sliding
+/// along one of them it misses, unless it starts there to the inside.
 #[inline(always)]
 pub fn slab<F: Real>(o: F, d: F, lo: F, hi: F, start: u32) -> Slab<F> {
     let parallel = d.abs() < F::new(PARALLEL);
@@ -26,14 +26,14 @@ pub fn slab<F: Real>(o: F, d: F, lo: F, hi: F, start: u32) -> Slab<F> {
     }
 }
 
-/// Whether a ray meets a convex solid, which it crosses along the stretch `s`, where it enters.
+/// Whether a ray meets a convex solid, which it crosses in the interval `s`, at its entry.
 #[inline(always)]
 pub fn enters<F: Real>(s: Slab<F>, start: u32) -> bool {
     s.near > F::zero() && start == START_ELSEWHERE
 }
 
-/// Where a ray first meets a convex solid that it crosses along the stretch `s`, or −1. To its outside: never. To its
-/// inside: where it leaves, t ≥ 0, always found. From elsewhere: the least t > 0.
+/// Where a ray first meets a convex solid that it crosses in the interval `s`, or −1. If it leaves to the outside:
+/// never. To the inside: at the exit, t ≥ 0, always found. From elsewhere: the least t > 0.
 #[inline(always)]
 pub fn first_of<F: Real>(s: Slab<F>, start: u32) -> F {
     let found = s.near <= s.far && s.far > F::zero() && start == START_ELSEWHERE;

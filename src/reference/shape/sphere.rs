@@ -6,12 +6,12 @@ pub use crate::shape::sphere::scalar::Sphere;
 
 /// Distance to the sphere's surface along the unit vector `d`, or −1.
 ///
-/// `start` is the ray's relation to this very sphere. To its outside: never. To its inside: |oc| = r makes
-/// the roots 0 and −2 oc·d, and the second is the way out, at least 0. From elsewhere: the least t > 0.
-/// Haines, Günther, Akenine-Möller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems
-/// (2019), chapter 7: the discriminant from the ray's distance to the centre, r² − |oc − (oc·d)d|², and
-/// the smaller root as c/q. Where both q and c are but rounding errors, of a ray that starts on the sphere
-/// and along it, c/q is anything; so it is kept within a distance of √disc from where it must be.
+/// `start` is the ray's relation to this sphere. If it leaves to the outside: never. To the inside: |oc| = r makes the
+/// roots 0 and −2 oc·d, and the second is the exit, at least 0. From elsewhere: the least t > 0. Haines, Günther,
+/// Akenine-Möller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems (2019), chapter 7: the
+/// discriminant from the ray's distance to the centre, r² − |oc − (oc·d)d|², and the smaller root as c/q. If both q and
+/// c are only rounding errors, for a ray that starts on the sphere and along it, c/q is arbitrary; so it is clamped to
+/// within √disc of its true place.
 pub fn sphere_hit<F: Real>(o: Vec3<F>, d: Vec3<F>, centre: Vec3<F>, radius: F, start: u32) -> F {
     let none = -F::one();
     let oc = o - centre;
@@ -47,7 +47,7 @@ pub fn sphere_hit<F: Real>(o: Vec3<F>, d: Vec3<F>, centre: Vec3<F>, radius: F, s
 pub fn sphere_surface<F: Real>(ray: Ray<F>, hit: Hit<F>, sphere: &Sphere<F>) -> Surface<F> {
     let v = ray.o - sphere.centre + ray.d * hit.t;
     let length = length3(v);
-    // Where the radius is below the resolution of the coordinates, the side that faces the ray will do, from within the other.
+    // If the radius is below the resolution of the coordinates, take the side that faces the ray, or from within the other one.
     let lost = length == F::zero();
     let leaves = start_on(ray, sphere.shape) == START_INSIDE;
     let n = if lost {

@@ -19,11 +19,11 @@ pub fn diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
     let share = kd / (kd + specular);
     let kept = min2(max2(share, F::new(0.1)), F::new(0.9));
     let chosen = if opaque { kept } else { chance(share) };
-    // 0/0 where S has vanished too
+    // 0/0 if S has vanished too
     if kd > F::zero() { chosen } else { F::zero() }
 }
 
-/// R = F̄(c), as it can be drawn; 1 for opaque materials.
+/// R = F̄(c), rounded to a probability that can be drawn; 1 for opaque materials.
 pub fn reflect_probability<F: Real>(at: &Interaction<F>, _c: F, f_mean: F) -> F {
     if at.material.kind < MaterialKind::RoughDielectric {
         F::one()

@@ -1,5 +1,5 @@
-//! Which lobe is drawn: diffuse or not, then, once the micro-normal is known, reflection or refraction. The
-//! kernels' slot `<choice>`. Densities stay computable, since the first depends on `wo` alone.
+//! The choice of lobe: diffuse or not, then, once the micro-normal is known, reflection or refraction. The kernels'
+//! slot `<choice>`. Densities stay computable because the first choice depends on `wo` alone.
 
 pub mod fresnel;
 pub mod norms;

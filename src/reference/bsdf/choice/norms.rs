@@ -1,11 +1,11 @@
-//! Choice of lobe by ‖Kd‖ : ‖Ks‖ : ‖Kt‖, as the hand-out has it; twin of `shaders/bsdf/choice/norms.glsl`.
+//! Choice of lobe by ‖Kd‖ : ‖Ks‖ : ‖Kt‖, as in the hand-out; twin of `shaders/bsdf/choice/norms.glsl`.
 
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::bsdf::snell::total_reflection;
 use crate::reference::math::Real;
 use crate::reference::sampler::chance;
 
-/// p_d = ‖Kd‖/(‖Kd‖ + ‖Ks‖ + ‖Kt‖), as it can be drawn
+/// p_d = ‖Kd‖/(‖Kd‖ + ‖Ks‖ + ‖Kt‖), rounded to a probability that can be drawn
 pub fn diffuse_probability<F: Real>(at: &Interaction<F>) -> F {
     chance(at.material.p_d)
 }

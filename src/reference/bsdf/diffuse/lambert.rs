@@ -16,7 +16,7 @@ pub fn cosine_lobe<F: Real>(u: [F; 2]) -> Vec3<F> {
     )
 }
 
-/// value·|N·wi| = Kd/π wi.z, density wi.z/π; nothing on the far side.
+/// value·|N·wi| = Kd/π wi.z, density wi.z/π; zero on the far side.
 pub fn lambert_lobe<F: Real>(at: &Interaction<F>, wi: Vec3<F>) -> BsdfValue<F> {
     let pdf = wi.z * F::new(std::f64::consts::FRAC_1_PI);
     let value = at.material.kd * pdf;

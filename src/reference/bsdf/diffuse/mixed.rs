@@ -1,4 +1,4 @@
-//! The diffuse lobe beside others; twin of `shaders/bsdf/diffuse/mixed.glsl`. A kernel whose scene has no such
+//! The diffuse lobe next to others; twin of `shaders/bsdf/diffuse/mixed.glsl`. A kernel whose scene has no such
 //! material fills the slot `<diffuse>` with `shaders/bsdf/diffuse/absent.glsl`, which is this with Kd = 0.
 
 use super::lambert::{cosine_lobe, lambert_lobe};

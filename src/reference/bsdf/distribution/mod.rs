@@ -22,7 +22,7 @@ pub fn distribution_d<F: Real>(material: &Material<F>, m: Vec3<F>) -> F {
     }
 }
 
-/// G1(v) of the material's distribution, in [0, 1] but for what the rational fit is above it; takes |v.z|.
+/// G1(v) of the material's distribution, in [0, 1] except where the rational fit exceeds 1; takes |v.z|.
 pub fn distribution_g1<F: Real>(material: &Material<F>, v: Vec3<F>) -> F {
     match material.distribution {
         Distribution::Phong => phong::phong_g1(v, material.width),

@@ -1,7 +1,7 @@
 //! Phong; twin of `shaders/bsdf/distribution/phong.glsl`. `alpha` is the exponent α_p, ≥ 0.
 //!
-//! With Beckmann's G1 this is no Smith pair and gains energy at small exponents: the albedo at F = 1 reaches
-//! 1.34 for α_p = 0 at grazing angles, 1.25 for 1, 1.028 for 10. The hand-out's model is so; nothing is clamped.
+//! With Beckmann's G1 this is no Smith pair and gains energy at small exponents: the albedo at F = 1 reaches 1.34 for
+//! α_p = 0 at grazing angles, 1.25 for 1, 1.028 for 10. That is the hand-out's model; nothing is clamped.
 
 use super::micro_normal::micro_normal;
 use super::rational_g1::rational_g1;
@@ -19,7 +19,7 @@ pub fn phong_d<F: Real>(m: Vec3<F>, alpha: F) -> F {
     let d = (alpha + F::new(2.0))
         * F::new(0.5 / std::f64::consts::PI)
         * F::exp(scale * alpha * F::log1p(x));
-    // 1/mz overflows further down
+    // 1/mz overflows for smaller mz
     if m.z > F::new(1e-30) { d } else { F::zero() }
 }
 

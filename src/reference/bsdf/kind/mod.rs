@@ -1,8 +1,8 @@
 //! Kinds of material, each from its lobes; the kernels' slot `<bsdf>`. All kinds' functions take the same
 //! arguments.
 //!
-//! A kind's `_at` function takes the micro-normal: sampling hands it the one that was drawn, evaluation the
-//! half vector, which has lost digits where the surface is smooth.
+//! A kind's `_at` function takes the micro-normal: sampling passes the one that was drawn, evaluation the half vector,
+//! which has lost digits where the surface is smooth.
 
 pub mod diffuse;
 pub mod glossy;

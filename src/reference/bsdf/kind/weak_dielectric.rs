@@ -1,8 +1,8 @@
 //! A rough interface that hardly refracts, α·|n − 1| < 1e-5; twin of `shaders/bsdf/kind/weak_dielectric.glsl`.
 //!
-//! The transmitted lobe is so narrow that f32 cannot tell its density at a given direction. It is drawn as
-//! that of any rough interface, but counts as a delta lobe: its weight needs no Jacobian, and it is not connected
-//! to lights. Reflection is the rough one, with a density.
+//! The transmitted lobe is so narrow that f32 cannot resolve its density at a given direction. It is drawn like that of
+//! any rough interface, but counts as a delta lobe: its weight needs no Jacobian, and it is not connected to lights.
+//! Reflection is the rough one, with a density.
 
 use crate::reference::bsdf::diffuse::mixed::facet_probability;
 use crate::reference::bsdf::facet::facet;
@@ -37,7 +37,8 @@ pub fn weak_dielectric_transmission<F: Real>(
     sample_or_none(valid, wi, value, LOBE_TRANSMISSION | LOBE_DELTA)
 }
 
-/// As [`rough_dielectric_sample`](super::rough_dielectric::rough_dielectric_sample) draws, with refraction as a delta lobe.
+/// Draws as [`rough_dielectric_sample`](super::rough_dielectric::rough_dielectric_sample) does, with refraction as a
+/// delta lobe.
 pub fn weak_dielectric_sample<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,
@@ -51,7 +52,7 @@ pub fn weak_dielectric_sample<F: Real>(
     }
 }
 
-/// Kd/π + E_r on wo's side; what is refracted has no density.
+/// Kd/π + E_r on wo's side; the refracted lobe has no density.
 pub fn weak_dielectric_eval<F: Real>(
     settings: &Settings,
     at: &Interaction<F>,

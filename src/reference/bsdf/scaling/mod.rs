@@ -1,4 +1,4 @@
-//! What a refracted path carries, radiance or flux (model.md, "Radiance scaling"); the kernels' slot `<scaling>`.
+//! The quantity that a refracted path carries, radiance or flux (model.md, "Radiance scaling"); the kernels' slot `<scaling>`.
 
 pub mod flux;
 pub mod radiance;

@@ -2,7 +2,7 @@
 
 use crate::reference::math::Real;
 
-/// eta²: L/n² is what refraction keeps.
+/// eta²: refraction conserves L/n².
 pub fn transmission_scale<F: Real>(eta: F) -> F {
     eta * eta
 }

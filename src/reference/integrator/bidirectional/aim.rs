@@ -1,5 +1,5 @@
-//! The direction that a light path sets out in: half of them about the light's normal, half at what gathers light; twin of
-//! `shaders/integrator/bidirectional/aim/`.
+//! The direction in which a light path starts: half of them about the light's normal, half at objects that gather
+//! light; twin of `shaders/integrator/bidirectional/aim/`.
 
 use crate::reference::bsdf::diffuse::lambert::cosine_lobe;
 use crate::reference::light::sphere::{cone_direction, cone_height, cone_pdf};
@@ -7,8 +7,8 @@ use crate::reference::math::frame::{frame_about, to_world};
 use crate::reference::math::{Real, Vec3, dot3, length3};
 use crate::reference::world::Aim;
 
-/// A direction from the point `p` of a light with normal `n`: one in two within the cone of an aim, each as likely; `choice` and
-/// `u` are uniform. From inside a ball, and where there is none, cos θ/π.
+/// A direction from the point `p` of a light with normal `n`: one in two within the cone of an aim, each as likely;
+/// `choice` and `u` are uniform. From inside a ball, and without aims, cos θ/π.
 pub fn aimed_direction<F: Real>(
     aims: &[Aim<F>],
     p: Vec3<F>,

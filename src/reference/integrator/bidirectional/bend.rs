@@ -1,4 +1,4 @@
-//! What a path does at a vertex that it is joined at, and how likely it is to do so from either side; twin of
+//! The scattering at a vertex where a path is joined, and its densities from either side; twin of
 //! `shaders/integrator/bidirectional/bend.glsl`.
 
 use super::partial::{Junction, Partial, scatter, scatter_delta};
@@ -22,8 +22,8 @@ pub struct Bend<F> {
     pub through: bool,
 }
 
-/// Density per solid angle with which a path that comes from `wi` and has lost nothing of its colour would leave `v` towards
-/// `wo`; both are of unit length and lead away from it.
+/// Density per solid angle with which a path that comes from `wi`, with grey throughput, would leave `v` towards `wo`;
+/// both are of unit length and lead away from it.
 pub fn reverse_pdf<F: Real>(settings: &Settings, v: &Vertex<F>, wi: Vec3<F>, wo: Vec3<F>) -> F {
     let seen = seen_from(v.interaction.material, v.ng, v.ns, wi);
     let back = to_local(seen.frame, wo);
@@ -34,8 +34,8 @@ pub fn reverse_pdf<F: Real>(settings: &Settings, v: &Vertex<F>, wi: Vec3<F>, wo:
     }
 }
 
-/// What a path that began at `from` and came along `wo` does at `v` in the direction `wi`; `settings` are those of its end.
-/// `None` where it does nothing.
+/// The scattering at `v` of a path that began at `from` and came along `wo`, in the direction `wi`; `settings` are
+/// those of its end. `None` where no light goes that way.
 pub fn bend<F: Real>(
     settings: &Settings,
     from: Origin,
@@ -58,7 +58,7 @@ pub fn bend<F: Real>(
     })
 }
 
-/// What the weights know along the direction that a path has just left `v` in; `settings` are those of its end.
+/// The quantities of the weights along the direction in which a path has just left `v`; `settings` are those of its end.
 pub fn left_partial<F: Real>(
     settings: &Settings,
     path: &Subpath<F>,

@@ -1,4 +1,4 @@
-//! The path from the eye: lights that it hits, lights and vertices of the light path that it is joined to.
+//! The path from the eye: lights that it hits, lights and vertices of the light path to which it is joined.
 
 use super::Transport;
 use super::bend::left_partial;
@@ -23,7 +23,7 @@ use crate::reference::path::trace::{extend_ray, shadow_ray, shadow_ray_into};
 use crate::reference::path::vertex::{Vertex, path_vertex};
 use crate::reference::path::{SampleId, Subpath, depth_reached};
 
-/// Follows the eye path of a sample to its end; returns what it has brought, W·sr⁻¹·m⁻².
+/// Follows the eye path of a sample to its end; returns its radiance, W·sr⁻¹·m⁻².
 pub fn eye_path<F: Real>(
     t: Transport<F>,
     light: &Reservoir<F>,
@@ -93,7 +93,7 @@ pub fn eye_path<F: Real>(
     s.radiance
 }
 
-/// Adds what connections of a vertex to a light and to the kept vertices of the light path bring.
+/// Adds the connections of a vertex to a light and to the kept vertices of the light path.
 fn connections<F: Real>(
     t: Transport<F>,
     s: &mut PathState<F>,
@@ -117,7 +117,7 @@ fn connections<F: Real>(
     }
 }
 
-/// What arrives over a connection of two vertices: nothing where it ends in another medium than it must.
+/// The light that arrives over a connection of two vertices: `None` where it ends in another medium than it must.
 fn arrives<F: Real>(t: Transport<F>, c: Connection<F>, rays: &mut u64) -> Option<Vec3<F>> {
     let (light, medium) = shadow_ray_into(t.world, t.settings, c.shadow, rays)?;
     (medium == c.medium).then_some(light)
@@ -146,7 +146,7 @@ fn emission_seen<F: Real>(
     t.world.lights[light].radiance * t.ways.weight(0, path.bounce + 2, weight)
 }
 
-/// Weighted radiance of everything outside, which sends out no light paths.
+/// Weighted radiance of the surroundings, which send out no light paths.
 fn background_seen<F: Real>(
     t: Transport<F>,
     path: &Subpath<F>,

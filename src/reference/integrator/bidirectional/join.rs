@@ -12,15 +12,15 @@ use crate::reference::path::trace::ShadowRay;
 use crate::reference::path::vertex::{Vertex, medium_beyond};
 use crate::reference::shape::{Ray, Target};
 
-/// A connection under way, and the medium that it must arrive in.
+/// A connection to be traced, and the medium in which it must arrive.
 #[derive(Clone, Copy, Debug)]
 pub struct Connection<F> {
     pub shadow: ShadowRay<F>,
     pub medium: u32,
 }
 
-/// What may arrive at the eye by way of `y`, on the light path, and `x`, on the eye path: f_x f_y/d² times what both carry, for
-/// `share` vertices like `y`. `None` where one does not see the other.
+/// The light that may arrive at the eye via `y`, on the light path, and `x`, on the eye path: f_x f_y/d² times the
+/// throughput and power that they carry, for `share` vertices like `y`. `None` where they cannot be connected.
 pub fn join<F: Real>(
     t: Transport<F>,
     x: &Joint<F>,
@@ -47,8 +47,8 @@ pub fn join<F: Real>(
     if is_black(contribution) {
         return None;
     }
-    // A target is a whole solid, which cannot hide its own inside from a ray that comes from without: such a ray goes the other
-    // way, and meets the solid's far side.
+    // A target is a whole solid, which cannot hide its own inside from a ray that comes from outside: such a ray goes
+    // the other way, and meets the solid's far side.
     let (of_x, of_y) = (at_x.through, at_y.through);
     Some(if looks_inside(&y.v, of_y) {
         connection(y, -wi, of_y, x, of_x, distance, contribution)
@@ -62,7 +62,7 @@ fn looks_inside<F: Real>(v: &Vertex<F>, through: bool) -> bool {
     v.outside == through
 }
 
-/// The connection along `wi`, the direction in which `from` sees `to`: it must arrive in the medium that `to` looks into.
+/// The connection along `wi`, the direction in which `from` sees `to`: it must arrive in the medium that `to` faces.
 fn connection<F: Real>(
     from: &Joint<F>,
     wi: Vec3<F>,

@@ -1,4 +1,4 @@
-//! A vertex that a path is joined at; twin of `shaders/integrator/bidirectional/joint.glsl`.
+//! A vertex where a path is joined; twin of `shaders/integrator/bidirectional/joint.glsl`.
 
 use super::partial::Partial;
 use crate::reference::math::Vec3;
@@ -8,13 +8,13 @@ use crate::reference::path::vertex::Vertex;
 #[derive(Clone, Copy, Debug)]
 pub struct Joint<F> {
     pub v: Vertex<F>,
-    /// Whence its path came, of unit length.
+    /// Back along its path, of unit length.
     pub wo: Vec3<F>,
-    /// Throughput of an eye path; of a light path the power that arrives, W.
+    /// Throughput of an eye path; for a light path the power that arrives, W.
     pub carried: Vec3<F>,
-    /// The medium that its path came through.
+    /// The medium through which its path came.
     pub medium: u32,
     pub partial: Partial<F>,
-    /// Vertices of its path up to this one, the eye or the light's point among them.
+    /// Vertices of its path up to this one, including the eye or the light's point.
     pub count: u32,
 }

@@ -1,4 +1,4 @@
-//! The path from a light: its splats, and the vertices that eye paths are joined to.
+//! The path from a light: its splats, and the vertices to which eye paths are joined.
 
 use super::Transport;
 use super::aim::{aimed_density, aimed_direction};
@@ -118,7 +118,7 @@ fn begin_aimed_path<F: Real>(
     (leaving_path(t.world, start, d), density)
 }
 
-/// What the weights know at the first vertex that light arrives at, along `wo`.
+/// The quantities of the weights at the first vertex that light reaches, along `wo`.
 fn first_partial<F: Real>(
     t: Transport<F>,
     start: &LightStart<F>,

@@ -1,8 +1,8 @@
-//! Bidirectional path tracing: a path from the eye and one from a light, joined at every pair of vertices, and each way to
-//! find a path weighed against all others.
+//! Bidirectional path tracing: a path from the eye and one from a light are joined at every pair of vertices, and each
+//! technique is weighted against all others.
 //!
-//! Sample i of a pixel is an eye path and, with random numbers of its own, a light path; what the light path brings to the eye
-//! are splats on any pixel. Veach, Robust Monte Carlo Methods for Light Transport Simulation, 1997, chapter 10.
+//! Sample i of a pixel is an eye path and, with its own random numbers, a light path; the light path's contributions to
+//! the eye are splats on any pixel. Veach, Robust Monte Carlo Methods for Light Transport Simulation, 1997, chapter 10.
 
 pub mod aim;
 pub mod bend;
@@ -26,18 +26,18 @@ use eye_path::eye_path;
 use light_path::light_path;
 use record::Recorder;
 
-/// Which ways to find a path count.
+/// The techniques that count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ways {
     /// All, by their weights.
     All,
-    /// By `light` vertices of the light path, its point of a light among them, and `eye` vertices of the eye path, the eye among
-    /// them; with the weight 1.
+    /// The one with `light` vertices of the light path, including its point of a light, and `eye` vertices of the eye
+    /// path, including the eye; with the weight 1.
     Only { light: u32, eye: u32 },
 }
 
 impl Ways {
-    /// The weight of a way of so many vertices, `weight` where all count.
+    /// The weight of a technique with these numbers of vertices, `weight` where all count.
     pub fn weight<F: Real>(self, light: u32, eye: u32, weight: F) -> F {
         match self {
             Self::All => weight,
@@ -47,19 +47,19 @@ impl Ways {
     }
 }
 
-/// What both paths of a sample are told.
+/// The inputs of both paths of a sample.
 #[derive(Clone, Copy)]
 pub struct Transport<'a, F> {
     pub world: &'a World<F>,
-    /// Of paths from the eye.
+    /// For paths from the eye.
     pub settings: &'a Settings,
-    /// Of the adjoint, [`Settings::adjoint`].
+    /// For the adjoint, [`Settings::adjoint`].
     pub adjoint: &'a Settings,
     pub ways: Ways,
 }
 
-/// Follows both paths of a pixel and sample index to their ends, and hands the splats of the light path to `take`, in the order
-/// of its vertices. Returns what the eye path has brought to its own pixel, W·sr⁻¹·m⁻²; of both what lies within `window`.
+/// Follows both paths of a pixel and sample index to their ends, and passes the splats of the light path to `take`, in the
+/// order of its vertices. Returns the eye path's radiance at its own pixel, W·sr⁻¹·m⁻². Only pixels within `window` count.
 pub fn trace_bidirectional<F: Real>(
     transport: Transport<F>,
     window: Window,

@@ -1,17 +1,17 @@
-//! What a subpath knows of the densities of all techniques, so that none of its vertices is looked at again.
+//! The densities of all techniques, as far as a subpath knows them, so that its vertices need not be visited again.
 //!
-//! A path of k scatterings is found in k + 2 ways, by s vertices from the light and t from the eye. The weight of one way is
-//! p²/Σp² over all of them (power heuristic; Veach 1997, section 9.2.4), and the ratios of the densities of neighbouring ways
-//! are products along the path, which each subpath collects for its own side (Georgiev, Implementing Vertex Connection and
-//! Merging, 2012: the quantities dVCM and dVC). Kept here are the roots of those sums of squares, for f32 holds
-//! densities up to 1e38, and their squares only up to 1e19.
+//! A path of k scatterings can be found in k + 2 ways, by s vertices from the light and t from the eye. The weight of
+//! one way is p²/Σp² over all of them (power heuristic; Veach 1997, section 9.2.4), and the ratios of the densities of
+//! neighbouring ways are products along the path, which each subpath collects for its own side (Georgiev, Implementing
+//! Vertex Connection and Merging, 2012: the quantities dVCM and dVC). Stored here are the roots of those sums of
+//! squares, because f32 represents densities up to 1e38, but their squares only up to 1e19.
 //!
-//! Densities have neither roulette nor absorption nor eta² in them, and those of directions are by the choice of lobe that does
-//! not look at what a path has carried: both ends must have the same.
+//! Densities contain no roulette, absorption or eta², and those of directions use a choice of lobe that ignores the
+//! throughput: both ends must compute the same ones.
 
 use crate::reference::math::{Real, max2, min2};
 
-/// No ratio is larger: products of two are finite, and so is the weight of 0 that they lead to.
+/// Upper bound of every ratio: products of two are finite, and so is the weight of 0 to which they lead.
 pub const MOST: f64 = 1e18;
 
 /// √dVCM and √dVC of a subpath.
@@ -30,7 +30,7 @@ pub struct Junction<F> {
     pub cosine: F,
     /// Density per solid angle of the connection's direction, by the subpath that has come here.
     pub pdf: F,
-    /// That of the way back, by a path that came along the connection.
+    /// The same for the way back, by a path that came along the connection.
     pub reverse_pdf: F,
 }
 
@@ -46,8 +46,8 @@ pub fn bounded<F: Real>(x: F) -> F {
     min2(x, F::new(MOST))
 }
 
-/// At the first vertex of a light path: `connection_pdf` p_n is the density per solid angle of a connection from here to the
-/// light's point, `emission` p_e/cos = P p_A/π, `cosine` |Ng·w| here.
+/// At the first vertex of a light path: `connection_pdf` p_n is the density per solid angle of a connection from here
+/// to the light's point, `emission` p_e/cos = P p_A/π, `cosine` |Ng·w| here.
 ///
 /// dVCM = m(p_n c0/(p_e c1)), dVC = m(c0/p_e)/m(c1): the cosine c0 at the light cancels.
 pub fn from_light_point<F: Real>(connection_pdf: F, emission: F, cosine: F) -> Partial<F> {
@@ -58,8 +58,8 @@ pub fn from_light_point<F: Real>(connection_pdf: F, emission: F, cosine: F) -> P
     }
 }
 
-/// At the first vertex of an eye path, |Ng·w| = `cosine`, which n_l light paths could have joined to the eye:
-/// dVCM = m(n_l t²/(p_c c)), `importance` = p_c/(t² n_l).
+/// At the first vertex of an eye path, |Ng·w| = `cosine`, which n_l light paths could have joined to the eye: dVCM =
+/// m(n_l t²/(p_c c)), `importance` = p_c/(t² n_l).
 pub fn from_eye<F: Real>(importance: F, cosine: F) -> Partial<F> {
     Partial {
         vcm: bounded(F::one() / (importance * cosine)),
@@ -84,7 +84,7 @@ pub fn scatter<F: Real>(at: Partial<F>, to: Junction<F>) -> Partial<F> {
     }
 }
 
-/// Along a direction of a delta lobe, |Ng·w| = `cosine`: nothing joins its two ends, and p and p_r, two infinite
+/// Along a direction of a delta lobe, |Ng·w| = `cosine`: no connection joins its two ends, and p and p_r, two infinite
 /// densities, cancel.
 pub fn scatter_delta<F: Real>(at: Partial<F>, cosine: F) -> Partial<F> {
     Partial {

@@ -1,5 +1,5 @@
-//! What is written down of the two paths of a sample: for `--trace` all of it, for `compare --paired` its
-//! [`signature`](super::signature).
+//! The events of the two paths of a sample: all of them for `--trace`, their [`signature`](super::signature) for
+//! `compare --paired`.
 
 use super::joint::Joint;
 use crate::reference::integrator::light::begin::LightStart;
@@ -8,18 +8,18 @@ use crate::reference::math::{Real, Vec3};
 use crate::reference::path::Subpath;
 use crate::reference::path::blocks::Origin;
 
-/// What a path's last vertex is connected to.
+/// The far end of a connection from a path's last vertex.
 #[derive(Clone, Copy, Debug)]
 pub enum Far<'a, F> {
-    /// A light path's vertex to the eye at this point, which sees it through this pixel.
+    /// From a light path's vertex to this point of the eye, which sees it through this pixel.
     Eye { pixel: u32, point: Vec3<F> },
-    /// An eye path's vertex to a point of a light.
+    /// From an eye path's vertex to a point of a light.
     Light(&'a Candidate<F>),
-    /// An eye path's vertex to one of the light path.
+    /// From an eye path's vertex to one of the light path.
     Vertex(&'a Joint<F>),
 }
 
-/// Told of each event of both paths, in order; the renderer uses [`Silent`].
+/// Receives each event of both paths, in order; the renderer uses [`Silent`].
 pub trait Recorder<F: Real> {
     /// The light path leaves its light along `path`'s ray with the power `power`, W.
     fn start(&mut self, _start: &LightStart<F>, _path: &Subpath<F>, _power: Vec3<F>) {}
@@ -27,12 +27,12 @@ pub trait Recorder<F: Real> {
     fn looks(&mut self, _path: &Subpath<F>) {}
     /// A path has come to a vertex, which is not shaded yet.
     fn hit(&mut self, _from: Origin, _x: &Joint<F>) {}
-    /// The last vertex of the eye path shines, or the background where `on` is `None`: `seen` is its weighted radiance times
-    /// throughput. The path is as it arrived.
+    /// The last vertex of the eye path emits, or the background where `on` is `None`: `seen` is its weighted radiance
+    /// times throughput. The path is as it arrived.
     fn emission(&mut self, _on: Option<&Joint<F>>, _path: &Subpath<F>, _seen: Vec3<F>) {}
-    /// The last vertex is to be connected to a light, which brings `contribution` if nothing stands in the way.
+    /// The last vertex is to be connected to a light, which contributes `contribution` if nothing is in the way.
     fn light(&mut self, _light: u32, _contribution: Vec3<F>) {}
-    /// A connection of the last vertex, and what arrived over it, weighted.
+    /// A connection of the last vertex, and the light that arrived over it, weighted.
     fn connection(&mut self, _far: Far<F>, _arrived: Option<Vec3<F>>) {}
     /// The path after its last vertex, whose next direction was drawn from `lobe`.
     fn scattered(&mut self, _from: Origin, _path: &Subpath<F>, _lobe: u32) {}
@@ -40,7 +40,7 @@ pub trait Recorder<F: Real> {
     fn escape(&mut self, _from: Origin, _path: &Subpath<F>) {}
 }
 
-/// Writes nothing down.
+/// Records nothing.
 pub struct Silent;
 
 impl<F: Real> Recorder<F> for Silent {}

@@ -1,4 +1,4 @@
-//! Vertices of a light path that eye paths are joined to.
+//! Vertices of a light path to which eye paths are joined.
 
 use super::joint::Joint;
 use crate::layout::constants::bidirectional::KEPT;
@@ -14,7 +14,7 @@ pub struct Reservoir<F> {
 }
 
 impl<F: Real> Reservoir<F> {
-    /// None yet.
+    /// An empty reservoir.
     pub fn empty() -> Self {
         Self {
             kept: [None; KEPT as usize],
@@ -30,15 +30,15 @@ impl<F: Real> Reservoir<F> {
         self.seen += 1;
     }
 
-    /// Those that are there, each with the number of vertices that it stands for.
+    /// The kept vertices, each with the number of vertices that it represents.
     pub fn vertices(&self) -> impl Iterator<Item = (&Joint<F>, F)> {
         let share = kept_share(self.seen);
         self.kept.iter().flatten().map(move |v| (v, share))
     }
 }
 
-/// Where a vertex is to be kept after `seen` others, [`KEPT`] or more: nowhere. Each of all has the same probability, by the
-/// uniform number `u` (Vitter, Random Sampling with a Reservoir, 1985, algorithm R).
+/// Where a vertex is to be kept after `seen` others; [`KEPT`] or more means not at all. All have the same probability,
+/// by the uniform number `u` (Vitter, Random Sampling with a Reservoir, 1985, algorithm R).
 pub fn kept_place<F: Real>(seen: u32, u: F) -> u32 {
     if seen < KEPT {
         seen
@@ -47,7 +47,7 @@ pub fn kept_place<F: Real>(seen: u32, u: F) -> u32 {
     }
 }
 
-/// The number of vertices that each kept one stands for.
+/// The number of vertices that each kept one represents.
 pub fn kept_share<F: Real>(seen: u32) -> F {
     F::from_u32(seen.max(KEPT)) / F::from_u32(KEPT)
 }

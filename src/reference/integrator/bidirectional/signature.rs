@@ -1,8 +1,8 @@
 //! The decisions of both paths of a sample as one word; twin of `shaders/integrator/bidirectional/record/`.
 //!
-//! As [`path::signature`](crate::reference::integrator::path::signature) has it. The light path decides at each vertex the shape
-//! that was hit and the lobe, and the pixels that see them; the eye path besides which light it is connected to, and over which
-//! connections light arrives. The vertices of both and the connections each have a chain.
+//! As in [`path::signature`](crate::reference::integrator::path::signature). At each vertex the light path decides the
+//! shape that was hit, the lobe, and the pixels that see the vertex; the eye path also decides to which light it is
+//! connected, and over which connections light arrives. The vertices of both and the connections each have a chain.
 
 use glam::DVec3;
 
@@ -26,7 +26,7 @@ pub struct Signature {
 }
 
 impl Signature {
-    /// The word, once both paths have ended and the light path has brought `splats`.
+    /// The word, once both paths have ended and the light path has produced `splats`.
     pub fn word<F: Real>(self, splats: &[Splat<F>]) -> u32 {
         let eye = path_signature(self.eye_vertices, self.connections);
         sample_signature(self.light_vertices, splats, eye)
@@ -45,8 +45,8 @@ impl Signature {
     }
 }
 
-/// Of a sample whose light path's vertices made the chain `light` and brought `splats`, and whose eye path has the
-/// signature `eye`.
+/// The signature of a sample whose light path's vertices made the chain `light` and produced `splats`, and whose eye
+/// path has the signature `eye`.
 pub fn sample_signature<F: Real>(light: u32, splats: &[Splat<F>], eye: u32) -> u32 {
     let arrived = |chain, splat: &Splat<F>| {
         decide(chain, is_light(splat.value), DECISION_ARRIVAL, splat.pixel)
@@ -54,7 +54,7 @@ pub fn sample_signature<F: Real>(light: u32, splats: &[Splat<F>], eye: u32) -> u
     path_signature(splats.iter().fold(light, arrived), eye)
 }
 
-/// All that a sample brings, `radiance` to its own pixel.
+/// The sum of a sample's contributions, `radiance` to its own pixel.
 pub fn brought<F: Real>(radiance: Vec3<F>, splats: &[Splat<F>]) -> DVec3 {
     splats
         .iter()

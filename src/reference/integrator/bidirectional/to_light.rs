@@ -29,7 +29,7 @@ pub fn emission_density<F: Real>(
     t.world.light_pmf(light) * per_area * aimed_density(&t.world.aims, q, -wi, cosine)
 }
 
-/// What weighs a connection of an eye path's vertex to a light.
+/// The weight of a connection from an eye path's vertex to a light.
 struct ToLight<'a, F> {
     t: Transport<'a, F>,
     path: &'a Subpath<F>,

@@ -27,7 +27,8 @@ pub struct LightStart<F> {
     pub medium: u32,
 }
 
-/// The point that a light path begins at; `None` where there is no light, or the choice falls on the background, which sends out none.
+/// The point where a light path begins; `None` if there is no light, or the choice falls on the background, which sends
+/// out none.
 pub fn light_start<F: Real>(
     world: &World<F>,
     settings: &Settings,
@@ -40,7 +41,7 @@ pub fn light_start<F: Real>(
     let light = world.light_choice(u[0] >> 8);
     let point = world.light_emission(light, u[1] >> 8, [unit_float(u[2]), unit_float(u[3])]);
     let p = world.light_pmf(light) * point.area_pdf;
-    // A broken density breaks what it divides, which the film then drops and counts.
+    // A broken density breaks the quotient, which the film then drops and counts.
     let shape = world.lights[light].shape;
     let emits =
         (p > F::zero() || !is_finite(p)) && !world.is_covered_at(shape, point.prim, point.p);
@@ -69,8 +70,8 @@ pub fn emitted_ray<F: Real>(world: &World<F>, start: &LightStart<F>, d: Vec3<F>)
     }
 }
 
-/// The path that leaves it: L cos θ/p_e with p_e = P p_A cos θ/π is π L/(P p_A) whatever the direction, which stays out
-/// of the throughput, so that roulette sees a path that sets out with 1.
+/// The path that leaves it: L cos θ/p_e with p_e = P p_A cos θ/π is π L/(P p_A) for any direction. This is kept out of
+/// the throughput, so that roulette sees a path that starts with 1.
 pub fn begin_light_path<F: Real>(
     world: &World<F>,
     settings: &Settings,
@@ -83,7 +84,7 @@ pub fn begin_light_path<F: Real>(
     leaving_path(world, start, d)
 }
 
-/// A path that sets out along `d`.
+/// A path that starts along `d`.
 pub fn leaving_path<F: Real>(world: &World<F>, start: &LightStart<F>, d: Vec3<F>) -> Subpath<F> {
     Subpath {
         ray: emitted_ray(world, start, d),

@@ -1,8 +1,8 @@
 //! Light tracing: light → path loop → splats on the pixels from which the eye sees the path's vertices. Twin of
 //! `shaders/integrator/light/`.
 //!
-//! Finds what the eye sees of surfaces that scatter: neither a mirror nor what stands behind smooth glass, nor the light of
-//! the background. Light leaves a surface to its outside alone. Veach, Robust Monte Carlo Methods for Light Transport
+//! It finds the light of surfaces that scatter: no mirrors, nothing behind smooth glass, and no light of the
+//! background. Light leaves a surface to its outside only. Veach, Robust Monte Carlo Methods for Light Transport
 //! Simulation, 1997, section 10.3, s ≥ 1 and t = 1.
 
 pub mod begin;
@@ -27,24 +27,24 @@ use splat::{SplatRay, Window, splat_light, splat_vertex};
 /// Light that has arrived at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Splat<F> {
-    /// What the light path adds to the pixel's mean of one sample index, W·sr⁻¹·m⁻².
+    /// The light path's contribution to the pixel's mean of one sample index, W·sr⁻¹·m⁻².
     pub value: Vec3<F>,
     /// row · width + column of the full picture.
     pub pixel: u32,
 }
 
-/// What one light path took.
+/// Counters of one light path.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LightCounts {
     pub rays: u64,
     pub long_paths: u64,
     pub underflows: u64,
-    /// Paths that ended with a throughput that is NaN, infinite.
+    /// Paths that ended because their throughput was NaN.
     pub nan: u64,
     pub infinite: u64,
 }
 
-/// Counts what came of a path's extension.
+/// Counts the outcome of a path's extension.
 pub fn count_extension<F: Real>(path: &Subpath<F>, e: Extension, counts: &mut LightCounts) {
     counts.underflows += u64::from(e.underflow);
     counts.long_paths += u64::from(e.alive && path.bounce == LONG_PATH);
@@ -53,8 +53,8 @@ pub fn count_extension<F: Real>(path: &Subpath<F>, e: Extension, counts: &mut Li
     counts.infinite += u64::from(e.broken && !nan);
 }
 
-/// Follows the light path of a pixel and sample index to its end, and hands its splats within `window` to `take`, in the
-/// order of its vertices. `settings` are those of the adjoint, [`Settings::adjoint`].
+/// Follows the light path of a pixel and sample index to its end, and passes its splats within `window` to `take`, in
+/// the order of its vertices. `settings` are those of the adjoint, [`Settings::adjoint`].
 pub fn trace_light<F: Real>(
     world: &World<F>,
     settings: &Settings,
@@ -80,7 +80,7 @@ pub fn trace_light<F: Real>(
         let Some(hit) = hit else { break };
         let v = path_vertex(world, settings, path.ray, hit, distance, path.throughput);
         let black = world.materials[v.material as usize].kind == MaterialKind::Black;
-        // A path sets out with some light: what has none has lost it to absorption.
+        // A path starts with some light: a path with none has lost it to absorption.
         let absorbed = is_black(path.throughput);
         counts.underflows += u64::from(absorbed);
         if black || depth_reached(settings, path.bounce) || absorbed {
@@ -99,7 +99,7 @@ pub fn trace_light<F: Real>(
     counts
 }
 
-/// The direction of a connection to the eye, and what arrives over it.
+/// The direction of a connection to the eye, and the light that arrives over it.
 fn arrived_splat<F: Real>(
     world: &World<F>,
     settings: &Settings,

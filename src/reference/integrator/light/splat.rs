@@ -1,5 +1,5 @@
-//! A vertex of a light path joined to the eye: what arrives there is a splat on the pixel that sees the vertex. Twin of
-//! `shaders/integrator/light/splat.glsl`.
+//! A vertex of a light path joined to the eye: the light that arrives is a splat on the pixel that sees the vertex.
+//! Twin of `shaders/integrator/light/splat.glsl`.
 
 use super::begin::{LightStart, emitted_ray};
 use crate::reference::bsdf::bsdf_eval;
@@ -35,14 +35,14 @@ pub struct Window {
     pub height: u32,
 }
 
-/// Whether a pixel is among those that are rendered.
+/// Whether a pixel is rendered.
 pub fn in_film<F: Real>(window: Window, eye: &EyeSample<F>) -> bool {
     let x = eye.column.wrapping_sub(window.x);
     let y = eye.row.wrapping_sub(window.y);
     eye.seen && x < window.width && y < window.height
 }
 
-/// A connection along `ray`, unless it brings nothing or the eye does not see the vertex.
+/// A connection along `ray`, unless it contributes nothing or the eye does not see the vertex.
 pub fn splat_ray<F: Real>(
     world: &World<F>,
     window: Window,

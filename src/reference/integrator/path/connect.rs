@@ -13,7 +13,7 @@ pub fn power_heuristic<F: Real>(p: F, q: F) -> F {
     F::one() / (F::one() + ratio * ratio)
 }
 
-/// Weight of light that was connected to.
+/// Weight of light found by a connection.
 pub fn connection_weight<F: Real>(connect: Connect, light_pdf: F, bsdf_pdf: F) -> F {
     match connect {
         Connect::Mis => power_heuristic(light_pdf, bsdf_pdf),
@@ -28,7 +28,7 @@ impl<F: Real> Weigh<F> for Connect {
     }
 }
 
-/// Weight of light that the path has hit; nothing else could have found what a delta lobe or the camera sees.
+/// Weight of light found by a hit; no connection could have found the light that a delta lobe or the camera sees.
 pub fn hit_weight<F: Real>(connect: Connect, delta: bool, bsdf_pdf: F, light_pdf: F) -> F {
     match connect {
         Connect::Bsdf => F::one(),

@@ -43,7 +43,7 @@ pub fn connect<F: Real>(
     }
 }
 
-/// The ray that looks for what stands between a vertex and a point of a light; `None` where the point brings nothing.
+/// The ray from a vertex to a point of a light that looks for occluders; `None` where the point contributes nothing.
 pub fn shadow_to_light<F: Real>(
     world: &World<F>,
     path: &Subpath<F>,

@@ -1,7 +1,7 @@
 //! Path tracing: camera ray → path loop → radiance. Twin of `shaders/integrator/path/`.
 //!
-//! The kernel traces a vertex's shadow ray one turn later, together with the extension ray; decisions, random
-//! numbers and the order of every sum are the same.
+//! The kernel traces a vertex's shadow ray one turn later, together with the extension ray; decisions, random numbers
+//! and the order of every sum are the same.
 
 pub mod connect;
 pub mod direct;
@@ -27,27 +27,27 @@ use connect::hit_weight;
 use pick::{pick_normal, pick_probability};
 use record::Recorder;
 
-/// A sample under way.
+/// The state of a sample.
 #[derive(Clone, Copy, Debug)]
 pub struct PathState<F> {
     pub path: Subpath<F>,
     pub radiance: Vec3<F>,
-    /// What [`pick_probability`] asks of the last vertex.
+    /// The argument of [`pick_probability`] for the last vertex.
     pub pick_normal: Vec3<F>,
     /// Rays traced so far.
     pub rays: u64,
-    /// Less is left of the throughput than the scalar can hold: the path ends.
+    /// The throughput has dropped below the least that the scalar can represent: the path ends.
     pub underflow: bool,
 }
 
-/// Radiance that one path brought back, and what it took.
+/// Radiance of one path, and its counters.
 #[derive(Clone, Copy, Debug)]
 pub struct PathResult<F> {
     pub radiance: Vec3<F>,
     pub rays: u64,
     /// It reached [`LONG_PATH`] bounces.
     pub long: bool,
-    /// It ended for an underflow.
+    /// It ended because of an underflow.
     pub underflow: bool,
 }
 
@@ -93,7 +93,7 @@ pub fn trace_path<F: Real>(
         recorder.emission(seen);
         s.radiance += seen;
         let black = world.materials[v.material as usize].kind == MaterialKind::Black;
-        // A path sets out with some light: what has none has lost it to absorption.
+        // A path starts with some light: a path with none has lost it to absorption.
         s.underflow = is_black(s.path.throughput);
         if black || depth_reached(settings, s.path.bounce) || s.underflow {
             recorder.vertex(&s, &v, LOBE_NONE);
@@ -110,7 +110,7 @@ pub fn trace_path<F: Real>(
     }
 }
 
-/// Goes on to the next direction; false where the path ends.
+/// Continues in the next direction; false where the path ends.
 fn go_on<F: Real>(
     world: &World<F>,
     settings: &Settings,
@@ -149,7 +149,7 @@ pub fn begin_path<F: Real>(world: &World<F>, settings: &Settings, id: SampleId) 
     }
 }
 
-/// Weighted radiance of an emitter that the path has hit; the density runs from the last real vertex, `origin`, of
+/// Weighted radiance of an emitter that the path has hit; the density is taken from the last real vertex, `origin`, of
 /// [`pick_normal`] `n`, `distance` away.
 fn emission_seen<F: Real>(
     world: &World<F>,
@@ -172,7 +172,7 @@ fn emission_seen<F: Real>(
     }
 }
 
-/// Weighted radiance of everything outside.
+/// Weighted radiance of the surroundings.
 fn background_seen<F: Real>(
     world: &World<F>,
     settings: &Settings,

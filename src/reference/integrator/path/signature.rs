@@ -1,15 +1,15 @@
-//! The decisions of a path as one word: two paths that decided alike have the same. Twin of
+//! The decisions of a path as one word: two paths with the same decisions have the same word. Twin of
 //! `shaders/integrator/path/signature.glsl` and `shaders/integrator/path/record/signature.glsl`.
 //!
-//! Decided are, at each vertex, the shape that was hit, the light that was chosen, whether light arrived from it, the
-//! lobe, and by roulette whether the path goes on: the next shape or the escape is there or not. Not decided, and not
-//! in the signature, are points, directions and triangles within a mesh.
+//! The decisions at each vertex are the shape that was hit, the light that was chosen, whether light arrived from it,
+//! the lobe, and by roulette whether the path continues, which shows in whether a next shape or an escape follows.
+//! Points, directions and triangles within a mesh are no decisions and not in the signature.
 //!
-//! In the dark nothing is decided: what is 1e-60 in f64 is 0 in f32, which then traces no connection or ends a path
-//! whose light nobody could see. A throughput or a contribution counts where it is above [`DARK`].
+//! In the dark there are no decisions: 1e-60 in f64 is 0 in f32, which then traces no connection or ends a path whose
+//! light would be invisible. A throughput or a contribution counts if it is above [`DARK`].
 //!
-//! Vertices and connections each have a chain, because the kernel traces a connection a turn after its vertex.
-//! Two paths that decided otherwise have the same signature with a probability of 2⁻³².
+//! Vertices and connections each have a chain, because the kernel traces a connection a turn after its vertex. Two
+//! paths with different decisions have the same signature with a probability of 2⁻³².
 
 use super::PathState;
 use super::record::Recorder;
@@ -21,18 +21,18 @@ use crate::reference::path::trace::ShadowRay;
 use crate::reference::path::vertex::Vertex;
 use crate::reference::sampler::pcg4d::pcg4d;
 
-/// `chain` with one more decision, its kind and what was decided; as it was where that makes no difference.
+/// `chain` with one more decision, its kind and its value; unchanged unless the decision `matters`.
 pub fn decide(chain: u32, matters: bool, decision: u32, what: u32) -> u32 {
     let longer = pcg4d([chain, decision, what, 0])[0];
     if matters { longer } else { chain }
 }
 
-/// Whether this throughput or radiance is more than none.
+/// Whether this throughput or radiance is above zero.
 pub fn is_light<F: Real>(radiance: Vec3<F>) -> bool {
     max_component(radiance) > F::new(DARK)
 }
 
-/// Of a path whose vertices and whose connections made these chains.
+/// The signature of a path whose vertices and connections made these chains.
 pub fn path_signature(vertices: u32, connections: u32) -> u32 {
     decide(vertices, true, 0, connections)
 }

@@ -27,8 +27,8 @@ pub fn mesh_emission<F: Real>(
     }
 }
 
-/// Density per area of `mesh_emission` at a point of triangle `prim` that is seen along `wi`; 0 on the back, where no light path
-/// goes.
+/// Density per area of `mesh_emission` at a point of triangle `prim` that is seen along `wi`; 0 on the back, where no
+/// light path goes.
 pub fn mesh_emission_pdf<F: Real>(
     triangles: &[Triangle<F>],
     first: u32,

@@ -1,4 +1,4 @@
-//! Where light paths begin: points of lights, uniform over their areas. Twin of `shaders/light/emission/`.
+//! Points of lights where light paths begin, uniform over their areas. Twin of `shaders/light/emission/`.
 
 pub mod r#box;
 pub mod cylinder;
@@ -19,7 +19,7 @@ pub struct Emission<F> {
     pub p: Vec3<F>,
     /// Outward, of unit length.
     pub n: Vec3<F>,
-    /// Density per area; 0: nothing begins here.
+    /// Density per area; 0: no light path begins here.
     pub area_pdf: F,
     /// The face that the point is on, as in [`Hit::prim`](crate::reference::shape::Hit::prim).
     pub prim: u32,

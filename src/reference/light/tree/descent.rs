@@ -1,4 +1,4 @@
-//! The choice of one of many lights: down a tree, at each node by what its halves can bring; twin of
+//! The choice of one of many lights: down a tree, at each node by the importance of its halves; twin of
 //! `shaders/light/tree/descent.glsl`.
 
 use super::LightNode;
@@ -6,15 +6,15 @@ use super::importance::node_importance;
 use super::tickets::{Tickets, all_tickets, first_share, refilled};
 use crate::reference::math::{Real, Vec3};
 
-/// A light and how likely it was.
+/// A light and the probability of its choice.
 #[derive(Clone, Copy, Debug)]
 pub struct TreeChoice<F> {
     pub light: u32,
-    /// Probability of the choice; 0: no light can shine here.
+    /// Probability of the choice; 0: no light can contribute here.
     pub pmf: F,
 }
 
-/// The share of the first child of node `i`, the one behind it, among `count` tickets; 2³² − 1 where neither can shine.
+/// The share of the first child of node `i`, the one that follows it, among `count` tickets; 2³² − 1 if neither can contribute.
 pub fn first_child_share<F: Real>(
     nodes: &[LightNode<F>],
     i: u32,

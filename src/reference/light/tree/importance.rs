@@ -1,4 +1,4 @@
-//! What the lights of a node can bring to a point; twin of `shaders/light/tree/importance.glsl`.
+//! An upper bound of the light from a node's lights at a point; twin of `shaders/light/tree/importance.glsl`.
 
 use super::LightNode;
 use crate::reference::math::{Real, Vec3, dot3, max2};
@@ -21,19 +21,19 @@ pub fn sin_beyond<F: Real>(cos_a: F, sin_a: F, cos_b: F, sin_b: F) -> F {
     }
 }
 
-/// Of an angle of [0, π].
+/// The sine of an angle of [0, π].
 pub fn sine_of<F: Real>(cosine: F) -> F {
     max2(F::one() - cosine * cosine, F::zero()).sqrt()
 }
 
-/// power cos θ' cos θ_i'/d²: the most that lights of that power within the ball and the cone of normals bring to `p`
-/// (Conty Estevez & Kulla, Importance Sampling of Many Lights with Adaptive Tree Splitting, HPG 2018, section 5.1; pbrt 4,
-/// section 12.6.3).
+/// power cos θ' cos θ_i'/d²: the most that lights of that power within the ball and the cone of normals contribute to
+/// `p` (Conty Estevez & Kulla, Importance Sampling of Many Lights with Adaptive Tree Splitting, HPG 2018, section 5.1;
+/// pbrt 4, section 12.6.3).
 ///
 /// θ_b is the angle under which the ball is seen, θ' = max(0, θ − θ_o − θ_b) for θ, the angle between the axis and the
-/// direction to p, and θ_i' = max(0, θ_i − θ_b), the angle to `n`. Emitters shine on both sides, so cos θ counts without
-/// its sign. From inside the ball no angle says anything. n = 0: the point is lit from both sides. `power` is
-/// not power itself but that over 4π, of the whole scene's.
+/// direction to p, and θ_i' = max(0, θ_i − θ_b), the angle to `n`. Emitters emit on both sides, so cos θ counts without
+/// its sign. From inside the ball the angles give no bound. n = 0: the point is lit from both sides. `power` is a
+/// light's power over 4π, as a share of the whole scene's.
 pub fn node_importance<F: Real>(node: &LightNode<F>, p: Vec3<F>, n: Vec3<F>) -> F {
     let (zero, one) = (F::zero(), F::one());
     let to = node.centre - p;

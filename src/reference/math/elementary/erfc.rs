@@ -1,10 +1,10 @@
-//! The complement of the error function, which keeps the small values that erf loses to 1.
+//! The complement of the error function, which resolves small values where erf rounds to 1.
 
 use super::exp::exp;
 use crate::reference::math::products::{halves, product_error};
 use crate::reference::math::{max2, min2};
 
-/// erfc x and its slope's e^(−x²), of which it is made.
+/// erfc x, and the e^(−x²) of which it is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErfcGauss<F> {
     pub erfc: F,
@@ -22,7 +22,7 @@ pub fn erfc_gauss(x: f32) -> ErfcGauss<f32> {
     let s = x * x;
     let small =
         1.1283791 + s * (-0.3761229 + s * (0.11278182 + s * (-0.026508145 + s * 0.0042732772)));
-    // erfc a = e^(−a²) t E(t), t = 1/(1 + a/2), a ≥ ½, relative error 2⁻²⁵·⁸. Past 11 both results are 0 whatever a.
+    // erfc a = e^(−a²) t E(t), t = 1/(1 + a/2), a ≥ ½, relative error 2⁻²⁵·⁸. Past 11 both results are 0.
     let a = min2(max2(x, -x), 11.0);
     let t = 1.0 / (1.0 + 0.5 * a);
     let r = t - 0.5;

@@ -4,9 +4,9 @@ use super::log1p::log1p;
 
 /// The x with erfc x = `z`: ∞ at 0, −∞ at 2, NaN outside [0, 2] and at −0.
 ///
-/// With y = 1 − z = erf x, w = −ln(1 − y²) = −ln(z (2 − z)) and s = √w: x = y M(w) up to w = 5, relative error 2⁻²⁴·⁶, and
-/// x = ±s T(1/s) beyond, relative error 2⁻²⁴·³. The form is that of Giles, Approximating the Erfinv Function, GPU
-/// Computing Gems 2, 2011; the polynomials are others.
+/// With y = 1 − z = erf x, w = −ln(1 − y²) = −ln(z (2 − z)) and s = √w: x = y M(w) up to w = 5, relative error 2⁻²⁴·⁶,
+/// and x = ±s T(1/s) beyond, relative error 2⁻²⁴·³. The form is that of Giles, Approximating the Erfinv Function, GPU
+/// Computing Gems 2, 2011; the polynomials are not.
 pub fn erfc_inverse(z: f32) -> f32 {
     let y = 1.0 - z;
     // z or 2 − z, which is exact

@@ -4,7 +4,7 @@ use crate::reference::math::{max2, min2};
 
 /// eˣ: denormal results are rounded once, 0 below −103.97, ∞ above 88.72.
 pub fn exp(x: f32) -> f32 {
-    // Past these ends the result is 0 or ∞ whatever x; between them k fits `scale_by_pow2`.
+    // Past these ends the result is 0 or ∞; between them k fits `scale_by_pow2`.
     let (k, r, q) = exp_reduce(min2(max2(x, -104.0), 89.0));
     // 1 + r + q, with the rounding error of 1 + r added back
     let h = 1.0 + r;
@@ -13,8 +13,8 @@ pub fn exp(x: f32) -> f32 {
 
 /// (k, r, q) with eˣ = 2ᵏ (1 + r + q), k whole, |r| ≤ ½ ln 2, |x| ≤ 104.
 ///
-/// x = k ln 2 + r + c, where c is what rounding r lost, and
-/// q = e^(r+c) − 1 − r = r² E(r) + c (1 + r), relative error of r + q: 2⁻³⁰·⁹.
+/// x = k ln 2 + r + c, where c is the rounding error of r, and q = e^(r+c) − 1 − r = r² E(r) + c (1 + r), relative
+/// error of r + q: 2⁻³⁰·⁹.
 pub fn exp_reduce(x: f32) -> (f32, f32, f32) {
     let k = (x * 1.442695 + 0.5).floor();
     // ln 2 in two parts; the first has 15 bits, so that k times it is exact.
@@ -35,7 +35,7 @@ pub fn scale_by_pow2(y: f32, k: f32) -> f32 {
 
 /// 2ᵏ for whole k in −126 … 127.
 ///
-/// k + 127 + 1.5·2²³ holds k + 127 in its low bits: shifted, they are the exponent.
+/// k + 127 + 1.5·2²³ has k + 127 in its low bits: shifted, they are the exponent.
 pub fn pow2(k: f32) -> f32 {
     f32::from_bits((k + 12583039.0).to_bits() << 23)
 }

@@ -9,7 +9,7 @@ pub fn log1p(x: f32) -> f32 {
     } else {
         x - (u - 1.0)
     };
-    // u = 2ᵏ (1 + f), √½ ≤ 1 + f < √2: the bits of √½ are moved to where the exponent ends.
+    // u = 2ᵏ (1 + f), √½ ≤ 1 + f < √2: the constant takes the bits of √½ to those of 1, where the exponent changes.
     let bits = u.to_bits().wrapping_add(0x004a_fb0d);
     let k = ((bits >> 23) as i32 - 127) as f32;
     let f = f32::from_bits((bits & 0x007f_ffff) + 0x3f35_04f3) - 1.0;

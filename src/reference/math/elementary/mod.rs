@@ -1,9 +1,8 @@
 //! The project's own elementary functions in `f32`; twins of `shaders/math/elementary/`.
 //!
-//! Vulkan leaves the accuracy of `sin`, `exp` and `log` to the driver (lavapipe's `log` is 3100 ulp off
-//! near 1). These consist of + − × ÷ √, `floor` and bit casts only, in a written-out order, so that every
-//! device that rounds correctly returns the same bits. Error bounds, over every `f32` of the domain, in
-//! units of the last place of the true value:
+//! Vulkan leaves the accuracy of `sin`, `exp` and `log` to the driver (lavapipe's `log` is 3100 ulp off near 1). These
+//! consist of + − × ÷ √, `floor` and bit casts only, in a written-out order, so that every device that rounds correctly
+//! returns the same bits. Error bounds, over every `f32` of the domain, in units of the last place of the true value:
 //!
 //! | function | bound | at the ends |
 //! |---|---|---|
@@ -17,9 +16,9 @@
 //!
 //! A NaN yields a NaN. The sign of a zero result is not kept.
 //!
-//! Polynomials: Remez's exchange (of `erfc` Lawson's weights) for the relative error of the function, coefficients rounded to `f32` one
-//! after the other from the lowest order, the rest fitted again. The reductions follow the FreeBSD msun
-//! library (e_expf.c, s_expm1f.c, s_log1pf.c), with compensated sums in place of its divisions.
+//! Polynomials: Remez's exchange (for `erfc` with Lawson's weights) for the relative error of the function,
+//! coefficients rounded to `f32` one after the other from the lowest order, the rest fitted again. The reductions
+//! follow the FreeBSD msun library (e_expf.c, s_expm1f.c, s_log1pf.c), with compensated sums in place of its divisions.
 
 #![allow(
     clippy::approx_constant,

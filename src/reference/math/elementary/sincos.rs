@@ -6,8 +6,8 @@ use crate::reference::math::Real;
 pub fn sincos_2pi(u: f32) -> (f32, f32) {
     let (k, r) = quadrant(u);
     let z = r * r;
-    // sin(πr/2) = r + r (π/2 − 1) + r³ S(r²), relative error 2⁻²⁷·⁹. r is exact, so that only the
-    // smaller part of the sum carries rounding errors; π/2 − 1 in two parts.
+    // sin(πr/2) = r + r (π/2 − 1) + r³ S(r²), relative error 2⁻²⁷·⁹. r is exact, so only the smaller part of the sum
+    // carries rounding errors; π/2 − 1 in two parts.
     let s = r * (z * (-0.6459636 + z * (0.07968108 + z * -0.004603732)) + 1.5893255e-8);
     let sin_r = r + (r * 0.5707963 + s);
     // cos(πr/2) = 1 + r² C(r²), error 2⁻³¹

@@ -1,5 +1,5 @@
-//! Sweeps over the bits of `f32` against the same functions in f64 (the C library's, below 1 ulp of f64; those that it
-//! lacks against tables).
+//! Sweeps over the bits of `f32`, compared with the same functions in f64 (the C library's, below 1 ulp of f64; those
+//! that it lacks, with tables).
 
 use super::{erfc, erfc_inverse, exp, exp_minus_square, expm1, log1p, sincos_2pi, turns};
 use crate::reference::math::{Real, ulps};
@@ -9,13 +9,13 @@ use crate::reference::math::{Real, ulps};
 const SIN_COS_BOUND: f64 = 1.4;
 /// ½ for the last sum; with compensated sums the rest is that of the small term q, below ½.
 const BOUND: f64 = 1.0;
-/// ½ for the product, 1½ for the exponential of the square, and what E(t) makes of an error of t, of 1½: 2½.
+/// ½ for the product, 1½ for the exponential of the square, and 2½ for the effect on E(t) of an error of t, of 1½.
 const ERFC_BOUND: f64 = 6.0;
-/// ½ for the product, 1 for ln and what the polynomial makes of it and of its own rounding: 1½.
+/// ½ for the product, 1 for ln, and 1½ for the effect of both on the polynomial and its own rounding.
 const ERFC_INVERSE_BOUND: f64 = 4.0;
 
-/// Of t one for the quotient and ½ each for its parts, one for 1/2π t, ½ for the smaller sum and ½ for the larger; what is
-/// taken from ¼ and ½ makes that no larger.
+/// For t, one for the quotient and ½ each for its parts, one for 1/2π t, ½ for the smaller sum and ½ for the larger;
+/// subtracting from ¼ and ½ does not make that larger.
 const TURNS_BOUND: f64 = 4.0;
 
 /// The argument with the largest error over every `stride`-th pattern of bits in `bits`.
@@ -51,7 +51,7 @@ fn sincos_error(u: f32) -> f64 {
     ulps(s, s64).max(ulps(c, c64))
 }
 
-/// Of the point (s, s t), its coordinates exchanged for an even k; 0 where a coordinate is beyond the domain.
+/// The error at the point (s, s t), its coordinates exchanged for an even k; 0 where a coordinate is beyond the domain.
 fn turns_error(t: f32, s: f32, k: u32) -> f64 {
     let st = s * t;
     if st.is_nan() || st.abs() >= 8e37 {
@@ -59,7 +59,7 @@ fn turns_error(t: f32, s: f32, k: u32) -> f64 {
     }
     let (y, x) = if k % 2 == 1 { (st, s) } else { (s, st) };
     let truth = f64::from(y).atan2(f64::from(x)) / std::f64::consts::TAU;
-    // Below the least normal number no quotient has its digits.
+    // Below the least normal number a quotient has lost digits.
     match truth.abs() < f64::from(f32::MIN_POSITIVE) {
         true => 0.0,
         false => ulps(turns(y, x), truth),
@@ -98,7 +98,7 @@ fn sweep(stride: usize) {
     assert!(e <= 1.5, "exp_minus_square({x:e}) is {e} ulp off");
 }
 
-/// By mpmath 1.3.0 with 40 and 340 digits.
+/// Values of mpmath 1.3.0 with 40 and 340 digits.
 #[test]
 fn erfc_and_its_inverse_are_right_in_f64() {
     let erfc = [

@@ -1,4 +1,4 @@
-//! Are numbers uniform, and independent of one another? Pearson's statistic over walks through the sampler's arguments.
+//! Tests that numbers are uniform and independent of one another, by Pearson's statistic over walks through the arguments.
 
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
@@ -6,14 +6,14 @@ use super::super::{random, sobol, sobol_quarters};
 use super::{Sampler, rejections};
 use crate::sample::GROUPS;
 
-/// Numbers a test; 256 cells then hold 256 each on average.
+/// Numbers per test; 256 cells then contain 256 each on average.
 const N: u32 = 1 << 16;
 
 /// A way in which a renderer walks through the sampler's arguments: the place of number i, and the step to the
-/// neighbour that it must be independent of.
+/// neighbour of which it must be independent.
 type Walk = (&'static str, fn(u32) -> [u32; 4], [u32; 4]);
 
-/// The walks on which any sampler draws by chance: the index of the sample, within its group, stays.
+/// The walks on which any sampler draws by chance: the index of the sample within its group is constant.
 const WALKS: [Walk; 7] = [
     ("pixels", |i| [i, 0, 0, 0], [1, 0, 0, 0]),
     ("rows", |i| [i, 5, 1, 0], [400, 0, 0, 0]),
@@ -24,7 +24,7 @@ const WALKS: [Walk; 7] = [
     ("far", |i| [i, (1 << 24) + 5, 2, 3], [0, 0, 1, 0]),
 ];
 
-/// Those on which random numbers alone are independent.
+/// The walks on which only random numbers are independent.
 const SAMPLES: [Walk; 2] = [
     ("samples", |i| [1234, i, 2, 0], [0, 1, 0, 0]),
     ("picture", |i| [i >> 4, i & 15, 0, 1], [0, 0, 0, 1]),
@@ -78,7 +78,7 @@ fn family(sampler: Sampler, walks: &[Walk]) -> Vec<(String, f64)> {
                     let cells = (0..N).map(|i| pair(block(i)[a], block(i)[b]));
                     family.push((format!("{name}: words {a}, {b}"), p_value(cells)));
                 }
-                // every second one where the neighbour of i is i + 1: a pair is used once
+                // every second one if the neighbour of i is i + 1: a pair is used once
                 let both = twice.iter().zip(&neighbours);
                 let cells = both.map(|(word, next)| pair(word[a], next[b]));
                 family.push((format!("{name}: word {a}, next {b}"), p_value(cells)));
@@ -107,7 +107,7 @@ fn sobol_points_are_uniform_and_independent_of_pixel_block_seed_and_group() {
     assert_eq!(rejections(family), vec![]);
 }
 
-/// From each of four groups to the next, and to the one after the next.
+/// From each of four groups to the next, and to the one after that.
 const QUARTERS: [Walk; 2] = [
     ("next quarter", |i| [i, 3, 2, 5], [0, 1, 0, 0]),
     ("opposite quarter", |i| [i, 1, 3, 5], [0, 2, 0, 0]),
@@ -119,14 +119,14 @@ fn quarters_are_independent() {
     assert_eq!(rejections(family), vec![]);
 }
 
-/// Two groups are not four: the family can tell.
+/// Two groups are not four: the family detects it.
 #[test]
 fn halves_have_no_independent_quarters() {
     let family = family(sobol::sampler_block, &QUARTERS);
     assert!(!rejections(family).is_empty());
 }
 
-/// Their samples are not: too even for chance.
+/// Sobol samples are too even for chance.
 #[test]
 fn the_family_rejects_the_evenness_of_sobol_points() {
     assert!(!rejections(family(sobol::sampler_block, &SAMPLES)).is_empty());

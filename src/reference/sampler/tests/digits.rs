@@ -1,4 +1,4 @@
-//! Digits and scrambling against an implementation and direction numbers of others.
+//! Digits and scrambling compared with another implementation and with published direction numbers.
 
 use sobol_burley::parts::{owen_scramble_rev, sobol_rev};
 
@@ -16,7 +16,7 @@ pub const DIGITS: [Digits; 4] = [
     sobol_digits_3,
 ];
 
-/// `sobol_burley` has the table of Joe & Kuo, for indices below 2¹⁶, both sides with their digits in reverse.
+/// `sobol_burley` has the table of Joe & Kuo, for indices below 2¹⁶, both sides with their digits reversed.
 #[test]
 fn the_digits_are_those_of_sobol_burley() {
     for (digits, dimension) in DIGITS.iter().zip(0..) {
@@ -43,7 +43,7 @@ fn direction_numbers((s, a, first): (usize, u64, &[u64])) -> [u32; 32] {
     std::array::from_fn(digits)
 }
 
-/// Every bit of the index by itself; and they add.
+/// Every bit of the index alone; and they add.
 #[test]
 fn the_digits_are_those_of_joe_and_kuos_direction_numbers() {
     for (row, digits) in JOE_KUO.into_iter().zip(&DIGITS[1..]) {
@@ -79,12 +79,12 @@ fn common(a: u32, b: u32) -> u32 {
     (a ^ b).trailing_zeros()
 }
 
-/// Whether a scrambling with this seed keeps how many digits of a and b agree.
+/// Whether a scrambling with this seed keeps the number of first digits in which a and b agree.
 fn nested(scramble: fn(u32, u32) -> u32, a: u32, b: u32, seed: u32) -> bool {
     common(scramble(a, seed), scramble(b, seed)) == common(a, b)
 }
 
-/// What makes it Owen's: a digit is flipped by those before it alone. Checked from every number of common digits.
+/// Owen's property: a digit is flipped only by those before it. Checked from every number of common digits.
 #[test]
 fn scrambling_keeps_common_digits() {
     let right_shift: fn(u32, u32) -> u32 = |x, seed| owen_scramble(x ^ (x >> 9), seed);

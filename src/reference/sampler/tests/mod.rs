@@ -1,4 +1,4 @@
-//! The hash against exact integers computed elsewhere, numbers against chance, Sobol points against their definition.
+//! The hash compared with exact integers computed elsewhere, numbers with chance, Sobol points with their definition.
 
 mod chance;
 mod digits;
@@ -15,13 +15,13 @@ type Sampler = fn(u32, u32, u32, u32) -> [u32; 4];
 /// Probability that a family of tests rejects a perfect sampler.
 const SIGNIFICANCE: f64 = 1e-3;
 
-/// Those of a family that reject at the level that Šidák leaves each of them.
+/// The tests of a family that reject at the level that Šidák leaves each of them.
 fn rejections(family: Vec<(String, f64)>) -> Vec<(String, f64)> {
     let level = 1.0 - (1.0 - SIGNIFICANCE).powf(1.0 / family.len() as f64);
     family.into_iter().filter(|(_, p)| *p < level).collect()
 }
 
-/// Values of a few lines of Python in whole numbers, remainders taken once an operation:
+/// Values of a few lines of Python in whole numbers, with one remainder per operation:
 /// `m = lambda x,y,z,w: (x:=(x+y*w)%2**32, y:=(y+z*x)%2**32, z:=(z+x*y)%2**32, (w+y*z)%2**32)`
 /// `m(*[a ^ a//65536 for a in m(*[(a*1664525+1013904223) % 2**32 for a in v])])`
 #[test]

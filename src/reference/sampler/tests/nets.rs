@@ -1,4 +1,4 @@
-//! Scrambled points are nets: how evenly the samples of a group lie, by the definition.
+//! Scrambled points are nets: the samples of a group are distributed as evenly as the definition says.
 
 use super::super::{sobol, sobol_quarters};
 use super::Sampler;
@@ -8,7 +8,7 @@ use crate::sample::GROUPS;
 /// (t, k, s)-net in every 2ᵏ points with t their sum (Sobol 1967; Niederreiter, J. Number Theory 30, 1988).
 const QUALITY: [u32; 4] = [2, 0, 0, 1];
 
-/// Words of 2ᵏ consecutive samples of a group, the first of them number `start` of the group.
+/// Words of 2ᵏ consecutive samples of a group, from number `start` of the group.
 fn points(sampler: Sampler, [pixel, block, group]: [u32; 3], start: u32, k: u32) -> Vec<[u32; 4]> {
     let index = |i| (start + i) * GROUPS + group;
     (0..1 << k)
@@ -16,7 +16,7 @@ fn points(sampler: Sampler, [pixel, block, group]: [u32; 3], start: u32, k: u32)
         .collect()
 }
 
-/// Every way to share `digits` among four dimensions, those outside of `set` without any.
+/// Every way to distribute `digits` over four dimensions, with none outside `set`.
 fn shares(set: u32, digits: u32) -> impl Iterator<Item = [u32; 4]> {
     let base = digits + 1;
     (0..base.pow(4)).filter_map(move |code| {
@@ -31,7 +31,7 @@ fn first(word: u32, digits: u32) -> usize {
     (u64::from(word) >> (32 - digits)) as usize
 }
 
-/// Whether each elementary interval of volume 2ᵗ⁻ᵏ in these dimensions holds 2ᵗ of the points.
+/// Whether each elementary interval of volume 2ᵗ⁻ᵏ in these dimensions contains 2ᵗ of the points.
 fn is_net(points: &[[u32; 4]], set: u32, t: u32) -> bool {
     let k = points.len().ilog2();
     shares(set, k.saturating_sub(t)).all(|share| {
@@ -47,7 +47,7 @@ fn is_net(points: &[[u32; 4]], set: u32, t: u32) -> bool {
     })
 }
 
-/// The sets of dimensions in which points are not as even as Sobol's.
+/// The sets of dimensions in which points are less even than Sobol's.
 fn faults(points: &[[u32; 4]]) -> Vec<u32> {
     let t = |set: u32| {
         (0..4)
@@ -75,7 +75,7 @@ fn samples_of_a_group_are_nets() {
     }
 }
 
-/// Of four groups: samples of group 1 are those of indices 1, 5, 9 …
+/// Four groups: samples of group 1 are those of indices 1, 5, 9 …
 #[test]
 fn quarters_of_the_samples_are_nets() {
     let group: Sampler =
@@ -86,7 +86,7 @@ fn quarters_of_the_samples_are_nets() {
     }
 }
 
-/// In one dimension and in the best two, of many points.
+/// Many points in one dimension and in the best two.
 #[test]
 fn thousands_of_samples_are_nets() {
     let points = points(sobol::sampler_block, PLACES[1], 0, 13);

@@ -1,8 +1,8 @@
-//! Blocks of one path must meet by chance: what the shuffle of the index is for.
+//! Blocks of one path must be paired at random, which is the purpose of the index shuffle.
 //!
-//! Samples 2i and 2i + 1 of a group lie in different halves of every dimension of every block. So for a pair of
-//! dimensions of two blocks both of them lie in like halves, or both in unlike ones; which, the shuffles decide as a coin
-//! does, for each i by itself. Of 32 such pairs of samples, the number that lie in like halves is binomial.
+//! Samples 2i and 2i + 1 of a group lie in different halves of every dimension of every block. So for a pair of dimensions of
+//! two blocks either both of them lie in like halves or both in unlike ones; the shuffles decide which like a coin,
+//! independently for each i. Among 32 such pairs of samples, the number that lie in like halves is binomial.
 
 use statrs::distribution::{Binomial, ChiSquared, ContinuousCDF, Discrete};
 
@@ -23,7 +23,7 @@ fn like(sampler: Sampler, pixel: u32, blocks: [u32; 2], [a, b]: [usize; 2]) -> u
     pairs.count()
 }
 
-/// Pearson's p-value of these counts against the binomial law; counts that are rare share a cell at either end.
+/// Pearson's p-value of these counts for the binomial law; rare counts share a cell at either end.
 fn p_value(likes: impl Iterator<Item = usize>) -> f64 {
     const CELLS: std::ops::RangeInclusive<usize> = 9..=23;
     let law = Binomial::new(0.5, PAIRS.into()).expect("a law");
@@ -66,7 +66,7 @@ fn blocks_meet_by_chance() {
     assert_eq!(rejections(family(sobol::sampler_block)), vec![]);
 }
 
-/// Radical inverses, scrambled, of an index that all blocks shuffle alike, or that none shuffles.
+/// Radical inverses, scrambled, with an index that all blocks shuffle alike, or that none shuffles.
 #[test]
 fn blocks_without_shuffles_of_their_own_are_noticed() {
     let alike: Sampler = |p, s, b, e| {

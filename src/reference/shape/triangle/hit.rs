@@ -2,8 +2,8 @@
 
 use crate::reference::math::{Real, Vec3, difference_of_products, vec3};
 
-/// What a ray's direction alone decides: the axis along which it is longest becomes z, and the shear
-/// x − sx z, y − sy z lays the ray along it.
+/// The part of the test that depends only on a ray's direction: the axis along which it is longest becomes z, and the
+/// shear x − sx z, y − sy z maps the ray onto it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayShear<F> {
     pub axis: u32,
@@ -23,7 +23,7 @@ pub struct TriangleHit<F> {
     pub back: bool,
 }
 
-/// The components in cyclic order, so that `axis` comes last: orientation stays as it is.
+/// The components in cyclic order, with `axis` last: orientation is preserved.
 pub fn axis_last<F: Real>(v: Vec3<F>, axis: u32) -> Vec3<F> {
     if axis == 0 {
         vec3(v.y, v.z, v.x)
@@ -55,15 +55,15 @@ pub fn ray_shear<F: Real>(d: Vec3<F>) -> RayShear<F> {
 
 /// The hit with a triangle from both sides, or t = −1.
 ///
-/// Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013. A corner is sheared in the
-/// same way whatever triangle it belongs to, and swapping two corners changes only the sign of an edge
-/// function, exactly. An edge function has the sign of the exact one of the sheared corners, and 0 counts as
-/// inside. So no ray passes between triangles that share an edge or a corner. A triangle whose sheared
-/// corners lie on a line has the sum 0 and is never hit.
+/// Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013. A corner is sheared in the same way in
+/// every triangle it belongs to, and swapping two corners changes only the sign of an edge function, exactly. An edge
+/// function has the sign of the exact one of the sheared corners, and 0 counts as inside. So no ray passes between
+/// triangles that share an edge or a corner. A triangle whose sheared corners lie on a line has the sum 0 and is never
+/// hit.
 ///
-/// The edge functions must be accurate relative to themselves, not only to the products they are made of:
-/// otherwise a needle, or a triangle that is far smaller than its distance to the ray, is hit by rays that
-/// miss it by more than its size, and t is as wrong as its weights are.
+/// The edge functions must be accurate relative to themselves, not only to the products from which they are computed:
+/// otherwise a needle, or a triangle that is far smaller than its distance to the ray, is hit by rays that miss it by
+/// more than its size, and t is as wrong as its weights are.
 pub fn triangle_hit<F: Real>(
     o: Vec3<F>,
     shear: RayShear<F>,
@@ -81,7 +81,7 @@ pub fn triangle_hit<F: Real>(
     let by = b.y - shear.sy * b.z;
     let cx = c.x - shear.sx * c.z;
     let cy = c.y - shear.sy * c.z;
-    // Twice the areas that the ray spans with the edges opposite v0, v1, v2.
+    // Twice the areas spanned by the ray and the edges opposite v0, v1, v2.
     let w0 = difference_of_products(bx, cy, by, cx);
     let w1 = difference_of_products(cx, ay, cy, ax);
     let w2 = difference_of_products(ax, by, ay, bx);

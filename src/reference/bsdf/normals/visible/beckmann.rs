@@ -6,7 +6,7 @@ use crate::reference::bsdf::distribution::beckmann::beckmann_d;
 use crate::reference::bsdf::interaction::Interaction;
 use crate::reference::math::{Real, Vec3, dot3, max2, normalize3, vec3};
 
-/// How facets are seen along the plane of incidence.
+/// The distribution of facets seen along the plane of incidence.
 #[derive(Clone, Copy, Debug)]
 pub struct BeckmannView<F> {
     /// |(α wo.x, α wo.y, wo.z)|
@@ -40,7 +40,7 @@ pub fn visible_beckmann_sample<F: Real>(at: &Interaction<F>, u: [F; 2]) -> Vec3<
 }
 
 /// D_wo(m) = G1(wo) max(0, wo·m) D(m)/wo.z with Smith's own G1 = 2 p/G(−p/q) (Walter et al. 2007, eq. 26's original,
-/// 2/(1 + erf a + e^(−a²)/(a√π)), a = p/q), whatever the rational one says.
+/// 2/(1 + erf a + e^(−a²)/(a√π)), a = p/q), not the rational one.
 pub fn visible_beckmann_pdf<F: Real>(at: &Interaction<F>, m: Vec3<F>) -> F {
     let alpha = at.material.width;
     let view = beckmann_view(at.wo, incidence(at.wo).sine, alpha);

@@ -6,8 +6,8 @@ use crate::reference::math::{Real, Vec3, dot3, max2, normalize3, vec3};
 
 /// A visible micro-normal (Dupuy & Benyoub, Sampling Visible GGX Normals with Spherical Caps, 2023).
 ///
-/// w = normalize(α wo.x, α wo.y, wo.z); a point of the cap z ∈ (−w.z, 1] about N, and h = it + w. In
-/// z = (1 − u2)(1 + w.z) − w.z both h.z and 1 ± z would cancel; formed apart they do not.
+/// w = normalize(α wo.x, α wo.y, wo.z); a point of the cap z ∈ (−w.z, 1] about N, and h = this point + w. In z = (1 −
+/// u2)(1 + w.z) − w.z both h.z and 1 ± z would cancel; computed separately they do not.
 pub fn visible_ggx_sample<F: Real>(at: &Interaction<F>, u: [F; 2]) -> Vec3<F> {
     let one = F::one();
     let alpha = at.material.width;

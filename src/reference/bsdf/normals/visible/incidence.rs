@@ -2,7 +2,7 @@
 
 use crate::reference::math::{Real, Vec3, max2, vec3};
 
-/// Where `wo` leans, seen from above.
+/// The azimuth and inclination of `wo`.
 #[derive(Clone, Copy, Debug)]
 pub struct Incidence<F> {
     /// Sine of the angle between `wo` and N'.
@@ -41,7 +41,7 @@ pub fn incidence_from_frame<F: Real>(plane: Incidence<F>, v: Vec3<F>) -> Vec3<F>
     )
 }
 
-/// `u` away from 0, where a Gaussian ends at infinity: the least that a uniform number can be, and is not 0.
+/// `u` moved away from 0, where a Gaussian ends at infinity: at least the least nonzero uniform number.
 pub fn above_zero<F: Real>(u: F) -> F {
     max2(u, F::new(5.960_464_477_539_063e-8))
 }

@@ -1,9 +1,9 @@
-//! Micro-normals that `wo` sees, of the material's own distribution or nearly so; twin of
+//! Micro-normals that `wo` sees, from the material's own distribution or nearly so; twin of
 //! `shaders/bsdf/normals/visible.glsl` and the kernels' slot `<visible>`.
 //!
-//! With the choice by Fresnel, and eta² divided out, the mean over RGB of a weight is, but for the model's own G1(wi),
-//! the same for every normal of GGX and Beckmann, and that of Phong's exceeds its mean by a few percent at most (model.md,
-//! "Visible micro-normals"). So products of weights along a path vary as the model's energy demands and no more.
+//! With the choice by Fresnel, and eta² divided out, the mean over RGB of a weight is, apart from the model's own G1(wi), the
+//! same for every normal of GGX and Beckmann, and that of Phong's exceeds its mean by a few percent at most (model.md, "Visible
+//! micro-normals"). So products of weights along a path vary only as much as the model's energy demands.
 
 pub mod beckmann;
 pub mod ggx;
@@ -15,12 +15,12 @@ use super::super::interaction::Interaction;
 use crate::reference::math::{Real, Vec3};
 use crate::settings::Distribution;
 
-/// A micro-normal; it may be one that `wo` just fails to see.
+/// A micro-normal; `wo` may just fail to see it.
 pub fn normals_sample<F: Real>(at: &Interaction<F>, u: [F; 2]) -> Vec3<F> {
     visible_sample(at, u)
 }
 
-/// Density with which it is drawn: of GGX and Beckmann D_wo(m) = G1(wo) max(0, wo·m) D(m)/wo.z (Heitz 2018, eq. 3).
+/// Density with which it is drawn: for GGX and Beckmann D_wo(m) = G1(wo) max(0, wo·m) D(m)/wo.z (Heitz 2018, eq. 3).
 pub fn normals_pdf<F: Real>(at: &Interaction<F>, m: Vec3<F>) -> F {
     visible_pdf(at, m)
 }

@@ -1,7 +1,7 @@
-//! Normals of Phong, nearly as they are seen; twin of `shaders/bsdf/normals/visible/phong.glsl`.
+//! Nearly the visible normals of Phong; twin of `shaders/bsdf/normals/visible/phong.glsl`.
 //!
-//! Let m lean by η across the plane of incidence and by ψ along it: m·N = cos η cos ψ, dm = cos η dη dψ. What `wo` sees
-//! of Phong's facets is then a product,
+//! Let m lean by η across the plane of incidence and by ψ along it: m·N = cos η cos ψ, dm = cos η dη dψ. The density of
+//! Phong's facets as `wo` sees them is then a product,
 //!
 //! cosⁿ(m·N) wo·m dm = cosⁿ⁺² η dη · (cos θ cosⁿ⁺¹ ψ + sin θ cosⁿ ψ sin ψ) dψ,
 //!
@@ -10,10 +10,10 @@
 //!
 //! e^(−x²) dx = √(κ/2) h(ψ) cosᵏ ψ dψ, h² = sinh y/y, y = −ln cos ψ.
 //!
-//! sinh y ≥ y, so h ≥ 1: what is drawn here, h(η) (cos θ cosⁿ⁺¹ ψ h(ψ) + sin θ cosⁿ ψ sin ψ), is nowhere less than what
-//! is seen, and no weight is above its mean, (model's gain) · G1(wi), by more than the ratio of the integrals. That is at most
-//! that of √(2π/κ) to ∫ cosᵏ ψ dψ for k = n + 1, times that for n + 2: 1.033 for n = 0, 1.0142 for 1, 1.0026 for 5, 1.0009
-//! for 10.
+//! sinh y ≥ y, so h ≥ 1: the density drawn here, h(η) (cos θ cosⁿ⁺¹ ψ h(ψ) + sin θ cosⁿ ψ sin ψ), is nowhere less than
+//! the visible one, and no weight is above its mean, (model's gain) · G1(wi), by more than the ratio of the integrals.
+//! That is at most that of √(2π/κ) to ∫ cosᵏ ψ dψ for k = n + 1, times that for n + 2: 1.033 for n = 0, 1.0142 for 1,
+//! 1.0026 for 5, 1.0009 for 10.
 
 use super::incidence::{above_zero, incidence, incidence_from_frame, incidence_to_frame};
 use super::slope::{SlopeLaw, slope_law, slope_sample, slope_share};
@@ -52,13 +52,13 @@ pub fn phong_lean<F: Real>(x: F, kappa: F) -> (F, F) {
 
 /// h = √(sinh y/y) of the lean whose tangent squared is `t2`: y = ½ ln(1 + t2), sinh y = t2/(2√(1 + t2)).
 pub fn phong_excess<F: Real>(t2: F) -> F {
-    // up to where a Phong lobe has any facets, and no square overflows
+    // beyond, a Phong lobe has no facets, and squares overflow
     let t2 = min2(t2, F::new(1e30));
     let h = (t2 / ((F::one() + t2).sqrt() * F::log1p(t2))).sqrt();
     if t2 > F::zero() { h } else { F::one() }
 }
 
-/// A micro-normal, of the density of [`visible_phong_pdf`].
+/// A micro-normal with the density of [`visible_phong_pdf`].
 pub fn visible_phong_sample<F: Real>(at: &Interaction<F>, u: [F; 2]) -> Vec3<F> {
     let alpha = at.material.alpha;
     let plane = incidence(at.wo);

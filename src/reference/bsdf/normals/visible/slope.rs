@@ -1,7 +1,7 @@
 //! Slopes of visible micro-normals along the plane of incidence; twin of `shaders/bsdf/normals/visible/slope.glsl`.
 //!
-//! In units of the distribution's width a facet of slope t towards `wo` is seen in proportion to t + limit, and a
-//! Gaussian says how many there are. Their share beyond t is G(t)/G(−limit) with
+//! In units of the distribution's width, a facet of slope t towards `wo` is seen in proportion to t + limit, and the
+//! slopes are distributed as a Gaussian. Their share beyond t is G(t)/G(−limit) with
 //!
 //! G(t) = p erfc t + r e^(−(1 − γ)t²), −dG/dt = 2/√π e^(−t²) (p + q t e^(γt²)), q = √π (1 − γ) r.
 //!
@@ -14,7 +14,7 @@ use crate::reference::math::{ErfcGauss, Real, max2, min2};
 
 const SQRT_PI: f64 = 1.772_453_850_905_516;
 const TWO_OVER_SQRT_PI: f64 = std::f64::consts::FRAC_2_SQRT_PI;
-/// Beyond so many widths there are 2e-10 of a Gaussian.
+/// Beyond this many widths lie 2e-10 of a Gaussian.
 const FAR: f64 = 4.5;
 
 /// G, over t ≥ −limit.
@@ -28,7 +28,7 @@ pub struct SlopeLaw<F> {
     pub limit: F,
 }
 
-/// A law whose limit is kept where the Gaussian is.
+/// A law whose limit is clamped to where the Gaussian is.
 pub fn slope_law<F: Real>(p: F, r: F, gamma: F, limit: F) -> SlopeLaw<F> {
     SlopeLaw {
         p,
@@ -53,7 +53,7 @@ pub struct SlopeShare<F> {
 /// G(t).
 pub fn slope_share<F: Real>(law: SlopeLaw<F>, t: F) -> SlopeShare<F> {
     let ErfcGauss { erfc, gauss } = F::erfc_gauss(t);
-    // what compilers leave out where γ is the constant 0
+    // compilers drop this where γ is the constant 0
     let grown = if law.gamma == F::zero() {
         F::one()
     } else {
@@ -70,9 +70,9 @@ pub fn slope_share<F: Real>(law: SlopeLaw<F>, t: F) -> SlopeShare<F> {
 /// A slope near the one with G(t) = u G(−limit); `whole` is G(−limit).
 ///
 /// Where visibility matters, it is right at both ends and where q → ∞: with s² = −ln u, t = s − limit/(1 + c s), c such
-/// that 1 − G/G(−limit) begins as s² does. Elsewhere it is a Gaussian's, cut off at −limit, then moved and narrowed as the
-/// first two moments of (1 + t q/p) e^(−t²) are; but next to a limit that is not dark, where few facets are
-/// left, it is one that would be as bright all through.
+/// that 1 − G/G(−limit) begins as s² does. Elsewhere it is a Gaussian's, cut off at −limit, then moved and narrowed to
+/// the first two moments of (1 + t q/p) e^(−t²); but next to a limit that is not dark, where few facets are left, it is
+/// one for uniform brightness.
 pub fn slope_start<F: Real>(law: SlopeLaw<F>, whole: SlopeShare<F>, u: F) -> F {
     let (one, tenth) = (F::one(), F::new(0.1));
     let s = (-F::log1p(u - one)).sqrt();
@@ -95,8 +95,8 @@ pub fn slope_start<F: Real>(law: SlopeLaw<F>, whole: SlopeShare<F>, u: F) -> F {
     if tilt > F::new(0.4) { seen } else { narrow }
 }
 
-/// One step of Householder's method of third order (1970) from `t` towards G = `goal`: the error's fourth power is what is
-/// left of it. −limit is not passed, nor approached or left by more than a factor of 8.
+/// One step of Householder's method of third order (1970) from `t` towards G = `goal`: the error is raised to its
+/// fourth power. −limit is not passed, nor approached or left by more than a factor of 8.
 pub fn slope_step<F: Real>(law: SlopeLaw<F>, goal: F, t: F) -> F {
     let (one, two) = (F::one(), F::new(2.0));
     let at = slope_share(law, t);

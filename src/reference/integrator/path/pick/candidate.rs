@@ -1,4 +1,4 @@
-//! A connection of a vertex to a point of one light, before anyone has looked for what stands between; twin of
+//! A connection of a vertex to a point of one light, before the shadow ray; twin of
 //! `shaders/integrator/path/pick/candidate.glsl`.
 
 use crate::reference::bsdf::bsdf_eval;
@@ -11,13 +11,13 @@ use crate::reference::path::vertex::{Vertex, same_sides};
 use crate::reference::world::World;
 use crate::settings::Settings;
 
-/// The weight of light that a vertex is connected to; kernels' slot `<connect>`.
+/// The weight of light found by a connection; kernels' slot `<connect>`.
 pub trait Weigh<F> {
-    /// Of the point `l` of a light, drawn with density `p` per solid angle, where the BSDF has the density `bsdf_pdf`.
+    /// For the point `l` of a light, drawn with density `p` per solid angle, where the BSDF has the density `bsdf_pdf`.
     fn weight(&self, light: usize, l: &LightSample<F>, p: F, bsdf_pdf: F) -> F;
 }
 
-/// A point of a light, and what it brings.
+/// A point of a light, and its contribution.
 #[derive(Clone, Copy, Debug)]
 pub struct Candidate<F> {
     pub light: usize,
@@ -25,12 +25,13 @@ pub struct Candidate<F> {
     pub point: LightSample<F>,
     /// Leads through the surface.
     pub through: bool,
-    /// What arrives if nothing stands in the way; black where the point cannot be seen or shines on what scatters nothing.
+    /// The light that arrives if nothing is in the way; black if the point cannot be seen or the surface does not
+    /// scatter its light.
     pub contribution: Vec3<F>,
 }
 
-/// The point of `light` that `u24` and `u` draw. `expected`: how many points of this light are drawn on average, as
-/// [`pick_probability`](super::pick_probability) says.
+/// The point of `light` that `u24` and `u` draw. `expected` is the average number of points drawn on this light, as
+/// given by [`pick_probability`](super::pick_probability).
 #[allow(clippy::too_many_arguments)]
 pub fn candidate<F: Real>(
     world: &World<F>,

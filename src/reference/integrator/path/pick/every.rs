@@ -1,4 +1,4 @@
-//! A light picked among few by what it brings; twin of `shaders/integrator/path/pick/every.glsl`.
+//! A light picked among few by its contribution; twin of `shaders/integrator/path/pick/every.glsl`.
 
 use super::candidate::{Candidate, Weigh, candidate};
 use crate::reference::math::finite::is_finite;
@@ -9,9 +9,9 @@ use crate::reference::sampler::unit_float;
 use crate::reference::world::World;
 use crate::settings::Settings;
 
-/// Every light gets a point, from the same numbers turned by multiples of the golden ratio, so that each light's points are
+/// Every light gets a point, from the same numbers shifted by multiples of the golden ratio, so that each light's points are
 /// spread as the sampler's are. One of the candidates is kept with the probability w/W, where W is the sum of all w, and
-/// stands for all by the factor W/w (Talbot et al., Importance Resampling for Global Illumination, EGSR 2005, section 3, with
+/// represents all by the factor W/w (Talbot et al., Importance Resampling for Global Illumination, EGSR 2005, section 3, with
 /// every light sampled once; one pass: Chao, A General Purpose Unequal Probability Sampling Plan, Biometrika 69(3), 1982).
 pub fn pick_every<F: Real>(
     world: &World<F>,
@@ -41,7 +41,7 @@ pub fn pick_every<F: Real>(
         );
         let w = mean3(c.contribution);
         total += w;
-        // The share of this one among those so far. What is left of the number is as good as new.
+        // The share of this one among those so far. The rest of the number is uniform again.
         let share = w / total;
         let takes = choice < share;
         if w > zero {

@@ -1,4 +1,4 @@
-//! Which light a vertex is connected to; twin of `shaders/integrator/path/pick/`.
+//! The light that a vertex is connected to; twin of `shaders/integrator/path/pick/`.
 
 pub mod candidate;
 pub mod every;
@@ -16,7 +16,7 @@ use candidate::{Candidate, Weigh, candidate};
 use every::pick_every;
 use tree::{lit_side, pick_in_tree};
 
-/// How: the kernel holds one of them.
+/// The ways to pick a light; a kernel contains one of them.
 enum Pick {
     Power,
     Every,
@@ -31,7 +31,7 @@ fn how<F>(world: &World<F>, settings: &Settings) -> Pick {
     }
 }
 
-/// A light, and a point of it; `None` where no light can shine on the vertex.
+/// A light, and a point of it; `None` where no light can illuminate the vertex.
 pub fn pick<F: Real>(
     world: &World<F>,
     settings: &Settings,
@@ -62,7 +62,7 @@ pub fn pick<F: Real>(
     }
 }
 
-/// What [`pick_probability`] asks of a vertex.
+/// The normal that [`pick_probability`] needs of a vertex.
 pub fn pick_normal<F: Real>(world: &World<F>, settings: &Settings, v: &Vertex<F>) -> Vec3<F> {
     match how(world, settings) {
         Pick::Tree => lit_side(v),
@@ -70,7 +70,7 @@ pub fn pick_normal<F: Real>(world: &World<F>, settings: &Settings, v: &Vertex<F>
     }
 }
 
-/// How many points of `light` a connection draws on average, from a vertex at `p` of [`pick_normal`] `n`.
+/// The average number of points of `light` that a connection draws, from a vertex at `p` of [`pick_normal`] `n`.
 pub fn pick_probability<F: Real>(
     world: &World<F>,
     settings: &Settings,

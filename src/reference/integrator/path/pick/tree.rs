@@ -1,4 +1,4 @@
-//! A light picked among many by what the tree expects of it; twin of `shaders/integrator/path/pick/tree.glsl`.
+//! A light picked among many by its importance in the tree; twin of `shaders/integrator/path/pick/tree.glsl`.
 
 use super::candidate::{Candidate, Weigh, candidate};
 use crate::prepared::MaterialKind;
@@ -10,7 +10,7 @@ use crate::reference::sampler::unit_float;
 use crate::reference::world::World;
 use crate::settings::Settings;
 
-/// The normal on whose side a vertex can be lit; 0 where light may come from both.
+/// The normal on whose side a vertex can be lit; 0 if light may come from both.
 pub fn lit_side<F: Real>(v: &Vertex<F>) -> Vec3<F> {
     if v.interaction.material.kind < MaterialKind::RoughDielectric {
         v.facing
@@ -19,7 +19,7 @@ pub fn lit_side<F: Real>(v: &Vertex<F>) -> Vec3<F> {
     }
 }
 
-/// The light that the tree picks, and a point of it; `None` where none can shine.
+/// The light that the tree picks, and a point of it; `None` where none can contribute.
 pub fn pick_in_tree<F: Real>(
     world: &World<F>,
     settings: &Settings,
