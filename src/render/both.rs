@@ -8,11 +8,11 @@ use crate::reference::math::{Real, Vec3};
 use crate::reference::path::SampleId;
 use crate::reference::world::World;
 
-/// What a sample's paths have brought.
+/// The light that a sample's paths contribute.
 pub struct Brought<F> {
     /// By the eye path, W·sr⁻¹·m⁻².
     pub radiance: Vec3<F>,
-    /// By the light path, in the order of its vertices, wherever in the picture.
+    /// By the light path, in the order of its vertices, anywhere in the picture.
     pub splats: Vec<Splat<F>>,
 }
 

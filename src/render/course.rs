@@ -1,6 +1,6 @@
-//! The course of a rendering: slice after slice until the samples, the seconds or the error asked for are reached.
+//! The course of a rendering: slice after slice until the requested samples, seconds or error are reached.
 //!
-//! Neither the slices nor when the error is looked at have an influence on the picture.
+//! Neither the slices nor the times of the error estimates influence the picture.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -15,7 +15,7 @@ use crate::part::{AnyPart, Halves};
 /// When a rendering ends before it has all its samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Until {
-    /// So many seconds of rendering are spent; compiling is none of it. Above 0.
+    /// After this many seconds of rendering, compiling not included. Above 0.
     pub seconds: Option<f64>,
     /// The upper end of the estimated relMSE is below this. Above 0.
     pub rel_mse: Option<f64>,
@@ -24,13 +24,13 @@ pub struct Until {
 /// Why a rendering ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
-    /// All samples are there.
+    /// All samples are complete.
     Complete,
-    /// Told to stop.
+    /// Interrupted by the caller.
     Interrupted,
-    /// Of [`Until::seconds`].
+    /// [`Until::seconds`] are over.
     Time,
-    /// Of [`Until::rel_mse`].
+    /// [`Until::rel_mse`] is reached.
     Error,
     /// The device failed twice.
     Lost,
@@ -41,14 +41,14 @@ pub enum End {
 pub struct ErrorAt {
     /// Samples in every pixel.
     pub spp: u32,
-    /// Seconds of rendering so far, compiling apart.
+    /// Seconds of rendering so far, without compiling.
     pub seconds: f64,
-    /// `None` of one sample, which tells nothing of its error, and of a picture that overflows. Pixels are those of the
-    /// full picture.
+    /// `None` for one sample, which gives no estimate, and for a picture that overflows. Pixels are
+    /// those of the full picture.
     pub rel_mse: Option<RelMse>,
 }
 
-/// Decides what comes next, and keeps the errors.
+/// Decides on the next slice, and records the errors.
 pub struct Course<'a> {
     job: &'a Job<'a>,
     stop: &'a AtomicBool,
@@ -56,13 +56,13 @@ pub struct Course<'a> {
     /// Seconds of rendering before that.
     before: f64,
     slices: Slices,
-    /// When the slice under way began, in seconds.
+    /// When the current slice began, in seconds.
     began: f64,
-    /// Seconds that each sample index of the last slice took, in all tiles.
+    /// Seconds per sample index of the last slice, in all tiles.
     pace: f64,
-    /// The index of the first sample of all.
+    /// The index of the first sample.
     first: u32,
-    /// The index of the next.
+    /// The index of the next sample.
     done: u32,
     end: Option<End>,
     errors: Vec<ErrorAt>,
@@ -111,7 +111,7 @@ impl<'a> Course<'a> {
         self.before + self.start.elapsed().as_secs_f64()
     }
 
-    /// The index of the sample that the next slice is to bring every pixel to; `None` at the end.
+    /// The index of the sample to which the next slice is to bring every pixel; `None` at the end.
     pub fn next_slice(&mut self) -> Option<u32> {
         if self.end.is_some() {
             return None;
@@ -123,8 +123,8 @@ impl<'a> Course<'a> {
         Some(self.done + slice.min(fit).max(1))
     }
 
-    /// Every pixel has all samples before the index `samples`, and the longest dispatch took `longest`; `halves` is asked for
-    /// the picture where its error is due.
+    /// Every pixel has all samples before the index `samples`, and the longest dispatch took `longest`; `halves` is
+    /// called for the picture when an error estimate is due.
     pub fn reached(&mut self, samples: u32, longest: Duration, halves: impl FnOnce() -> Halves) {
         let slice = samples - self.done;
         self.slices.took(slice, longest);
@@ -152,7 +152,7 @@ impl<'a> Course<'a> {
         self.end = end.or_else(|| closed().then_some(End::Error));
     }
 
-    /// Looks at the error after the last sample, unless that was looked at.
+    /// Estimates the error after the last sample, unless it was estimated there.
     pub fn look_at_the_end(&mut self, halves: impl FnOnce() -> Halves) {
         let samples = self.samples();
         if samples > 0 && self.errors.last().is_none_or(|last| last.spp < samples) {
@@ -160,7 +160,7 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// How far it will be once the slice under way, which ends at the index `samples`, has made `part` of its own.
+    /// The progress once the current slice, which ends at the index `samples`, has made `part` of its own.
     pub fn progress(&self, samples: u32, part: f64) -> Progress {
         let slice = samples - self.done;
         let all = self.job.spp - self.first;
@@ -175,7 +175,7 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// What there is of the rendering: interrupted, if it has not come to an end.
+    /// The rendering so far: interrupted, if it has not ended.
     pub fn so_far(&self, part: AnyPart, stats: Stats) -> Outcome {
         let state = State {
             part,
@@ -186,7 +186,7 @@ impl<'a> Course<'a> {
         Outcome::new(self.job, state, end, stats)
     }
 
-    /// Whether samples, patience or time are at their end.
+    /// Whether samples, patience or time are used up.
     fn spent(&self) -> Option<End> {
         let seconds = self.job.until.seconds;
         match () {
@@ -197,7 +197,7 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// Whether the error is as small as asked for.
+    /// Whether the error is as small as requested.
     fn is_close(&self) -> bool {
         let high = self.upper_end();
         let close = self.job.until.rel_mse.zip(high).map(|(e, high)| high < e);
@@ -210,7 +210,7 @@ impl<'a> Course<'a> {
         last.interval.ok().map(|[_, high]| high)
     }
 
-    /// About how many samples the error asked for takes: the error is inverse to their number.
+    /// Roughly the number of samples that the requested error takes: the error is inverse to their number.
     fn samples_wanted(&self) -> f64 {
         let last = self.errors.last().map(|e| f64::from(e.spp));
         let ratio = self
@@ -222,7 +222,7 @@ impl<'a> Course<'a> {
         last.zip(ratio).map_or(f64::INFINITY, |(n, r)| n * r)
     }
 
-    /// After how many samples the error is looked at next.
+    /// The number of samples at which the error is estimated next.
     fn next_look(&self) -> u32 {
         let look = next_look(self.samples(), self.job.until.rel_mse.is_some());
         self.first.saturating_add(look).min(self.job.spp)
@@ -236,8 +236,8 @@ impl<'a> Course<'a> {
     }
 }
 
-/// Adds the error of a picture of `spp` samples, whose first pixel is `origin` of the full picture, to those before. What was
-/// seen between two powers of two is dropped: it was the last.
+/// Adds the error of a picture of `spp` samples, whose first pixel is `origin` of the full picture, to those before. An
+/// estimate between two powers of two is dropped when the next one comes.
 pub fn look(
     errors: &mut Vec<ErrorAt>,
     spp: u32,
@@ -258,9 +258,9 @@ pub fn look(
     });
 }
 
-/// After how many samples the error is looked at next, where every pixel has `done`: after powers of two. `closely`, where
-/// the error decides on the end, after every eighth of one too, or a rendering could take twice as long as it needs. Depends
-/// on no clock. A look beyond 2³² − 1 samples, which no pixel gets, is that number.
+/// The number of samples at which the error is estimated next, when every pixel has `done`: at powers of two.
+/// `closely`, when the error decides on the end, also at every eighth of one; otherwise a rendering could take twice as
+/// long as it needs. Depends on no clock. An estimate beyond 2³² − 1 samples, which no pixel gets, is that number.
 fn next_look(done: u32, closely: bool) -> u32 {
     let octave = done.checked_ilog2().map_or(0, |log| 1 << log);
     let step = if closely { octave / 8 } else { octave }.max(1);

@@ -21,9 +21,9 @@ use crate::reference::world::World;
 use crate::settings::Integrator;
 use replicates::Replicates;
 
-/// The film of one integrator, which the reference adds samples to on every core.
+/// The film of one integrator, to which the reference adds samples on every core.
 trait Render<F: Scalar>: HostFilm<Scalar = F> {
-    /// Goes on from a part of the job's picture.
+    /// Continues a part of the job's picture.
     fn new(job: &Job, part: Part<F>) -> Self;
     /// Brings every pixel to the sample of index `samples`.
     fn advance(&mut self, job: &Job, world: &World<F>, samples: u32);
@@ -32,7 +32,7 @@ trait Render<F: Scalar>: HostFilm<Scalar = F> {
 /// Renders with every core; the picture depends neither on their number nor on the slices of samples.
 ///
 /// # Errors
-/// [`RenderError::Start`], where it is to go on from what another job has left.
+/// [`RenderError::Start`] if it is to continue another job's samples.
 pub fn render<F: Scalar>(
     job: &Job,
     name: &str,
@@ -48,7 +48,7 @@ pub fn render<F: Scalar>(
     }
 }
 
-/// Hands what makes parts of the job's picture, in f32, to `work`.
+/// Runs `work` with a maker of parts of the job's picture, in f32.
 pub fn with_ranges(
     job: &Job,
     work: &mut dyn FnMut(&mut dyn Ranges) -> Result<Stats, RenderError>,
@@ -72,7 +72,7 @@ pub fn replicates<'a, F: Scalar>(job: &'a Job<'a>, seeds: &[u32]) -> Box<dyn Gro
     }
 }
 
-/// A film, and what adds samples to it.
+/// A film and its accumulator.
 struct Run<'a, F, R> {
     job: &'a Job<'a>,
     world: World<F>,
@@ -150,7 +150,7 @@ fn render_by<F: Scalar, R: Render<F>>(
     Ok(course.so_far(run.part(), run.stats()))
 }
 
-/// What stands where devices have a driver.
+/// The reference's entry in the place of a driver's name.
 pub fn driver() -> String {
     format!(
         "vkpt's reference on {} threads",

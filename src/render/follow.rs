@@ -1,4 +1,4 @@
-//! A rendering under way, whatever renders: slice after slice, and somebody who watches.
+//! Runs a rendering on any device: slice after slice, with a watcher.
 
 use std::time::Duration;
 
@@ -6,10 +6,10 @@ use super::course::Course;
 use super::{Outcome, Progress, RenderError, Stats};
 use crate::part::AnyPart;
 
-/// A film, and what adds samples to it.
+/// A film and its accumulator.
 pub trait Grows {
-    /// Brings every pixel to the sample of index `samples` and reports the part of that which is done; returns the longest
-    /// dispatch.
+    /// Brings every pixel to the sample of index `samples` and reports the part of that which is done; returns the
+    /// longest dispatch.
     ///
     /// # Errors
     /// Those of a device. The samples that every pixel has by then stay.
@@ -22,21 +22,21 @@ pub trait Grows {
     /// All samples that every pixel has.
     fn part(&self) -> AnyPart;
 
-    /// What it took, but for what the part tells.
+    /// Statistics, except those that the part contains.
     fn stats(&self) -> Stats;
 }
 
-/// Who is told what happens. Nothing that it does has an influence on the picture.
+/// Receives the events of a rendering. Nothing that it does influences the picture.
 pub trait Watch {
-    /// Now and then.
+    /// Called now and then.
     fn progress(&mut self, progress: Progress);
 
-    /// After each slice; `so_far` makes what would come out if it were the last.
+    /// Called after each slice; `so_far` makes the outcome as if it were the last.
     fn reached(&mut self, so_far: &dyn Fn() -> Outcome) {
         let _ = so_far;
     }
 
-    /// A device failed; `then` says how the rendering goes on.
+    /// A device failed; `then` says how the rendering continues.
     fn lost(&mut self, error: &RenderError, then: &str) {
         let _ = (error, then);
     }

@@ -1,4 +1,4 @@
-//! What a rendering has on the host: whatever made it, it is a part of a picture.
+//! The film on the host: for any device it is a part of a picture.
 
 use super::Job;
 use crate::film::{Aov, Film};
@@ -19,13 +19,13 @@ pub fn empty_part<F: Scalar>(job: &Job, begin: u32) -> Part<F> {
     Part::new(job.size(), job.features().keeps(), begin)
 }
 
-/// The standard errors of a picture, where they are asked for; one sample tells none.
+/// The standard errors of a picture, if they are requested; one sample has none.
 pub fn standard_errors(job: &Job, part: &AnyPart) -> Option<Film> {
     let known = part.samples() >= 2 && job.aovs.contains(&Aov::Stderr);
     known.then(|| part.standard_errors())
 }
 
-/// Degrees of freedom of such a standard error, of `spp` samples a pixel.
+/// Degrees of freedom of such a standard error, with `spp` samples a pixel.
 pub fn freedom(sampler: Sampler, spp: u32) -> f64 {
     match sampler {
         Sampler::Random => f64::from(spp) - 1.0,

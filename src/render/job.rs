@@ -1,4 +1,4 @@
-//! What is to be rendered, and by what.
+//! A rendering job: scene, settings and device.
 
 use super::course::Until;
 use super::tiles::Tile;
@@ -12,7 +12,7 @@ use crate::reference::path::SampleId;
 use crate::sample::Address;
 use crate::settings::Settings;
 
-/// What renders.
+/// The renderer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Target {
     Vulkan(Selector),
@@ -20,37 +20,37 @@ pub enum Target {
     CpuF64,
 }
 
-/// Which kernel renders on a Vulkan device. The picture does not depend on it, but for files of one's own; the reference
-/// has none.
+/// The kernel that renders on a Vulkan device. The picture depends on it only through custom files;
+/// the reference has none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum KernelChoice<'a> {
-    /// What scene and settings need, and nothing else.
+    /// The needs of scene and settings, and nothing else.
     #[default]
     Composed,
-    /// What any scene could need: [`Features::full`].
+    /// The needs of any scene: [`Features::full`].
     Full,
-    /// These features, which must hold what scene and settings need.
+    /// These features, which must include the needs of scene and settings.
     Given(&'a Features),
-    /// What scene and settings need, with files of one's own in place of some of `shaders/`: another estimator, say,
-    /// to be measured beside vkpt's by [`converge`](vkpt_lab::converge). [`file`](crate::kernel::file) has vkpt's text. A
-    /// file that the kernel does not use is an error.
+    /// The needs of scene and settings, with custom files in place of some of `shaders/`: another estimator, say, to be
+    /// compared with vkpt's by vkpt-lab's `converge`. [`file`](crate::kernel::file) returns vkpt's text. A file
+    /// that the kernel does not use is an error.
     Own(&'a [OwnFile<'a>]),
 }
 
-/// What is to be rendered.
+/// A picture to be rendered.
 #[derive(Clone, Copy, Debug)]
 pub struct Job<'a> {
     pub prepared: &'a Prepared,
     pub settings: Settings,
-    /// Samples in every pixel; of a part of them ([`Start::At`]) the index that they end before.
+    /// Samples in every pixel; for a part of them ([`Start::At`]) the index before which they end.
     pub spp: u32,
-    /// When to end before all of them are there.
+    /// When to end before all of them are complete.
     pub until: Until,
     pub seed: u32,
-    /// Left, top, right, bottom in pixels from the top left, right and bottom excluded; within the picture
-    /// and not empty.
+    /// Left, top, right, bottom in pixels from the top left, right and bottom excluded; within
+    /// the picture and not empty.
     pub crop: Option<[u32; 4]>,
-    /// What to make beside the picture, which it does not change.
+    /// What to make in addition to the picture, which it does not change.
     pub aovs: &'a [Aov],
     /// Classes of paths to split it into.
     pub classes: &'a [PathClass],
@@ -58,7 +58,7 @@ pub struct Job<'a> {
 }
 
 impl Job<'_> {
-    /// What the kernel of this job holds.
+    /// The features of this job's kernel.
     pub fn features(&self) -> Features {
         match self.kernel {
             KernelChoice::Composed | KernelChoice::Own(_) => {
@@ -69,7 +69,7 @@ impl Job<'_> {
         }
     }
 
-    /// What stands in place of shader files of vkpt's.
+    /// The files that replace shader files of vkpt's.
     pub(super) fn own_files(&self) -> &[OwnFile<'_>] {
         match self.kernel {
             KernelChoice::Own(files) => files,
@@ -82,7 +82,7 @@ impl Job<'_> {
         [self.area().width, self.area().height]
     }
 
-    /// A sample of this rendering.
+    /// One sample of this rendering.
     pub(super) fn sample(
         &self,
         Address {

@@ -17,7 +17,7 @@ pub struct Joining {
 }
 
 impl Joining {
-    /// Goes on from a part, by so many devices.
+    /// Continues a part, with this many devices.
     pub fn new(whole: Part<f32>, devices: usize) -> Self {
         Self {
             whole,
@@ -26,7 +26,7 @@ impl Joining {
         }
     }
 
-    /// Joins a part, or has it wait for those before it.
+    /// Joins a part, or makes it wait for those before it.
     pub fn take(&mut self, part: Part<f32>, course: &mut Course, watch: &mut dyn Watch) {
         self.waiting.insert(part.range().start, part);
         while let Some(next) = self.waiting.remove(&self.whole.range().end) {
@@ -44,7 +44,7 @@ impl Joining {
         AnyPart::F32(self.whole.clone())
     }
 
-    /// Of all devices together.
+    /// Statistics of all devices together.
     pub fn stats(&self) -> Stats {
         let all: Vec<&Stats> = self.stats.iter().flatten().collect();
         let first = all.first().map_or(Stats::default(), |&first| first.clone());

@@ -1,7 +1,7 @@
-//! Layers: what the pixels of a picture show, besides light.
+//! Layers: the surfaces in the pixels of a picture, not their light.
 //!
-//! They are means over the same points of a pixel as the picture's samples, by the reference, whatever device renders: so they are the
-//! same to the bit on all of them, and no kernel holds anything for them.
+//! They are means over the same points of a pixel as the picture's samples, made by the reference for every device: so
+//! they are the same to the bit on all of them, and kernels have no code for them.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -13,13 +13,13 @@ use crate::reference::integrator::layers::{First, Seen, first_seen};
 use crate::reference::world::World;
 use crate::sample::Address;
 
-/// The samples of a pixel that its layers are means over, for a picture of `spp`: its first half, and 64 at most. What a pixel
-/// shows is known sooner than its light, so layers take a small part of the time.
+/// The number of samples over which layers are means, for a picture of `spp`: the first half, and at most 64. A pixel's
+/// surfaces converge sooner than its light, so layers take a small part of the time.
 pub fn layer_samples(spp: u32) -> u32 {
     spp.div_ceil(2).min(64)
 }
 
-/// The layers that `job` asks for, of a picture of `spp` samples: a value a pixel of its area in each channel.
+/// The layers that `job` requests, for a picture of `spp` samples: a value a pixel of its area in each channel.
 pub fn layers(job: &Job, spp: u32) -> Vec<Channel> {
     let asked = || job.aovs.iter().copied().filter(|aov| aov.is_layer());
     if asked().next().is_none() {
@@ -41,7 +41,7 @@ pub fn layers(job: &Job, spp: u32) -> Vec<Channel> {
     channels
 }
 
-/// Means of a pixel: of what is hit over the samples that hit anything, else over all.
+/// Means of a pixel: for properties of hits over the samples with a hit, else over all.
 #[derive(Clone, Copy, Debug, Default)]
 struct Pixel {
     albedo: DVec3,
@@ -51,7 +51,7 @@ struct Pixel {
     ns: DVec3,
     p: DVec3,
     depth: f64,
-    /// Lines of what the first of those samples hit.
+    /// Lines of the shape and the material that the first of those samples hit.
     shape: usize,
     material: usize,
     /// Of the picture.

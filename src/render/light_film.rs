@@ -1,8 +1,8 @@
-//! Light that comes to any pixel: the splats of light paths, added to the film in one order.
+//! The film of light paths, whose splats reach any pixel and are added in a fixed order.
 //!
-//! The light paths of one sample index, one a pixel of the picture, make a picture of their own: a pixel's sample is the sum
-//! of its splats, in the order of (light path, vertex). The film adds these samples as it adds a path tracer's, so that
-//! its groups, what it keeps beside them and its error estimate are the same. No bit depends on tiles, slices or crops.
+//! The light paths of one sample index, one a pixel of the picture, make a picture of their own: a pixel's sample is the sum of
+//! its splats, in the order of (light path, vertex). The film adds these samples as it adds a path tracer's, so that its
+//! groups, its additional sums and its error estimate are the same. No bit depends on tiles, slices or crops.
 
 use super::{HostFilm, Job, Pixels};
 use crate::part::{Counts, Dropped, Part, Scalar, Tally};
@@ -14,10 +14,10 @@ use crate::reference::math::{Real, Vec3};
 /// The film of a light tracer.
 pub struct LightFilm<F> {
     pixels: Pixels<F>,
-    /// Of the sample indices under way.
+    /// Of the current sample indices.
     sums: Vec<PixelSum<F>>,
     under_way: LightCounts,
-    /// Of samples that are complete.
+    /// Of complete samples.
     counts: Counts,
     /// Pixels in a row of the full picture.
     width: u32,
@@ -34,10 +34,10 @@ pub fn with_splat<F: Real>(mut sum: PixelSum<F>, splat: Vec3<F>) -> PixelSum<F> 
 }
 
 impl<F: Scalar> LightFilm<F> {
-    /// What it keeps of each pixel, what is kept beside its sums not counted.
+    /// The bytes of a pixel, without its additional sums.
     pub const PIXEL_BYTES: u64 = (size_of::<FilmPixel<F>>() + size_of::<PixelSum<F>>()) as u64;
 
-    /// Goes on from a part of the job's picture.
+    /// Continues a part of the job's picture.
     pub fn new(job: &Job, part: Part<F>) -> Self {
         Self {
             sums: vec![PixelSum::zero(); job.area().pixels() as usize],
@@ -58,14 +58,14 @@ impl<F: Scalar> LightFilm<F> {
         self.pixels.area.window()
     }
 
-    /// Adds a splat on one of its pixels to the sample index under way: to be called in the order of light paths.
+    /// Adds a splat on one of its pixels to the current sample index: must be called in the order of light paths.
     pub fn splat(&mut self, splat: Splat<F>) {
         let at = [splat.pixel % self.width, splat.pixel / self.width];
         let sum = &mut self.sums[self.pixels.area.index(at) as usize];
         *sum = with_splat(*sum, splat.value);
     }
 
-    /// Every light path of the sample index under way has brought its splats.
+    /// Every light path of the current sample index has added its splats.
     pub fn end_sample(&mut self) {
         let sums = &self.sums;
         self.pixels.add(|i| sums[i].sum);
@@ -73,7 +73,7 @@ impl<F: Scalar> LightFilm<F> {
         self.sums.fill(PixelSum::zero());
     }
 
-    /// Adds what light paths of indices under way took.
+    /// Adds the counters of light paths of current indices.
     pub fn count(&mut self, of: LightCounts) {
         self.under_way.rays += of.rays;
         self.under_way.long_paths += of.long_paths;
@@ -82,7 +82,7 @@ impl<F: Scalar> LightFilm<F> {
         self.under_way.infinite += of.infinite;
     }
 
-    /// All sample indices that were under way are complete.
+    /// All current sample indices are complete.
     pub fn end_pass(&mut self) {
         let of = std::mem::take(&mut self.under_way);
         self.counts = self.counts.plus(Counts {
@@ -97,7 +97,7 @@ impl<F: Scalar> LightFilm<F> {
         });
     }
 
-    /// Forgets the sample indices under way.
+    /// Discards the current sample indices.
     pub fn give_up_pass(&mut self) {
         self.under_way = LightCounts::default();
         self.sums.fill(PixelSum::zero());

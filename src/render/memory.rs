@@ -1,4 +1,4 @@
-//! What a rendering takes of the host's memory, beside its scene.
+//! The host memory of a rendering, without its scene.
 
 use super::{Job, LightFilm, RenderError, classes};
 use crate::film::{Aov, Keeps};
@@ -7,7 +7,7 @@ use crate::part::{BLOCK, PixelSums, Scalar};
 use crate::reference::film::{FilmMoments, FilmPixel, FilmQuarters};
 use crate::settings::Integrator;
 
-/// An error where the films of a job in the scalar `F`, `times` of each, cannot fit.
+/// An error if the films of a job in the scalar `F`, `times` of each, cannot fit.
 pub fn check<F: Scalar>(job: &Job, times: usize) -> Result<(), RenderError> {
     let needed = bytes::<F>(job) * times as u64;
     match free() {
@@ -19,7 +19,7 @@ pub fn check<F: Scalar>(job: &Job, times: usize) -> Result<(), RenderError> {
     }
 }
 
-/// The bytes of the film under way, of the nodes below it, and of the pictures that come of it.
+/// The bytes of the current film, of the nodes below it, and of the pictures made from it.
 fn bytes<F: Scalar>(job: &Job) -> u64 {
     let film = match job.settings.estimator.integrator {
         Integrator::Path => size_of::<FilmPixel<F>>() as u64,
@@ -30,7 +30,7 @@ fn bytes<F: Scalar>(job: &Job) -> u64 {
         Keeps::Moments => size_of::<FilmMoments<F>>() as u64,
         Keeps::Quarters => size_of::<FilmQuarters<F>>() as u64,
     };
-    // A node a level at most, where it is known how many samples there will be.
+    // At most a node a level, if the number of samples is known.
     let levels = match job.spp {
         u32::MAX => 0,
         spp => (spp / BLOCK).checked_ilog2().map_or(0, |log| log + 1),

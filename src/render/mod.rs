@@ -1,4 +1,4 @@
-//! Rendering: a prepared scene, a device, and the film that comes out.
+//! Rendering: from a prepared scene and a device to a film.
 
 mod best;
 mod both;
@@ -53,9 +53,9 @@ pub use start::{Start, State};
 pub use trace::{Trace, chain, techniques, trace};
 pub use vulkan::{DispatchLimits, statistics};
 
-/// Renders the job, calling `progress` after each slice of samples. Once `stop` is set, or what the job is to end at
-/// is reached, finishes the sample index under way in every pixel and returns what is there: the same, to the bit, as
-/// of a job of so many samples.
+/// Renders the job, calling `progress` after each slice of samples. Once `stop` is set, or the job's limit is reached,
+/// it finishes the current sample index in every pixel and returns the result: the same, to the bit, as that of a job
+/// with that many samples.
 pub fn render(
     job: &Job,
     target: &Target,
@@ -65,8 +65,8 @@ pub fn render(
     render_from(job, target, &Start::At(0), stop, &mut |p| progress(p))
 }
 
-/// Renders as [`render`] does, from `start` on. A device that fails is opened anew, once; if it fails again, what is there
-/// by then comes out, if every pixel has a sample.
+/// Renders as [`render`] does, from `start` on. A device that fails is opened again, once; if it fails again, the
+/// result so far is returned, if every pixel has a sample.
 pub fn render_from(
     job: &Job,
     target: &Target,
@@ -90,7 +90,7 @@ pub fn render_from(
     }
 }
 
-/// Renders as [`render`] does, on a device that is open already; `limits` have no influence on the picture.
+/// Renders as [`render`] does, on a device that is already open; `limits` do not influence the picture.
 pub fn render_on(
     job: &Job,
     device: &Device,

@@ -1,4 +1,4 @@
-//! What comes of a rendering.
+//! The outcome of a rendering.
 
 use super::course::End;
 use super::host_film::standard_errors;
@@ -8,37 +8,37 @@ use crate::film::Film;
 use crate::part::Dropped;
 use crate::sample::Largest;
 
-/// How far a rendering is.
+/// The progress of a rendering.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
     /// Samples that every pixel has.
     pub samples_done: u32,
     /// The most that it will have.
     pub spp: u32,
-    /// Of all work, in [0, 1]: by samples, by time or by error, whichever it is to end at.
+    /// Share of all work, in [0, 1]: by samples, by time or by error, according to its limit.
     pub fraction: f64,
 }
 
-/// A picture and how it came about.
+/// A picture and the record of its making.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     pub film: Film,
-    /// Standard error of the mean per pixel and channel: if [`Aov::Stderr`] was asked for and there are two samples. Its
-    /// square is unbiased and has as many degrees of freedom as [`freedom`] says.
+    /// Standard error of the mean per pixel and channel: if [`Aov::Stderr`] was requested and there are at least two
+    /// samples. Its square is unbiased and has the degrees of freedom of [`freedom`].
     pub stderr: Option<Film>,
     /// Samples in every pixel.
     pub spp: u32,
     pub end: End,
-    /// Why the device failed the second time, of [`End::Lost`].
+    /// Why the device failed the second time, with [`End::Lost`].
     pub failure: Option<String>,
-    /// What can be gone on from. Its errors are what is known of the picture's error after 1, 2, 4 … samples, and after the
-    /// last.
+    /// The state from which to continue. Its errors are the estimates of the picture's error after 1, 2, 4 … samples,
+    /// and after the last.
     pub state: State,
     pub stats: Stats,
 }
 
 impl Outcome {
-    /// The picture of a state, and what `stats` lacks of how it came about.
+    /// The picture of a state, with its statistics.
     pub(super) fn new(job: &Job, state: State, end: End, stats: Stats) -> Self {
         let part = &state.part;
         let (spp, tally) = (part.samples(), part.tally());
@@ -66,7 +66,7 @@ impl Outcome {
 /// Seconds from a prepared scene to the first dispatch, by stage.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SetUp {
-    /// To open the device; 0 where it was open.
+    /// To open the device; 0 if it was open.
     pub device: f64,
     /// To build the hierarchy; for the reference, all of its tables.
     pub hierarchy: f64,
@@ -74,21 +74,21 @@ pub struct SetUp {
     pub compose: f64,
     /// To make the buffers and fill them.
     pub upload: f64,
-    /// What the driver does of its compiling before the first dispatch.
+    /// The part of the driver's compiling that it does before the first dispatch.
     pub pipeline: f64,
 }
 
-/// What a rendering took.
+/// Statistics of a rendering.
 #[derive(Clone, Debug, Default)]
 pub struct Stats {
     pub device: String,
     pub driver: String,
-    /// How the device rounds: two that agree in this make the same bits. [`NEAREST`], or a name of its own.
+    /// How the device rounds: two with the same entry make the same bits. [`NEAREST`], or a unique name.
     pub rounding: String,
     pub set_up: SetUp,
     /// Seconds of the first dispatch, which is when drivers compile.
     pub compile_s: f64,
-    /// Seconds of all other dispatches, with all that the host does between them.
+    /// Seconds of all other dispatches, with the host's work between them.
     pub render_s: f64,
     /// The device's own seconds for them, by its timestamps; `None` for the reference.
     pub gpu_s: Option<f64>,
@@ -97,9 +97,9 @@ pub struct Stats {
     pub dropped: Dropped,
     pub long_paths: u64,
     pub underflows: u64,
-    /// The sample with the brightest channel; `None` where all are black.
+    /// The sample with the brightest channel; `None` if all are black.
     pub largest: Option<Largest>,
-    /// What the kernel holds.
+    /// The features of the kernel.
     pub features: Vec<String>,
     /// Size of the kernel's module; 0 for the reference, which has none.
     pub spirv_bytes: u64,
@@ -107,5 +107,5 @@ pub struct Stats {
     pub buffers: Vec<(String, u64)>,
 }
 
-/// How the reference rounds, and with it the Vulkan drivers of CPUs.
+/// The rounding of the reference and of the Vulkan drivers of CPUs.
 pub const NEAREST: &str = "to nearest";

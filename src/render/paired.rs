@@ -18,14 +18,14 @@ use crate::reference::world::World;
 use crate::sample::{Address, PairedSample, Path};
 use crate::settings::Integrator;
 
-/// Pixels and samples of one slice: 2¹⁷ paths of some 150 bytes in all, whatever the picture.
+/// Pixels and samples of one slice: 2¹⁷ paths of some 150 bytes in all, for any picture.
 const TILE: u32 = 1 << 13;
 const SLICE: u32 = 16;
 
-/// Renders each sample of the job three times and hands it to `take`; returns whether `stop` ended it early.
+/// Renders each sample of the job three times and passes it to `take`; returns whether `stop` ended it early.
 ///
 /// # Errors
-/// As those of a rendering on `device`.
+/// Those of a rendering on `device`.
 pub fn paired(
     job: &Job,
     device: &Device,
@@ -35,7 +35,7 @@ pub fn paired(
 ) -> Result<bool, RenderError> {
     let area = job.area();
     let job = &match job.settings.estimator.integrator {
-        // Splats go to any pixel, not to those of a crop alone.
+        // Splats go to any pixel, also outside a crop.
         Integrator::Bidirectional => Job { crop: None, ..*job },
         _ => *job,
     };
@@ -78,7 +78,7 @@ impl<'a> References<'a> {
         }
     }
 
-    /// The samples from index `first` on of each pixel of a tile, beside what the device made of them.
+    /// The samples from index `first` on of each pixel of a tile, paired with the device's `outcomes`.
     fn samples(&self, tile: &Tile, first: u32, outcomes: &[Vec<Path>]) -> Vec<Vec<PairedSample>> {
         let pixel = |(k, outcomes): (usize, &Vec<Path>)| {
             let k = k as u32;
@@ -99,7 +99,7 @@ impl<'a> References<'a> {
     }
 }
 
-/// What a sample comes to by the reference.
+/// A sample by the reference.
 pub(super) fn path<F: Real>(job: &Job, world: &World<F>, address: Address) -> Path {
     let id = job.sample(address);
     match job.settings.estimator.integrator {

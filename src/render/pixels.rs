@@ -9,20 +9,20 @@ use crate::reference::film::{FilmPixel, film_sample};
 use crate::reference::math::Vec3;
 use crate::sample::{Address, Largest};
 
-/// The pixels under way, row by row.
+/// The accumulated pixels, row by row.
 pub struct Pixels<F> {
     pub area: Tile,
-    /// All samples before the block under way.
+    /// All samples before the current block.
     closed: Part<F>,
-    /// Of the block under way.
+    /// The film of the current block.
     film: Vec<FilmPixel<F>>,
     beside: Beside<F>,
 }
 
-/// From so many pixels on, adding a sample to each is faster on all cores than on one.
+/// From this many pixels on, adding a sample to each is faster on all cores than on one.
 const MANY: usize = 1 << 14;
 
-/// A pixel, and what is kept beside it.
+/// A pixel and its additional sums.
 pub struct PixelMut<'a, F> {
     pub film: &'a mut FilmPixel<F>,
     beside: BesideMut<'a, F>,
@@ -37,7 +37,7 @@ impl<F: Scalar> PixelMut<'_, F> {
 }
 
 impl<F: Scalar> Pixels<F> {
-    /// Goes on from a part of the pixels of `area`.
+    /// Continues a part of the pixels of `area`.
     pub fn new(area: Tile, part: Part<F>) -> Self {
         let (closed, tail) = part.without_tail();
         let pixels = area.pixels() as usize;
@@ -97,7 +97,7 @@ impl<F: Scalar> Pixels<F> {
         }
     }
 
-    /// Hands the sums over where a block ends; to be called at each [stop](Self::stop).
+    /// Moves the sums into the part where a block ends; must be called at each [stop](Self::stop).
     pub fn settle(&mut self) {
         if !self.closed.ends_at(self.done()) {
             return;
@@ -108,7 +108,7 @@ impl<F: Scalar> Pixels<F> {
         self.beside.clear();
     }
 
-    /// Of the block under way.
+    /// The sums of the current block.
     fn sums(&self) -> Sums<F> {
         Sums {
             samples: self.film.first().map_or(0, |pixel| pixel.samples),
@@ -121,7 +121,7 @@ impl<F: Scalar> Pixels<F> {
         self.film.iter().map(of).sum()
     }
 
-    /// Of the block under way.
+    /// The counters of the current block.
     fn tally(&self) -> Tally {
         Tally {
             counts: Counts {

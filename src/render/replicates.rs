@@ -1,5 +1,5 @@
-//! Renderings of one job by several seeds, each of which can be carried on: a picture of n samples is the beginning
-//! of that of 2n.
+//! Renderings of one job with several seeds, each of which can be continued: a picture of n samples is the
+//! beginning of that of 2n.
 
 use std::sync::atomic::AtomicBool;
 
@@ -8,24 +8,24 @@ use crate::film::Film;
 use crate::gpu::Device;
 use crate::part::{AnyPart, Halves};
 
-/// What renders, open.
+/// An open renderer.
 pub enum Engine {
     Vulkan(Device, DispatchLimits),
     CpuF32,
     CpuF64,
 }
 
-/// Seconds that samples took.
+/// Seconds of rendering.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Took {
-    /// On the wall clock, with all that the host does between dispatches.
+    /// On the wall clock, with the host's work between dispatches.
     pub wall_s: f64,
-    /// The device's own, by its timestamps; `None` of the reference.
+    /// The device's own, by its timestamps; `None` for the reference.
     pub gpu_s: Option<f64>,
 }
 
 impl Took {
-    /// Adds what more samples took.
+    /// Adds the seconds of further samples.
     pub fn add(&mut self, more: Self) {
         self.wall_s += more.wall_s;
         self.gpu_s = match (self.gpu_s, more.gpu_s) {
@@ -43,11 +43,11 @@ pub(super) trait Growing {
     fn set_up_s(&self) -> f64;
 }
 
-/// Independent renderings of a job, ready for their first sample: all is compiled.
+/// Independent renderings of a job, ready for their first sample: everything is compiled.
 pub struct Replicates<'a>(Box<dyn Growing + 'a>);
 
 impl Engine {
-    /// Opens what `target` names.
+    /// Opens `target`.
     pub fn open(target: &Target) -> Result<Self, RenderError> {
         Ok(match target {
             Target::Vulkan(selector) => {
@@ -71,7 +71,7 @@ impl Engine {
 }
 
 impl<'a> Replicates<'a> {
-    /// One for each of `seeds`, which are taken instead of the job's; `spp` and `aovs` of the job are not looked at.
+    /// One for each of `seeds`, which replace the job's; `spp` and `aovs` of the job are ignored.
     ///
     /// # Errors
     /// Those of a rendering, before and in its first dispatch.
@@ -87,8 +87,8 @@ impl<'a> Replicates<'a> {
         }))
     }
 
-    /// Brings replicate `i` to `spp` samples per pixel; what the samples that were missing took. Once `stop` is set,
-    /// the sample index under way is the last.
+    /// Brings replicate `i` to `spp` samples per pixel; returns the time that the missing samples took. Once `stop` is
+    /// set, the current sample index is the last.
     ///
     /// # Errors
     /// Those of a rendering. The replicate is then lost.
@@ -101,12 +101,12 @@ impl<'a> Replicates<'a> {
         self.0.done(i)
     }
 
-    /// The picture of replicate `i`: to the bit that of a rendering of its seed to as many samples.
+    /// The picture of replicate `i`: to the bit that of a rendering with its seed and as many samples.
     pub fn picture(&self, i: usize) -> Film {
         self.0.part(i).picture()
     }
 
-    /// The means of the two groups of the samples of replicate `i`; of a single sample twice that.
+    /// The means of the two groups of the samples of replicate `i`; for a single sample twice that sample.
     pub fn halves(&self, i: usize) -> [Film; 2] {
         let part = self.0.part(i);
         if part.samples() < 2 {

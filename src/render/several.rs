@@ -1,5 +1,5 @@
-//! One rendering on several devices: each takes the range of samples that comes next, as long a one as its speed allows, and
-//! the parts are joined in the order of their samples.
+//! One rendering on several devices: each takes the next range of samples, as long a one as its speed allows, and the
+//! parts are joined in the order of their samples.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -16,28 +16,28 @@ use super::{
 use crate::gpu::Device;
 use crate::part::{BLOCK, Part};
 
-/// What a range should take: long enough for devices not to wait for each other, short enough for ctrl-c.
+/// The target duration of a range: long enough that devices do not wait for each other, short enough for ctrl-c.
 const WANTED: Duration = Duration::from_millis(500);
 
-/// What makes parts on a device.
+/// Makes parts on a device.
 pub trait Ranges {
-    /// These samples of every pixel.
+    /// Renders these samples of every pixel.
     fn make(&mut self, samples: Range<u32>) -> Result<Part<f32>, RenderError>;
-    /// What it took so far, but for what the parts tell.
+    /// Statistics so far, except those that the parts contain.
     fn took(&self) -> Stats;
 }
 
-/// Samples that nobody has taken yet.
+/// Samples that no device has taken.
 struct Left {
     next: u32,
     end: u32,
-    /// Of devices that failed.
+    /// Given back by devices that failed.
     back: Vec<Range<u32>>,
 }
 
 impl Left {
-    /// The next samples, about `wanted` of them, up to the end of a block where they reach one; at most a fair share for one of
-    /// `devices`.
+    /// The next samples, about `wanted` of them, up to the end of a block if they reach one; at most a fair share for
+    /// one of `devices`.
     fn take(&mut self, wanted: u32, devices: u32) -> Option<Range<u32>> {
         if let Some(range) = self.back.pop() {
             return Some(range);
@@ -52,20 +52,19 @@ impl Left {
     }
 }
 
-/// What a device says.
+/// A message from a device.
 enum Message {
     Made(Part<f32>),
-    /// It is open, or has ended: what it took so far.
+    /// It has opened, or has ended: its statistics so far.
     Took(usize, Stats),
     Failed(usize, RenderError),
 }
 
-/// Renders as [`render_from`](super::render_from) does, on all `targets`, none of which is `cpu-f64`. A device that fails leaves
-/// its samples to the others; once none is left, what is there by then comes out.
+/// Renders as [`render_from`](super::render_from) does, on all `targets`, none of which is `cpu-f64`. A device that
+/// fails leaves its samples to the others; once none is left, the result so far is returned.
 ///
-/// # Errors
-/// A device that is not there, or is asked for what it does not do; [`RenderError::Twice`] where all have failed before the first
-/// sample; [`RenderError::Start`] where it is to go on from what another job has left.
+/// # Errors A device that does not exist, or cannot do what the job requires; [`RenderError::Twice`] if all have failed
+/// before the first sample; [`RenderError::Start`] if it is to continue another job's samples.
 pub fn render_several(
     job: &Job,
     targets: &[Target],
@@ -84,7 +83,7 @@ pub fn render_several(
     });
     let mut alive: Vec<usize> = (0..targets.len()).collect();
     let (mut failure, mut wrong) = (None, false);
-    // Samples that the last device has left are there once the others have ended.
+    // Samples that the last device has left are available once the others have ended.
     while !course.has_ended() && !alive.is_empty() {
         let halt = AtomicBool::new(false);
         let (tell, told) = mpsc::channel();
@@ -131,7 +130,7 @@ pub fn render_several(
     }
 }
 
-/// Makes parts until no samples are left, or somebody says stop.
+/// Makes parts until no samples are left, or it is stopped.
 fn work(
     job: &Job,
     target: &Target,
@@ -154,7 +153,7 @@ fn work(
             match ranges.make(range.clone()) {
                 Ok(part) => {
                     slices.took(range.len() as u32, began.elapsed());
-                    // Nobody listens any more only where a panic has ended the rendering.
+                    // The receiver is gone only if a panic has ended the rendering.
                     let _ = tell.send(Message::Made(part));
                 }
                 Err(error) => {
@@ -171,7 +170,7 @@ fn work(
     });
 }
 
-/// Opens the device, and hands what makes parts on it to `work`.
+/// Opens the device, and runs `work` with its maker of parts.
 fn with_ranges(
     job: &Job,
     target: &Target,

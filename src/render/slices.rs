@@ -1,15 +1,16 @@
-//! How many samples a dispatch should take: few at first, then as many as fit the time wanted.
+//! The number of samples of a dispatch: few at first, then as many as fit the target duration.
 
 use std::time::Duration;
 
-/// What a dispatch should take where nothing speaks against it. Long enough to keep the device busy, short enough for ctrl-c, a progress bar and any watchdog.
+/// The default duration of a dispatch: long enough to keep the device busy, short enough for ctrl-c, a progress bar and
+/// any watchdog.
 pub const WANTED: Duration = Duration::from_millis(75);
 
 /// The size of the next slice of samples, learnt from the last. The picture does not depend on it.
 #[derive(Debug)]
 pub struct Slices {
     samples: u32,
-    /// What a dispatch should take.
+    /// The target duration of a dispatch.
     wanted: Duration,
 }
 

@@ -5,17 +5,17 @@ use std::ops::Range;
 use super::{ErrorAt, Job, RenderError, empty_part};
 use crate::part::{AnyPart, Part, Scalar};
 
-/// What a rendering has made so far, and can be gone on from.
+/// The samples of a rendering so far, from which it can be continued.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     pub part: AnyPart,
-    /// What is known of the error after 1, 2, 4 … of its samples, and after the last that it was looked at.
+    /// The error estimates after 1, 2, 4 … of its samples, and after the last at which one was made.
     pub errors: Vec<ErrorAt>,
     /// Seconds of rendering.
     pub seconds: f64,
 }
 
-/// Where a rendering begins: with the sample of this index, or after what it has made so far.
+/// Where a rendering begins: with the sample of this index, or after the samples so far.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Start {
     At(u32),
@@ -23,7 +23,7 @@ pub enum Start {
 }
 
 impl Start {
-    /// The samples that are there.
+    /// The completed samples.
     pub fn range(&self) -> Range<u32> {
         match self {
             Self::At(index) => *index..*index,
@@ -38,10 +38,10 @@ impl Start {
         }
     }
 
-    /// The part to go on from.
+    /// The part to continue.
     ///
     /// # Errors
-    /// [`RenderError::Start`] where it is of another size, scalar or kind than the job's.
+    /// [`RenderError::Start`] if it is of another size, scalar or kind than the job's.
     pub(super) fn part<F: Scalar>(&self, job: &Job) -> Result<Part<F>, RenderError> {
         let empty = empty_part(job, self.range().start);
         let Some(state) = self.state() else {

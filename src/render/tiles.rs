@@ -1,4 +1,4 @@
-//! A picture larger than a dispatch may be is rendered in tiles.
+//! Tiles: a picture larger than one dispatch is rendered in pieces.
 
 use crate::reference::integrator::light::splat::Window;
 
@@ -16,7 +16,7 @@ impl Tile {
         self.width * self.height
     }
 
-    /// Its pixels, as light paths look for them.
+    /// Its pixels as the window of light paths.
     pub fn window(&self) -> Window {
         let Self {
             x,
@@ -48,7 +48,7 @@ impl Tile {
     }
 }
 
-/// Cuts `area` into tiles of at most `most` ≥ 1 pixels: whole rows where a row fits, pieces of rows elsewhere.
+/// Cuts `area` into tiles of at most `most` ≥ 1 pixels: whole rows if a row fits, else pieces of rows.
 pub fn tiles(area: Tile, most: u32) -> Vec<Tile> {
     let width = area.width.min(most);
     let height = (most / width).clamp(1, area.height);

@@ -1,4 +1,4 @@
-//! A rendering on a device that may fail under way: what is there by then is gone on from on the device opened anew.
+//! A rendering on a device that may fail: it is then continued on the device opened again.
 
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
@@ -7,11 +7,11 @@ use super::vulkan::{self, Failed};
 use super::{DispatchLimits, End, Job, Outcome, RenderError, Start, Watch};
 use crate::gpu::{Device, Selector};
 
-/// Renders from `start` on. Once the device fails, goes on with dispatches a quarter as long; once it fails again, ends with
-/// [`End::Lost`].
+/// Renders from `start` on. Once the device fails, continues with dispatches a quarter as long; once it fails again,
+/// ends with [`End::Lost`].
 ///
 /// # Errors
-/// Those that no other attempt would mend; [`RenderError::Twice`] where no pixel has a sample.
+/// Those that another attempt would not avoid; [`RenderError::Twice`] if no pixel has a sample.
 pub fn render(
     job: &Job,
     selector: &Selector,
@@ -46,7 +46,7 @@ pub fn render(
     }
 }
 
-/// Renders on the device opened anew.
+/// Renders on the device opened again.
 fn attempt(
     job: &Job,
     selector: &Selector,

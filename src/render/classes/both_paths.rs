@@ -1,5 +1,5 @@
-//! A sample of light tracing or of bidirectional path tracing, class by class. Light paths are read backwards: a string begins at
-//! the eye.
+//! A sample of light tracing or of bidirectional path tracing, class by class. Light paths are read backwards: a string
+//! begins at the eye.
 
 use super::sample::Sample;
 use super::surface::Surface;
@@ -17,16 +17,16 @@ use crate::settings::Settings;
 pub struct BothPaths<'a> {
     settings: &'a Settings,
     adjoint: &'a Settings,
-    /// Of the vertices that each path has left.
+    /// The vertices that each path has left.
     eye: Vec<Surface>,
     light: Vec<Surface>,
-    /// The last vertex that either has come to.
+    /// The last vertex of either path.
     at: Option<Joint<f32>>,
     pub sample: Sample<'a>,
 }
 
 impl<'a> BothPaths<'a> {
-    /// Nothing yet; `adjoint` are the settings of light paths.
+    /// No path yet; `adjoint` are the settings of light paths.
     pub fn new(settings: &'a Settings, adjoint: &'a Settings, classes: &'a [PathClass]) -> Self {
         Self {
             settings,

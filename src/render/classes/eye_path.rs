@@ -15,9 +15,9 @@ use crate::settings::Settings;
 /// The path so far, and the light that it has found.
 pub struct EyePath<'a> {
     settings: &'a Settings,
-    /// Of the vertices that the path has left.
+    /// The vertices that the path has left.
     surfaces: Vec<Surface>,
-    /// The last vertex that it has come to.
+    /// The last vertex that it has reached.
     at: Option<Vertex<f32>>,
     sample: Sample<'a>,
 }

@@ -21,7 +21,7 @@ use crate::render::tiles::Tile;
 use crate::sample::Address;
 use crate::settings::Integrator;
 
-/// What is kept of a pixel for each class: two sums, and the channels.
+/// The bytes of a pixel for each class: two sums, and the channels.
 pub const PIXEL_BYTES: u64 = (2 * size_of::<DVec3>() + size_of::<[f32; 3]>()) as u64;
 
 /// Sums over samples.
@@ -29,12 +29,13 @@ pub struct ClassFilm {
     area: Tile,
     /// Pixel by pixel, a value a class.
     sums: Vec<DVec3>,
-    /// Of the sample index under way, where light paths bring it from everywhere: split, and whole as the picture's film has it.
+    /// Contributions to the current sample index, to which light paths contribute from everywhere: split, and whole as
+    /// in the picture's film.
     split: Vec<DVec3>,
     whole: Vec<PixelSum<f32>>,
 }
 
-/// What the paths of a row of pixels have brought.
+/// The contributions of the paths of a row of pixels.
 struct Row {
     splats: Vec<Splat<f32>>,
     /// By eye paths.
@@ -59,7 +60,7 @@ impl ClassFilm {
         }
     }
 
-    /// Adds samples of path tracing to every pixel. What the picture's film drops is dropped from all classes.
+    /// Adds samples of path tracing to every pixel. A sample that the picture's film drops is dropped from all classes.
     pub fn add_eye_paths(&mut self, job: &Job, world: &World<f32>, indices: Range<u32>) {
         let area = self.area;
         let pixels = self.sums.par_chunks_mut(job.classes.len()).enumerate();

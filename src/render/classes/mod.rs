@@ -1,7 +1,7 @@
-//! The picture by classes of paths: what each class adds to a pixel's mean.
+//! The picture by classes of paths: the contribution of each class to a pixel's mean.
 //!
-//! The reference follows the picture's own samples once more, in f32, with the same random numbers, so that classes that have
-//! every path once add up to the picture; no kernel holds anything for it. Sums are kept in f64, each class's apart.
+//! The reference follows the picture's own samples again, in f32, with the same random numbers, so that classes that
+//! contain every path once add up to the picture; kernels have no code for it. Each class has its own sums, in f64.
 
 mod both_paths;
 mod eye_path;
@@ -21,8 +21,8 @@ use crate::settings::Integrator;
 use film::ClassFilm;
 pub use film::PIXEL_BYTES;
 
-/// The classes that `job` asks for, of a picture of `spp` samples: three channels a class, named after it, with a value a pixel
-/// of the job's area. `None` where `stop` is set before that is done.
+/// The classes that `job` requests, for a picture of `spp` samples: three channels a class, named after it, with a
+/// value a pixel of the job's area. `None` if `stop` is set before it is done.
 pub fn light_classes(
     job: &Job,
     spp: u32,

@@ -1,4 +1,4 @@
-//! What a sample's paths bring, class by class.
+//! The contributions of a sample's paths, class by class.
 
 use glam::DVec3;
 
@@ -7,7 +7,7 @@ use super::surface::Surface;
 use crate::path_class::PathClass;
 use crate::reference::math::Vec3;
 
-/// What one class adds to a pixel.
+/// The contribution of one class to a pixel.
 pub struct Share {
     /// row · width + column of the full picture.
     pub pixel: u32,
@@ -20,9 +20,9 @@ pub struct Share {
 pub struct Sample<'a> {
     classes: &'a [PathClass],
     shares: Shares,
-    /// Of its own pixel, a value a class.
+    /// To its own pixel, a value a class.
     pub own: Vec<DVec3>,
-    /// Of light paths, anywhere.
+    /// From light paths, to any pixel.
     elsewhere: Vec<Share>,
 }
 
@@ -37,7 +37,7 @@ impl<'a> Sample<'a> {
         }
     }
 
-    /// Light that has met these surfaces, told from the eye on, and comes to the sample's own pixel.
+    /// Adds light that has met these surfaces, listed from the eye on, and reaches the sample's own pixel.
     pub fn add<'s>(
         &mut self,
         light: Vec3<f32>,
@@ -51,7 +51,7 @@ impl<'a> Sample<'a> {
         }
     }
 
-    /// The same of what comes to another pixel.
+    /// The same for light that reaches another pixel.
     pub fn splat<'s>(
         &mut self,
         pixel: u32,

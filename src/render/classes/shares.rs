@@ -1,4 +1,4 @@
-//! The share of a path's light that a class has.
+//! The share of a path's light that belongs to a class.
 
 use glam::DVec3;
 
@@ -13,8 +13,8 @@ pub struct Shares {
 }
 
 impl Shares {
-    /// Of the path that meets these surfaces on the way from the eye to its light: the weight of those of its strings that
-    /// `class` has, a surface with two letters making two strings of each.
+    /// The share of the path that meets these surfaces on the way from the eye to its light: the weight of those of its
+    /// strings that belong to `class`, where a surface with two letters doubles the number of strings.
     pub fn of<'a>(
         &mut self,
         class: &PathClass,
@@ -49,7 +49,7 @@ impl Shares {
     }
 }
 
-/// Strings that led to one state go on as one.
+/// Merges strings that led to the same state.
 fn add(states: &mut Vec<(State, DVec3)>, state: State, weight: DVec3) {
     if weight == DVec3::ZERO {
         return;

@@ -1,4 +1,4 @@
-//! What a surface does with the light of a path: its letter, or a share of two.
+//! The letter of a surface on a path, or its share of two.
 
 use glam::DVec3;
 
@@ -15,8 +15,8 @@ use crate::settings::Settings;
 pub enum Surface {
     /// By a lobe without a density: S.
     Smooth(Side),
-    /// By lobes with a density. A path's light is that of all of them, whichever its direction was drawn from, so it has the
-    /// letter D by this share in each channel, and G by the rest.
+    /// By lobes with a density. A path's light is that of all of them, not only of the one from which its direction was
+    /// drawn, so it has the letter D by this share in each channel, and G by the rest.
     Rough { diffuse: DVec3, side: Side },
 }
 
@@ -26,7 +26,7 @@ impl Surface {
         let local = to_local(v.frame, wi);
         let diffuse = lambert_lobe(&v.interaction, local).value.f64();
         let all = bsdf_eval(settings, &v.interaction, local).value.f64();
-        // f_D/(f_D + f_G); where there is neither, the path has no light either.
+        // f_D/(f_D + f_G); if both are 0, the path has no light either.
         let share = |d: f64, all: f64| match all > 0.0 {
             true => (d / all).min(1.0),
             false => 0.0,

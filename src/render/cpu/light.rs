@@ -1,5 +1,5 @@
-//! Paths from lights by the reference, alone or with paths from the eye: those of a row of pixels at a time, their splats added
-//! in order.
+//! Paths from lights by the reference, alone or with paths from the eye: one row of pixels at a time, their splats
+//! added in order.
 
 use rayon::prelude::*;
 
@@ -14,10 +14,10 @@ use crate::render::{Job, LightFilm};
 use crate::sample::Address;
 use crate::settings::Integrator;
 
-/// Rows under way at once, of several sample indices where a picture has fewer.
+/// Rows traced at once, of several sample indices if a picture has fewer rows.
 const ROWS: u32 = 256;
 
-/// What the paths of a row of pixels have brought.
+/// The contributions of the paths of a row of pixels.
 struct Row<F> {
     splats: Vec<Splat<F>>,
     /// By eye paths.

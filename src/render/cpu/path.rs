@@ -1,4 +1,4 @@
-//! Path tracing by the reference: each pixel by itself.
+//! Path tracing by the reference: each pixel separately.
 
 use super::Render;
 use crate::part::{Part, Scalar};

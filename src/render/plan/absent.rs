@@ -1,5 +1,5 @@
-//! What a kernel may look for though the scene does not have it: data that takes part in no path. A kernel that holds
-//! what the scene needs and no more gets the scene's own data.
+//! Data that a kernel may look for although the scene lacks them; they are in no path. A kernel with exactly the
+//! features that the scene needs gets the scene's own data.
 
 use bytemuck::Zeroable;
 
@@ -8,7 +8,7 @@ use crate::flat;
 use crate::layout::OnDevice;
 use crate::prepared::{Coincidences, Light, LightKind, NONE, Prepared, Shape, device};
 
-/// The scene's lights, and behind them the one that is not there, if the kernel looks for it.
+/// The scene's lights, and after them a dark one, if the kernel looks for it.
 pub fn lights(prepared: &Prepared, features: &Features) -> Vec<device::Light> {
     let mut lights = flat::records(&prepared.lights);
     if looks_for_more(prepared, features) {
@@ -17,7 +17,7 @@ pub fn lights(prepared: &Prepared, features: &Features) -> Vec<device::Light> {
     lights
 }
 
-/// Their counts out of 2²⁴; the light that is not there has none, so that nothing chooses it and its probability is 0.
+/// Their counts out of 2²⁴; the dark light has none, so that it is never chosen and its probability is 0.
 pub fn light_cdf(prepared: &Prepared, features: &Features) -> Vec<u32> {
     let mut cdf = prepared.light_cdf.clone();
     if cdf.is_empty() {
@@ -29,7 +29,7 @@ pub fn light_cdf(prepared: &Prepared, features: &Features) -> Vec<u32> {
     cdf
 }
 
-/// The tree of lights: a leaf where there is none. The light that is not there has no place in it.
+/// The tree of lights: a leaf if the scene has none. The dark light is not in it.
 pub fn light_tree(prepared: &Prepared, features: &Features) -> (Vec<device::LightNode>, Vec<u32>) {
     let mut nodes = flat::records(&prepared.light_tree.nodes);
     if nodes.is_empty() {
@@ -45,7 +45,7 @@ pub fn light_tree(prepared: &Prepared, features: &Features) -> (Vec<device::Ligh
     (nodes, trails)
 }
 
-/// The medium that each stands in.
+/// The medium in which each light lies.
 pub fn light_media(prepared: &Prepared, features: &Features) -> Vec<u32> {
     let mut media = prepared.light_media.clone();
     if looks_for_more(prepared, features) {
@@ -54,14 +54,14 @@ pub fn light_media(prepared: &Prepared, features: &Features) -> Vec<u32> {
     media
 }
 
-/// Index of the background among [`lights`]: the scene's, or the one that is not there.
+/// Index of the background among [`lights`]: the scene's, or the dark one.
 pub fn background_light(prepared: &Prepared, features: &Features) -> Option<u32> {
     let own = prepared.lights.iter().position(is_outside);
     let dark = looks_for_more(prepared, features).then_some(prepared.lights.len());
     own.or(dark).map(|i| i as u32)
 }
 
-/// What that light is: the scene's, or [`DARK`]. `None` where the kernel has no light of that kind.
+/// The kind of that light: the scene's, or that of [`DARK`]. `None` if the kernel has no light of that kind.
 pub fn outside(prepared: &Prepared, features: &Features) -> Option<LightKind> {
     let own = background_light(prepared, features)?;
     let light = prepared.lights.get(own as usize);
@@ -69,7 +69,7 @@ pub fn outside(prepared: &Prepared, features: &Features) -> Option<LightKind> {
     features.lights.contains(&kind).then_some(kind)
 }
 
-/// Surroundings, where the scene has none: a black picture of one texel.
+/// Surroundings for a scene that has none: a black picture of one texel.
 pub const BLACK_TEXEL: device::Surroundings = device::Surroundings {
     x: [1.0, 0.0, 0.0],
     width: 1,
@@ -87,7 +87,7 @@ pub const BLACK_ROW: device::SurroundingsRow = device::SurroundingsRow {
     end: 0,
 };
 
-/// The lens: one of radius 0 where the camera is a pinhole, which adds 0 to the eye and to the points of pixels.
+/// The lens: for a pinhole one of radius 0, which adds 0 to the eye and to the points of pixels.
 pub fn lens(prepared: &Prepared) -> device::Lens {
     prepared
         .lens
@@ -95,14 +95,14 @@ pub fn lens(prepared: &Prepared) -> device::Lens {
         .map_or(Zeroable::zeroed(), OnDevice::record)
 }
 
-/// The corners' shading normals: zeros, as for a mesh that gives none, where no mesh gives any.
+/// The corners' shading normals: zeros if no mesh gives any, as for a mesh that gives none.
 pub fn normals(prepared: &Prepared) -> Vec<[[f32; 3]; 3]> {
     let mut normals = flat::normals(prepared);
     normals.resize(prepared.primitives.triangles.len(), [[0.0; 3]; 3]);
     normals
 }
 
-/// Where the lists of coincident faces are: all empty, where none coincide.
+/// Where the lists of coincident faces are: all empty if none coincide.
 pub fn coincident_faces(prepared: &Prepared) -> Vec<u32> {
     let table = &prepared.primitives.coincident;
     match table.is_empty() {
@@ -114,7 +114,7 @@ pub fn coincident_faces(prepared: &Prepared) -> Vec<u32> {
     }
 }
 
-/// A background that does not shine.
+/// A background that emits nothing.
 const DARK: device::Light = device::Light {
     radiance: [0.0; 3],
     kind: LightKind::Background as u32,
@@ -124,7 +124,7 @@ const DARK: device::Light = device::Light {
     cdf: 0,
 };
 
-/// Whether the kernel has a use for lights, or for a background, that the scene lacks.
+/// Whether the kernel uses lights, or a background, that the scene lacks.
 fn looks_for_more(prepared: &Prepared, features: &Features) -> bool {
     let outside = features.lights.iter().any(|kind| kind.is_outside());
     let background = outside && !prepared.lights.iter().any(is_outside);

@@ -1,26 +1,26 @@
-//! One array of a rendering: its name, what it is made of, its size, and how its content is made.
+//! One array of a rendering: its name, elements, size and content.
 
 use bytemuck::NoUninit;
 
 use crate::kernel::scene::{Binding, Element};
 use crate::layout::{BufferUse, GpuStruct, Records};
 
-/// An array that a kernel is to find in a buffer of its own.
+/// An array that a kernel is to find in its own buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ArrayPlan {
-    /// How the kernel is told of it.
+    /// The binding that the kernel declares.
     pub binding: Binding,
     /// Size of the buffer.
     pub bytes: u64,
 }
 
 impl ArrayPlan {
-    /// `count` structs, or room for one: an array has one element at least, in GLSL and so in its buffer.
+    /// `count` structs, or room for one: an array has at least one element, in GLSL and so in its buffer.
     pub fn records<T: GpuStruct>(name: &'static str, count: usize, buffer_use: BufferUse) -> Self {
         Self::structs(name, T::NAME, count, size_of::<T>(), buffer_use)
     }
 
-    /// The same by the name of the struct and its size.
+    /// The same, by the name of the struct and its size.
     fn structs(
         name: &'static str,
         ty: &'static str,
@@ -51,7 +51,7 @@ impl ArrayPlan {
     }
 }
 
-/// An array of a scene. Its content is made once it is asked for: no two lie in the host's memory at once.
+/// An array of a scene. Its content is made on demand: no two are in the host's memory at once.
 pub struct SceneArray<'a> {
     pub plan: ArrayPlan,
     make: Box<dyn Fn() -> Box<dyn Content + 'a> + 'a>,
@@ -75,7 +75,7 @@ impl<T: NoUninit> Content for &[T] {
 }
 
 impl<'a> SceneArray<'a> {
-    /// Structs: a uniform where they fit into `uniform_buffer` bytes.
+    /// Structs: a uniform if they fit into `uniform_buffer` bytes.
     pub fn records(name: &'static str, records: impl Records + 'a, uniform_buffer: u64) -> Self {
         let (count, size) = (records.count(), records.size());
         let fits = (count.max(1) * size) as u64 <= uniform_buffer;
@@ -103,7 +103,7 @@ impl<'a> SceneArray<'a> {
         }
     }
 
-    /// The words of records that are there already.
+    /// The words of existing records.
     pub fn lent<T: NoUninit>(name: &'static str, element: Element, records: &'a [T]) -> Self {
         let words = size_of_val(records) / element.bytes();
         Self {
@@ -112,7 +112,7 @@ impl<'a> SceneArray<'a> {
         }
     }
 
-    /// Makes the content: as many bytes as were planned, or none where there is no element.
+    /// Makes the content: as many bytes as planned, or none if the array has no element.
     pub fn content(&self) -> Box<dyn Content + 'a> {
         (self.make)()
     }

@@ -1,24 +1,23 @@
-//! What a plan depends on of its device.
+//! The limits of a device on which a plan depends.
 
 use crate::gpu::{Device, DeviceKind};
 use crate::layout::PathState;
 
-/// Known without a device too: by default those of most GPUs.
+/// Also known without a device: by default those of most GPUs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PlanLimits {
     /// The most bytes in a uniform buffer.
     pub uniform_buffer: u64,
     /// The most bytes in a storage buffer.
     pub storage_buffer: u64,
-    /// Pixels under way at once.
+    /// Pixels processed at once.
     pub tile_pixels: u32,
-    /// Whether threads read before any branch what they try one by one
-    /// (`kernel/scene/generate/written_out.rs`).
+    /// Whether threads read the unrolled primitives before any branch (`kernel/scene/generate/written_out.rs`).
     pub read_first: bool,
 }
 
 impl PlanLimits {
-    /// What suits the device.
+    /// The limits that suit the device.
     pub fn of(device: &Device) -> Self {
         Self {
             uniform_buffer: device.limits().uniform_buffer,
@@ -41,7 +40,7 @@ impl Default for PlanLimits {
     }
 }
 
-/// A CPU gains from more samples a dispatch, a GPU from more threads; the paths under way must fit one buffer.
+/// A CPU gains from more samples a dispatch, a GPU from more threads; the paths in flight must fit one buffer.
 fn tile_pixels(device: &Device) -> u32 {
     let wanted = match device.info().kind {
         DeviceKind::Cpu => 1 << 16,

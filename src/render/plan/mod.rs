@@ -1,4 +1,4 @@
-//! What a rendering brings to a device, known without one: its arrays, its hierarchy, its kernel.
+//! Plans a rendering without a device: its arrays, its hierarchy, its kernel.
 
 mod absent;
 mod array;
@@ -22,17 +22,17 @@ use crate::kernel::{self, Composed, KernelError, Spirv};
 #[derive(Clone, Debug)]
 pub struct Plan {
     pub features: Features,
-    /// What the kernel reads: of the scene, in the order of bindings.
+    /// The arrays that the kernel reads: those of the scene, in the order of bindings.
     pub scene: Vec<ArrayPlan>,
-    /// What it writes: paths and film of a tile, in the order of bindings.
+    /// The arrays that it writes: paths and film of a tile, in the order of bindings.
     pub state: StatePlan,
     pub hierarchy: Option<HierarchyPlan>,
     /// Pixels of the picture, or of its crop.
     pub pixels: u64,
-    /// Of so many pixels at most, rendered one after the other.
+    /// The tiles, rendered one after the other; each has at most `tile_pixels` pixels.
     pub tiles: usize,
     pub tile_pixels: u32,
-    /// One, or of an integrator that follows paths from both ends two.
+    /// One, or two for an integrator that follows paths from both ends.
     pub kernels: Vec<Composed>,
 }
 
@@ -47,10 +47,10 @@ pub struct HierarchyPlan {
 }
 
 impl Plan {
-    /// What rendering `job` on a device of these limits would bring to it.
+    /// The plan for rendering `job` on a device of these limits.
     ///
     /// # Errors
-    /// If the integrator has no kernel; if it can't be composed, which would be a mistake in this program.
+    /// If the integrator has no kernel; if it can't be composed, which would be a bug in this program.
     pub fn new(job: &Job, limits: PlanLimits) -> Result<Self, RenderError> {
         let features = job.features();
         let bvh = hierarchy(job.prepared, &features);
@@ -75,13 +75,13 @@ impl Plan {
         })
     }
 
-    /// The kernels as a device gets them.
+    /// The compiled kernels.
     pub fn compile(&self) -> Result<Vec<Spirv>, RenderError> {
         let compile = |kernel| compiled(kernel, &self.features);
         self.kernels.iter().map(compile).collect()
     }
 
-    /// All that is to lie on the device.
+    /// The bytes of all buffers on the device.
     pub fn device_bytes(&self) -> u64 {
         let arrays = self.scene.iter().copied().chain(self.state.plans());
         arrays.map(|a| a.bytes).sum()
@@ -97,7 +97,7 @@ pub fn composed(
     kernel::scene::compose(features, &scene.parameters(recording)).map_err(mistake(features))
 }
 
-/// A kernel of these features as a device gets it.
+/// The compiled kernel of these features.
 pub fn compiled(kernel: &Composed, features: &Features) -> Result<Spirv, RenderError> {
     kernel::compile(kernel).map_err(mistake(features))
 }

@@ -1,7 +1,7 @@
-//! Which arrays a scene brings to a kernel: decided here, for uploading and for telling of it.
+//! Decides which arrays of a scene go to a kernel, for uploading and for reporting.
 //!
-//! Small arrays are uniforms, which is what makes kernels fast to compile and to run on CPU drivers; the rest lies
-//! in storage.
+//! Small arrays are uniforms, which makes kernels fast to compile and to run on CPU drivers; the
+//! rest is in storage buffers.
 
 use bytemuck::NoUninit;
 
@@ -17,10 +17,10 @@ use crate::prepared::{LightKind, Prepared, ShapeKind, Surroundings};
 use crate::render::Job;
 use crate::settings::Integrator;
 
-/// The array that holds the camera, and the seed with it.
+/// The array with the camera and the seed.
 pub const CAMERA: &str = "camera";
 
-/// The parts of surroundings' arrays: of the counts of texels, and of their values.
+/// Names of the parts of surroundings' arrays: of the counts of texels, and of their values.
 const ENDS: [&str; 8] = [
     "surroundings_ends_0",
     "surroundings_ends_1",
@@ -69,14 +69,14 @@ pub struct ScenePlan<'a> {
     read_first: bool,
 }
 
-/// The hierarchy that a kernel of these features searches, if it searches one.
+/// The hierarchy that a kernel of these features searches, if any.
 pub fn hierarchy(prepared: &Prepared, features: &Features) -> Option<Bvh> {
     let kinds: Vec<ShapeKind> = features.in_bvh.iter().copied().collect();
     (!kinds.is_empty()).then(|| bvh::build(prepared, &kinds))
 }
 
 impl<'a> ScenePlan<'a> {
-    /// What a kernel of these features reads, and nothing else. `bvh` is their [`hierarchy`].
+    /// The arrays that a kernel of these features reads. `bvh` is their [`hierarchy`].
     pub fn new(
         job: &'a Job<'a>,
         features: &Features,
@@ -129,7 +129,7 @@ impl<'a> ScenePlan<'a> {
         self.bindings.iter().map(|b| b.buffer_use).collect()
     }
 
-    /// What the text of the kernel needs to know of the arrays and of the job.
+    /// The parameters of the kernel's text.
     pub fn parameters(&self, recording: Recording) -> Parameters<'_> {
         Parameters {
             settings: &self.job.settings,
@@ -151,7 +151,7 @@ struct Arrays<'a> {
 }
 
 impl<'a> Arrays<'a> {
-    /// What every scene has.
+    /// The arrays of every scene.
     fn scene(&mut self, prepared: &'a Prepared, seed: u32) {
         self.records(CAMERA, vec![flat::camera(prepared, seed)]);
         self.records("materials", &prepared.materials);
@@ -225,7 +225,7 @@ impl<'a> Arrays<'a> {
         self.parts(&VALUES, Element::Float, s.picture.rgb.as_flattened());
     }
 
-    /// An array in as few parts as the device's buffers allow, each of a power of two of words but the last.
+    /// An array in as few parts as the device's buffers allow, each of a power of two of words except the last.
     fn parts<T: NoUninit>(&mut self, names: &[&'static str], element: Element, words: &'a [T]) {
         let most = (self.limits.storage_buffer / 4).max(1).ilog2();
         for (name, part) in names.iter().zip(words.chunks(1 << most)) {

@@ -1,4 +1,4 @@
-//! The arrays that a rendering writes, an element a thread: which they are depends on the integrator.
+//! The arrays that a rendering writes, an element a thread; they depend on the integrator.
 
 use super::array::ArrayPlan;
 use crate::features::{Features, Keeps};
@@ -13,13 +13,13 @@ use crate::render::tiles::{Tile, tiles};
 use crate::render::{Job, LightFilm};
 use crate::settings::Integrator;
 
-/// Light paths under way at once, at most: each thread has its slots for splats.
+/// The most light paths in flight at once: each thread has its slots for splats.
 const LIGHT_PATHS: u32 = 1 << 16;
 
-/// Light paths whose vertices are kept at once, of tiles that are smaller.
+/// Light paths whose vertices are kept at once: threads of smaller tiles keep those of several samples.
 const KEPT_PATHS: u32 = 1 << 18;
 
-/// What a tile's threads keep between two dispatches, and what they bring.
+/// The arrays of a tile's threads between two dispatches, and their results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StatePlan {
     Path(PathPlan),
@@ -27,12 +27,12 @@ pub enum StatePlan {
     Bidirectional(LightPlan, EyePlan),
 }
 
-/// Paths and film of a tile, and what else is kept of them.
+/// Paths and film of a tile, and their additional sums.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PathPlan {
     pub paths: ArrayPlan,
     pub film: ArrayPlan,
-    /// What is kept of each pixel beside its film.
+    /// The additional sums of each pixel.
     pub beside: Option<ArrayPlan>,
     /// Events of one path, or outcomes of all.
     pub recorded: Option<ArrayPlan>,
@@ -46,7 +46,7 @@ pub struct LightPlan {
     pub splats: ArrayPlan,
 }
 
-/// Eye paths of a tile, what they bring, and what they are joined to: of each thread and of so many samples.
+/// Eye paths of a tile, their contributions, and the vertices that they are joined to: for each thread and several samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EyePlan {
     pub paths: ArrayPlan,
@@ -81,14 +81,14 @@ impl StatePlan {
         match self {
             Self::Path(p) => vec![p.plans().count()],
             Self::Light(p) => vec![p.plans().count()],
-            // Light paths write what eye paths read; both have lanes.
+            // Light paths write the vertices that eye paths read; both have lanes.
             Self::Bidirectional(light, eye) => {
                 vec![light.plans().count() + 2, eye.plans().count() + 1]
             }
         }
     }
 
-    /// Bytes of what a dispatch is told.
+    /// Bytes of a dispatch's push constants.
     pub fn push_bytes(&self) -> usize {
         match self {
             Self::Path(_) => size_of::<Slice>(),
@@ -96,7 +96,7 @@ impl StatePlan {
         }
     }
 
-    /// Bytes that the host keeps of each pixel of the picture.
+    /// Bytes that the host stores for each pixel of the picture.
     pub fn film_bytes(&self, features: &Features) -> u64 {
         let beside = match features.keeps() {
             Keeps::Nothing => 0,
@@ -166,7 +166,7 @@ impl EyePlan {
         }
     }
 
-    /// Samples of a thread that there is room for.
+    /// The number of samples of a thread that fit.
     pub fn samples(threads: u32) -> u32 {
         (KEPT_PATHS / threads.max(1)).max(1)
     }
@@ -180,8 +180,8 @@ fn storage<T: GpuStruct>(name: &'static str, count: usize) -> ArrayPlan {
     ArrayPlan::records::<T>(name, count, BufferUse::Storage)
 }
 
-/// Tiles of at most `most` threads, one after the other: pixels of the picture or of its crop; of a light tracer, whose
-/// paths bring light to any pixel, all of the picture.
+/// Tiles of at most `most` threads, one after the other: pixels of the picture or of its crop; for a light tracer,
+/// whose paths contribute to any pixel, all of the picture.
 pub fn thread_tiles(job: &Job, most: u32) -> Vec<Tile> {
     match job.settings.estimator.integrator {
         Integrator::Path => tiles(job.area(), most.max(1)),

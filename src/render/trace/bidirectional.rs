@@ -1,4 +1,4 @@
-//! Events of both paths of a bidirectional sample, each connection with every way to find its path.
+//! Events of both paths of a bidirectional sample, each connection with every technique for its path.
 
 use super::chain::{Bounce, Chain, End};
 use super::event::{Event, Names, lobe_name, xyz};
@@ -16,19 +16,19 @@ use crate::reference::path::vertex::Vertex;
 use crate::reference::world::World;
 use crate::settings::Settings;
 
-/// What has happened so far.
+/// The events so far.
 pub struct Events<'a, F> {
     world: &'a World<F>,
     settings: &'a Settings,
     names: Names<'a>,
     told: Vec<Event>,
-    /// Place of the last vertex among them.
+    /// Index of the last vertex among them.
     vertex: usize,
     paths: Paths<F>,
 }
 
 impl<'a, F: Real> Events<'a, F> {
-    /// Nothing yet.
+    /// No events yet.
     pub fn new(world: &'a World<F>, settings: &'a Settings, names: Names<'a>) -> Self {
         Self {
             world,
@@ -40,7 +40,7 @@ impl<'a, F: Real> Events<'a, F> {
         }
     }
 
-    /// What has happened; the eye path has brought `radiance`.
+    /// The events; the eye path's radiance is `radiance`.
     pub fn told(mut self, radiance: Vec3<F>) -> Vec<Event> {
         self.push(
             "the eye path ends".to_owned(),
@@ -206,7 +206,7 @@ impl<F: Real> Recorder<F> for Events<'_, F> {
         }
         if let Some(event) = self.told.get_mut(self.vertex) {
             event.what += &format!(": {}", lobe_name(lobe));
-            // Of a delta lobe, and of a path that ends, it has no meaning.
+            // It is meaningless for a delta lobe and for a path that ends.
             if lobe != LOBE_NONE && !delta {
                 event.numbers.insert(1, ("pdf", vec![path.pdf.f64()]));
             }

@@ -1,4 +1,4 @@
-//! A whole path from the eye to a light, with all that any way to find it asks of its vertices.
+//! A whole path from the eye to a light, with the quantities that all techniques need of its vertices.
 
 use crate::reference::camera::eye_importance;
 use crate::reference::integrator::bidirectional::aim::aimed_density;
@@ -9,8 +9,8 @@ use crate::reference::path::vertex::Vertex;
 use crate::reference::world::World;
 use crate::settings::Settings;
 
-/// A vertex that scatters, `wo` towards the vertex before, counted from the eye, and `wi` towards the one after; both of unit
-/// length. `delta`: by a delta lobe.
+/// A vertex that scatters: `wo` leads to the vertex before, counted from the eye, and `wi` to the one after; both of
+/// unit length. `delta`: by a delta lobe.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounce<F> {
     pub v: Vertex<F>,
@@ -19,17 +19,17 @@ pub struct Bounce<F> {
     pub delta: bool,
 }
 
-/// The light that a path ends at.
+/// The light at which a path ends.
 #[derive(Clone, Copy, Debug)]
 pub enum End<F> {
-    /// The point `p` of a primitive of a light, which the path meets under the cosine |N·w| = `cosine`.
+    /// The point `p` of a primitive of a light, which the path meets with the cosine |N·w| = `cosine`.
     Point {
         light: usize,
         prim: u32,
         p: Vec3<F>,
         cosine: F,
     },
-    /// What shines on everything from infinitely far.
+    /// The background, infinitely far away.
     Background { light: usize },
 }
 
@@ -41,13 +41,13 @@ pub struct Node {
     pub to_light: f64,
     /// To the vertex before.
     pub distance: f64,
-    /// Densities per solid angle of going on to the light, and to the eye; 1 of a delta lobe.
+    /// Densities per solid angle of continuing to the light, and to the eye; 1 for a delta lobe.
     pub onwards: f64,
     pub back: f64,
     pub delta: bool,
 }
 
-/// Where a path ends at a light, as densities see it.
+/// The end of a path at a light, as densities see it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source {
     /// From the last node to the light's point; 1 to the background.
@@ -56,13 +56,13 @@ pub struct Source {
     pub cosine: f64,
     /// Per solid angle, of a connection from the last node to that point.
     pub connection: f64,
-    /// Per area, of a light path's start there: P p_A; 0 on the inside of a light, and of the background.
+    /// Per area, of a light path's start there: P p_A; 0 on the inside of a light, and for the background.
     pub start: f64,
-    /// Per solid angle, of the direction that a light path leaves the point in, over its cosine there.
+    /// Per solid angle, of the direction in which a light path leaves the point, over its cosine there.
     pub leaving: f64,
 }
 
-/// A path from the eye to a light, with all that any way to find it asks of its vertices.
+/// A path from the eye to a light, with the quantities that all techniques need of its vertices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chain {
     /// From the eye on.
@@ -74,7 +74,7 @@ pub struct Chain {
 }
 
 impl Chain {
-    /// The path that leaves the `eye`, or that point of its lens, and scatters at `bounces`, one at least.
+    /// The path that leaves the `eye`, or that point of its lens, and scatters at `bounces`, at least one.
     pub fn new<F: Real>(
         world: &World<F>,
         settings: &Settings,

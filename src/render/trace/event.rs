@@ -1,4 +1,4 @@
-//! What happened to a path, as the reference tells it and as the device wrote it down.
+//! The events of a path, as reported by the reference and as recorded by the device.
 
 use std::fmt::Write;
 
@@ -15,16 +15,16 @@ use crate::reference::math::{Real, Vec3};
 use crate::reference::path::trace::ShadowRay;
 use crate::reference::path::vertex::Vertex;
 
-/// What happened to a path, in words and numbers.
+/// An event of a path, in words and numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
     pub what: String,
     pub numbers: Vec<(&'static str, Vec<f64>)>,
-    /// What explains it, and is not compared.
+    /// Lines that explain it, and are not compared.
     pub rows: Vec<String>,
 }
 
-/// The scene, by which an event names what was hit, and where in the file's coordinates.
+/// The scene, by which an event names the shape that was hit, and where in the file's coordinates.
 #[derive(Clone, Copy, Debug)]
 pub struct Names<'a>(pub &'a Prepared);
 
@@ -47,12 +47,12 @@ impl Names<'_> {
 pub struct Events<'a> {
     names: Names<'a>,
     told: Vec<Event>,
-    /// The connection of the vertex under way, and the radiance before it.
+    /// The connection of the current vertex, and the radiance before it.
     pending: Option<(Event, Vec<f64>)>,
 }
 
 impl<'a> Events<'a> {
-    /// Nothing has happened yet.
+    /// No events yet.
     pub fn new(names: Names<'a>) -> Self {
         Self {
             names,
@@ -61,7 +61,7 @@ impl<'a> Events<'a> {
         }
     }
 
-    /// What has happened.
+    /// The events.
     pub fn told(self) -> Vec<Event> {
         self.told
     }
@@ -106,7 +106,7 @@ impl<F: Real> Recorder<F> for Events<'_> {
     }
 }
 
-/// What the device wrote down. It traces the connection of a vertex a turn later, so that one comes after the other.
+/// A record of the device. It traces the connection of a vertex a turn later, so that one comes after the other.
 pub fn event(names: Names, r: &Record) -> Event {
     let wide = |v: [f32; 3]| v.map(f64::from).to_vec();
     let (direction, throughput, radiance) = (wide(r.p), wide(r.throughput), wide(r.radiance));
@@ -130,7 +130,7 @@ pub fn xyz<F: Real>(v: Vec3<F>) -> Vec<f64> {
     v.f64().to_array().to_vec()
 }
 
-/// What a path did at a vertex.
+/// The name of a lobe at a vertex.
 pub fn lobe_name(lobe: u32) -> String {
     let delta = if lobe >= LOBE_DELTA { "delta " } else { "" };
     let name = match lobe % LOBE_DELTA {
@@ -178,7 +178,7 @@ fn escape(numbers: [Vec<f64>; 3]) -> Event {
 }
 
 impl Event {
-    /// Whether both are the same, numbers to the bit or within the relative `tolerance`.
+    /// Whether both are equal, numbers to the bit or within the relative `tolerance`.
     pub fn agrees(&self, other: &Self, tolerance: f64) -> bool {
         let numbers = |e: &Self| {
             e.numbers
@@ -198,7 +198,7 @@ impl Event {
         for (name, values) in &self.numbers {
             let mut line = format!("    {name:<11}");
             for x in values {
-                // A String can be written to without fail.
+                // Writing to a String cannot fail.
                 let _ = write!(line, " {x:>14.7e}");
             }
             lines.push(line);

@@ -21,17 +21,17 @@ use crate::settings::Integrator;
 use event::{Event, Events, Names, event};
 pub use side_by_side::Trace;
 
-/// Relative difference between f32 and f64 that counts as one.
+/// Smallest relative difference between f32 and f64 that is reported.
 const REFERENCES_APART: f64 = 1e-3;
 
-/// What the letters of a bidirectional trace are.
+/// The letters of a bidirectional trace.
 const LEGEND: &str = "s: vertices of the light path; t: of the eye path. Below a connection that found light stand all ways to \
      find its path, each with its density p and its weight p²/Σp²; * marks the one taken.";
 
 /// The path of sample `index` of the pixel at column and row `pixel`.
 ///
 /// # Errors
-/// As those of a rendering.
+/// Those of a rendering.
 pub fn trace(
     job: &Job,
     target: &Target,
@@ -64,8 +64,8 @@ pub fn trace(
     })
 }
 
-/// Both paths of a bidirectional sample, which devices write nothing down of: by both references, and what a device makes of the
-/// same sample.
+/// Both paths of a bidirectional sample, of which devices record nothing: by both references, with the device's result
+/// for the same sample.
 fn both(job: &Job, target: &Target, address: Address) -> Result<Trace, RenderError> {
     let device = match target {
         Target::Vulkan(selector) => Some(on_device(job, &Device::open(selector)?, address)?),

@@ -10,13 +10,13 @@ use crate::reference::path::blocks::Origin;
 #[derive(Clone, Copy)]
 pub struct Step<F> {
     pub joint: Joint<F>,
-    /// Not yet of one that is being connected.
+    /// Not set for a vertex that is being connected.
     pub delta: bool,
 }
 
 /// Both paths so far.
 pub struct Paths<F> {
-    /// Where the eye path began.
+    /// The eye path's origin.
     pub eye_point: Vec3<F>,
     pub start: Option<LightStart<F>>,
     pub light: Vec<Step<F>>,
@@ -54,7 +54,7 @@ impl<F: Real> Paths<F> {
         steps.iter().zip(next).map(bounce).collect()
     }
 
-    /// The light path down from its vertex number `from`, which is left towards the eye along `first`.
+    /// The light path back from its vertex number `from`, which is left towards the eye along `first`.
     pub fn light_bounces(&self, from: usize, first: Vec3<F>) -> Vec<Bounce<F>> {
         let steps = &self.light[..=from];
         let next = steps.iter().rev().map(|s| -s.joint.wo);
@@ -63,13 +63,13 @@ impl<F: Real> Paths<F> {
             v: s.joint.v,
             wo,
             wi: s.joint.wo,
-            // The vertex that is joined scatters by a lobe with a density.
+            // The joined vertex scatters by a lobe with a density.
             delta: s.delta && i > 0,
         };
         steps.iter().rev().enumerate().zip(wo).map(bounce).collect()
     }
 
-    /// The point that the light path began at, as its first vertex sees it.
+    /// The point where the light path began, as its first vertex sees it.
     pub fn begun(&self) -> Option<End<F>> {
         let (start, first) = (self.start?, self.light.first()?);
         Some(End::Point {

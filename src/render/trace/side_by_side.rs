@@ -1,24 +1,24 @@
-//! Two lists of events, and where they part.
+//! Compares two lists of events, and shows where they diverge.
 
 use std::fmt::{self, Display};
 
 use super::event::Event;
 
-/// Of the left column: the longest of usual events.
+/// Width of the left column: the longest of usual events.
 const WIDTH: usize = 70;
 
-/// Events of one path on the device asked for and on the reference in f32, or on both references.
+/// Events of one path on the requested device and on the reference in f32, or on both references.
 pub struct Trace {
     pub(super) names: [String; 2],
     pub(super) paths: [Vec<Event>; 2],
-    /// Relative difference that counts as one: 0 between two of f32.
+    /// Largest relative difference that counts as equal: 0 between two of f32.
     pub(super) tolerance: f64,
-    /// What is said below them.
+    /// Lines below them.
     pub(super) notes: Vec<String>,
 }
 
 impl Trace {
-    /// Number of the first event that is not the same on both sides.
+    /// Number of the first event that differs.
     fn parting(&self) -> Option<usize> {
         let [a, b] = &self.paths;
         let differs = |i: &usize| match (a.get(*i), b.get(*i)) {

@@ -1,18 +1,18 @@
 //! Every way to find one path: its density, multiplied out vertex by vertex, and its weight by the power heuristic.
 //!
 //! The integrators never do this: their weights come from quantities that each path collects on its way
-//! (`reference::integrator::bidirectional::partial`). Here is what those must amount to. Veach, Robust Monte Carlo Methods for
-//! Light Transport Simulation, 1997, section 10.2.
+//! (`reference::integrator::bidirectional::partial`). This module computes the same weights directly. Veach, Robust
+//! Monte Carlo Methods for Light Transport Simulation, 1997, section 10.2.
 
 use super::chain::Chain;
 
 /// One way to find a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Technique {
-    /// Vertices from the light, its point among them, and from the eye, the eye among them.
+    /// Vertices from the light, including its point, and from the eye, including the eye.
     pub light: usize,
     pub eye: usize,
-    /// Per area of all vertices together; of paths to the background, per solid angle of its direction.
+    /// Per area of all vertices together; for paths to the background, per solid angle of its direction.
     pub density: f64,
     pub weight: f64,
 }

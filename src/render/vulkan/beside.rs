@@ -1,4 +1,4 @@
-//! What is kept of a tile's pixels beside its film, on the device and back.
+//! Transfers the additional sums of a tile's pixels to the device and back.
 
 use super::device_film::{array, parts, vector};
 use crate::film::Keeps;
@@ -8,7 +8,7 @@ use crate::part::Beside;
 use crate::reference::film::{FilmMoments, FilmQuarters};
 use crate::render::RenderError;
 
-/// Writes it to `buffer`, which is of its kind.
+/// Writes them to `buffer`, which is of their kind.
 pub fn write(beside: &Beside<f32>, buffer: &Buffer) -> Result<(), RenderError> {
     match beside {
         Beside::Nothing => {}
@@ -24,7 +24,7 @@ pub fn write(beside: &Beside<f32>, buffer: &Buffer) -> Result<(), RenderError> {
     Ok(())
 }
 
-/// What `buffer` has of so many pixels.
+/// Reads those of this many pixels from `buffer`.
 pub fn read(keeps: Keeps, buffer: &Buffer, pixels: usize) -> Result<Beside<f32>, RenderError> {
     Ok(match keeps {
         Keeps::Nothing => Beside::Nothing,

@@ -1,4 +1,4 @@
-//! The paths and the film of the tile under way, on the device.
+//! The paths and the film of the current tile, on the device.
 
 use super::beside;
 use super::path_film::TileFilm;
@@ -13,19 +13,19 @@ use crate::render::plan::{ArrayPlan, PathPlan};
 use crate::render::tiles::Tile;
 use crate::sample::{Address, Largest};
 
-/// The device holds the film of one tile, the host all of them: 8192 × 8192 pixels would not fit the memory of many a device.
+/// The device stores the film of one tile, the host all of them: 8192 × 8192 pixels would not fit the memory of many devices.
 pub struct DeviceFilm {
     paths: Buffer,
     film: Buffer,
     beside: Option<Buffer>,
-    /// What was counted of the tile before it was uploaded: the device counts from 0.
+    /// The counters of the tile before it was uploaded: the device counts from 0.
     counted: Tally,
-    /// As read last.
+    /// As last read.
     pixels: Vec<layout::FilmPixel>,
 }
 
 impl DeviceFilm {
-    /// As planned, zeros.
+    /// As planned, filled with zeros.
     pub fn new(device: &Device, plan: &PathPlan) -> Result<Self, RenderError> {
         Ok(Self {
             paths: buffer(device, &plan.paths)?,
@@ -41,7 +41,7 @@ impl DeviceFilm {
         [&self.paths, &self.film].into_iter().chain(&self.beside)
     }
 
-    /// Takes up a tile. No path is under way, of it or of the one before: all its threads need is the film.
+    /// Uploads a tile. No path is in flight, in it or in the one before: the film is all that its threads need.
     pub fn upload(&mut self, from: &TileFilm) -> Result<(), RenderError> {
         let Sums {
             samples,
@@ -78,8 +78,8 @@ impl DeviceFilm {
         Ok(self.pixels.iter().all(|p| p.samples == samples))
     }
 
-    /// The tile as it was read last, with what else goes with its film: that is `keeps`. `begin`: the index of the block's first
-    /// sample.
+    /// The tile as it was last read, with the additional sums that `keeps` names. `begin`: the index of
+    /// the block's first sample.
     pub fn read(&self, tile: Tile, begin: u32, keeps: Keeps) -> Result<TileFilm, RenderError> {
         let sums = |p: &layout::FilmPixel| PixelSums {
             sum: parts(p.sum, p.comp),
@@ -110,7 +110,7 @@ pub fn buffer(device: &Device, plan: &ArrayPlan) -> Result<Buffer, RenderError> 
     Ok(device.buffer(binding.name, binding.buffer_use, plan.bytes)?)
 }
 
-/// What was counted in the pixels of a tile, of samples from index `begin` on.
+/// The counters of the pixels of a tile, for samples from index `begin` on.
 fn tally(pixels: &[layout::FilmPixel], tile: Tile, begin: u32) -> Tally {
     let mut counts = Counts::default();
     for p in pixels {

@@ -13,7 +13,7 @@ use crate::reference::math::vec3;
 use crate::render::plan::EyePlan;
 use crate::render::{Job, LightFilm, RenderError};
 
-/// The buffers of eye paths, and what light paths leave for them.
+/// The buffers of eye paths, and those that light paths fill for them.
 pub struct EyePaths {
     paths: Buffer,
     radiances: Buffer,
@@ -43,7 +43,7 @@ impl EyePaths {
         Ok(reservoirs.iter().map(|r| r.decided).collect())
     }
 
-    /// What light paths write, in the order of their bindings.
+    /// The buffers that light paths write, in the order of their bindings.
     pub fn kept(&self) -> [&Buffer; 2] {
         [&self.vertices, &self.reservoirs]
     }
@@ -58,8 +58,8 @@ impl EyePaths {
         ]
     }
 
-    /// Follows the eye paths of the samples that pipeline 0 has followed the light paths of, by pipeline 1; hands over what
-    /// they bring to the pixels of the film, and their signatures.
+    /// Follows, with pipeline 1, the eye paths of the samples whose light paths pipeline 0 has followed; returns their
+    /// contributions to the pixels of the film, and their signatures.
     pub fn trace(
         &self,
         job: &Job,

@@ -13,7 +13,7 @@ use crate::layout::constants::workgroup::WORKGROUP;
 use crate::render::plan::{PlanLimits, ScenePlan, StatePlan, compiled, composed, hierarchy};
 use crate::render::{Job, Plan, RenderError};
 
-/// What an integrator dispatches, the arrays of the scene with it.
+/// The pipelines of an integrator, with the arrays of the scene.
 pub struct Kernel<'a> {
     device: &'a Device,
     /// One for each [`Side`](crate::kernel::scene::Side) of the integrator.
@@ -23,7 +23,7 @@ pub struct Kernel<'a> {
 }
 
 impl<'a> Kernel<'a> {
-    /// Composes and compiles it, uploads the scene. `state`: what its pipelines write.
+    /// Composes and compiles it, uploads the scene. `state`: the arrays that its pipelines write.
     pub fn new(
         job: &Job,
         device: &'a Device,
@@ -85,8 +85,8 @@ impl<'a> Kernel<'a> {
     }
 }
 
-/// What the driver counts of each kernel of a plan, compiled to `spirv`: nothing is uploaded, nothing runs. Empty where it
-/// counts nothing.
+/// The driver's statistics of each kernel of a plan, compiled to `spirv`: nothing is uploaded, nothing runs. Empty if
+/// the driver has none.
 pub fn statistics(
     plan: &Plan,
     spirv: &[Spirv],

@@ -1,4 +1,4 @@
-//! Light paths on a device, alone or with eye paths: in tiles, what they bring added to the film by the host.
+//! Light paths on a device, alone or with eye paths: in tiles, their contributions added to the film by the host.
 
 use std::ops::Range;
 use std::time::{Duration, Instant};
@@ -16,8 +16,8 @@ use crate::render::tiles::Tile;
 use crate::render::{DispatchLimits, Job, LightFilm, RenderError, empty_part};
 use crate::settings::Integrator;
 
-/// Light paths of one pass over the picture, at most, unless one sample index has more: their splats are kept until they
-/// can be added in order.
+/// The most light paths of one pass over the picture, unless one sample index has more: their splats are stored until
+/// they can be added in order.
 const PASS: u64 = 1 << 20;
 
 /// A scene's light tracer, its buffers, and the film.
@@ -27,7 +27,7 @@ pub struct LightRun<'a> {
     light: LightPaths,
     /// Of bidirectional paths.
     pub eye: Option<EyePaths>,
-    /// Of light paths: a path's number is a pixel's, wherever its splats go.
+    /// Tiles of light paths: a path's number is a pixel's, independent of where its splats go.
     pub tiles: Vec<Tile>,
     film: LightFilm<f32>,
     /// Sample indices of a pass.
@@ -110,7 +110,7 @@ impl<'a> Rendering<'a> for LightRun<'a> {
 }
 
 impl<'a> LightRun<'a> {
-    /// Paths of the pixels of `tiles`, and what is written down of them beside the film.
+    /// Paths of the pixels of `tiles`, which are recorded in addition to the film.
     pub fn recording(
         job: &'a Job<'a>,
         device: &'a Device,
@@ -154,8 +154,8 @@ impl<'a> LightRun<'a> {
         })
     }
 
-    /// The light paths of all tiles and of some sample indices; what they bring is added in the order of (sample, light path,
-    /// vertex), then what eye paths bring, which no tile and no slice changes.
+    /// The light paths of all tiles and of some sample indices; their contributions are added in the order of (sample,
+    /// light path, vertex), then those of eye paths, which no tile and no slice changes.
     fn pass(
         &mut self,
         indices: Range<u32>,
@@ -183,8 +183,8 @@ impl<'a> LightRun<'a> {
         Ok(longest)
     }
 
-    /// Follows the paths of a tile and of some sample indices to their ends; `splat` gets what light paths bring, `see` what eye
-    /// paths bring, with their signatures.
+    /// Follows the paths of a tile and of some sample indices to their ends; `splat` gets the contributions of light
+    /// paths, `see` those of eye paths, with their signatures.
     pub fn trace(
         &mut self,
         tile: usize,

@@ -21,7 +21,7 @@ pub struct LightPaths {
     splats: Buffer,
 }
 
-/// What a thread's path of one sample index has brought.
+/// A contribution of a thread's path of one sample index.
 pub struct Arrived {
     pub thread: u32,
     pub index: u32,
@@ -50,8 +50,8 @@ impl LightPaths {
         [&self.paths, &self.lanes, &self.splats]
     }
 
-    /// Follows the light paths of a tile and of some sample indices, those of `slice`, to their ends by pipeline 0, which
-    /// writes to `beside` too; hands over their splats, those of each index in the order of light path and vertex.
+    /// Follows the light paths of a tile and of some sample indices, those of `slice`, to their ends with pipeline 0,
+    /// which writes to `beside` too; returns their splats, those of each index in the order of light path and vertex.
     pub fn trace(
         &self,
         kernel: &mut Kernel,
@@ -73,7 +73,7 @@ impl LightPaths {
                 break;
             }
         }
-        // A path that was handed over has splats in several dispatches; the sort keeps their order.
+        // A path that was continued has splats in several dispatches; the sort keeps their order.
         all.sort_by_key(|a| a.thread);
         all.into_iter().for_each(take);
         Ok(longest)
@@ -89,7 +89,7 @@ impl LightPaths {
         Ok(self.paths.write(bytemuck::cast_slice(&states))?)
     }
 
-    /// The splats of the last dispatch, slot after slot as they lie: slot i of every thread before slot i + 1 of any.
+    /// The splats of the last dispatch in memory order: slot i of every thread before slot i + 1 of any.
     fn read_splats(
         &self,
         lanes: &[LightLane],
@@ -120,7 +120,7 @@ impl LightPaths {
     }
 }
 
-/// What the device is told of some sample indices of a tile.
+/// The push constants for some sample indices of a tile.
 pub fn slice(tile: Tile, film: &LightFilm<f32>, indices: &Range<u32>, budget: u32) -> LightSlice {
     let window = film.window();
     LightSlice {
@@ -139,7 +139,7 @@ pub fn slice(tile: Tile, film: &LightFilm<f32>, indices: &Range<u32>, budget: u3
     }
 }
 
-/// What each thread did in the last dispatch; counted by the film.
+/// The counters of each thread in the last dispatch; added to the film.
 pub fn read_lanes(
     buffer: &Buffer,
     threads: u32,

@@ -1,4 +1,4 @@
-//! How much one dispatch takes on, and how. The picture does not depend on it.
+//! Limits of one dispatch. The picture does not depend on them.
 
 use std::time::Duration;
 
@@ -6,30 +6,30 @@ use crate::gpu::Device;
 use crate::render::plan::PlanLimits;
 use crate::render::{DISPATCH_TIME, RenderError};
 
-/// Loop steps a dispatch where the driver sets no limit: enough for some thousand bounces, short of any watchdog.
+/// Loop steps a dispatch if the driver sets no limit: enough for some thousand bounces, short of any watchdog.
 const UNLIMITED_BUDGET: u32 = 1 << 20;
 
-/// The most that one dispatch takes on.
+/// The most work of one dispatch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DispatchLimits {
-    /// Pixels under way at once; 0 counts as 1.
+    /// Pixels processed at once; 0 counts as 1.
     pub tile_pixels: u32,
-    /// Loop steps of a thread after which it hands its path over to the next dispatch; 0 counts as 1.
+    /// Loop steps of a thread after which it leaves its path to the next dispatch; 0 counts as 1.
     pub budget: u32,
-    /// Each thread reads primitives that are tried one by one before any branch, as CPU drivers want it
+    /// Each thread reads the unrolled primitives before any branch, which CPU drivers need
     /// (`kernel/scene/generate/written_out.rs`).
     pub read_first: bool,
-    /// Bytes of a buffer, at most: what may lie in several (`render/plan/scene.rs`) does where it is larger.
+    /// The most bytes of a buffer: larger arrays are split, if they can be (`render/plan/scene.rs`).
     pub storage_buffer: u64,
-    /// What a dispatch should take.
+    /// The target duration of a dispatch.
     pub dispatch_time: Duration,
 }
 
 impl DispatchLimits {
-    /// What suits the device.
+    /// The limits that suit the device.
     ///
     /// # Errors
-    /// Of the probe for its limit on loops, which runs once a device.
+    /// Those of the probe for its limit on loops, which runs once a device.
     pub fn of(device: &Device) -> Result<Self, RenderError> {
         let plan = PlanLimits::of(device);
         Ok(Self {
@@ -41,7 +41,7 @@ impl DispatchLimits {
         })
     }
 
-    /// What a plan depends on of them, and of the device.
+    /// The limits of a plan, from these and the device.
     pub(super) fn plan(self, device: &Device) -> PlanLimits {
         PlanLimits {
             read_first: self.read_first,
@@ -50,7 +50,7 @@ impl DispatchLimits {
         }
     }
 
-    /// A quarter of all that a dispatch takes on.
+    /// A quarter of the work of a dispatch.
     pub fn quartered(self) -> Self {
         Self {
             tile_pixels: self.tile_pixels.div_ceil(4),
@@ -61,8 +61,8 @@ impl DispatchLimits {
     }
 }
 
-/// A driver's limit counts the steps of a whole subgroup, whose threads may in the worst case take turns; half is
-/// kept back for the bounce that crosses the line.
+/// A driver's limit counts the steps of a whole subgroup, whose threads may in the worst case alternate; half is
+/// reserved for the bounce that exceeds the budget.
 fn budget(device: &Device) -> Result<u32, RenderError> {
     Ok(match device.loop_limit()? {
         Some(limit) => limit / device.limits().subgroup / 2,

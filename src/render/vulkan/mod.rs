@@ -35,7 +35,7 @@ use rendering::Rendering;
 use replicates::Replicates;
 use run::Run;
 
-/// Why a rendering ended without a picture, and what there is of it.
+/// Why a rendering ended without a picture, and its result so far.
 #[derive(Debug)]
 pub struct Failed {
     pub error: RenderError,
@@ -107,7 +107,7 @@ fn render_by<'a, R: Rendering<'a>>(
     }
 }
 
-/// Hands what makes parts of the job's picture on `device` to `work`.
+/// Runs `work` with a maker of parts of the job's picture on `device`.
 pub fn with_ranges(
     job: &Job,
     device: &Device,
@@ -129,7 +129,7 @@ pub fn records(
     [column, row]: [u32; 2],
     index: u32,
 ) -> Result<Vec<Record>, RenderError> {
-    /// Some thousand bounces; the rest of a longer path is left out.
+    /// Some thousand bounces; the rest of a longer path is dropped.
     const CAPACITY: u32 = 8192;
     let job = Job {
         crop: Some([column, row, column + 1, row + 1]),

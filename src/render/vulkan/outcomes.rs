@@ -1,4 +1,4 @@
-//! What every single sample comes to on a device, before the film adds it up.
+//! The value of every single sample on a device, before the film adds it.
 
 use super::light::LightRun;
 use super::light_paths::Arrived;
@@ -16,10 +16,10 @@ use crate::render::{Job, RenderError};
 use crate::sample::Path;
 use crate::settings::Integrator;
 
-/// Kernels that report each sample, and room for the samples of one tile.
+/// Kernels that report each sample, and buffers for the samples of one tile.
 pub struct Outcomes<'a> {
     run: Run<'a>,
-    /// Samples a pixel that there is room for.
+    /// Samples a pixel that fit.
     room: u32,
 }
 
@@ -29,8 +29,8 @@ enum Run<'a> {
 }
 
 impl<'a> Outcomes<'a> {
-    /// Tiles of at most `tile_pixels` of `area`, `room` samples a pixel at a time. `job` has no crop but `area`; that of
-    /// bidirectional paths has none, as a sample's splats go to any pixel.
+    /// Tiles of at most `tile_pixels` of `area`, `room` samples a pixel at a time. `job` has no crop but `area`; for
+    /// bidirectional paths it has none, because a sample's splats go to any pixel.
     pub fn new(
         job: &'a Job<'a>,
         area: Tile,

@@ -18,8 +18,8 @@ use crate::render::{Job, RenderError, empty_part};
 
 /// A scene's path tracer, its buffers, and the films of all tiles.
 ///
-/// The device holds the film of the tile under way, the host all of them: 8192 × 8192 pixels would not fit the
-/// memory of many a device.
+/// The device stores the film of the current tile, the host all of them: 8192 × 8192 pixels would not fit the
+/// memory of many devices.
 pub struct PathRun<'a> {
     job: &'a Job<'a>,
     kernel: Kernel<'a>,
@@ -99,7 +99,7 @@ impl<'a> Rendering<'a> for PathRun<'a> {
 }
 
 impl<'a> PathRun<'a> {
-    /// With what is written down of its paths beside the film.
+    /// A run that records its paths in addition to the film.
     pub fn recording(
         job: &'a Job<'a>,
         device: &'a Device,
@@ -150,20 +150,20 @@ impl<'a> PathRun<'a> {
         Ok(longest)
     }
 
-    /// Brings every pixel of a tile to `samples` of its block under way.
+    /// Brings every pixel of a tile to `samples` of its current block.
     pub fn advance_tile(&mut self, tile: usize, samples: u32) -> Result<(), RenderError> {
         let (film, _) = self.grown(tile, samples)?;
         self.host.tiles[tile] = film;
         Ok(())
     }
 
-    /// Begins a tile anew, at the sample of index `begin`.
+    /// Restarts a tile, at the sample of index `begin`.
     pub fn restart(&mut self, tile: usize, begin: u32) -> Result<(), RenderError> {
         self.host.restart(tile, empty_part(self.job, begin));
         self.film.upload(&self.host.tiles[tile])
     }
 
-    /// Has the device go on with the film of the host. Of several tiles, each is uploaded when its turn comes.
+    /// Makes the device continue with the film of the host. With several tiles, each is uploaded when its turn comes.
     fn take_up(&mut self) -> Result<(), RenderError> {
         match &self.host.tiles[..] {
             [tile] => self.film.upload(tile),
@@ -171,7 +171,7 @@ impl<'a> PathRun<'a> {
         }
     }
 
-    /// A tile with `samples` of the block under way in every pixel, and the longest dispatch of that.
+    /// A tile with `samples` of the current block in every pixel, and the longest dispatch of that.
     fn grown(&mut self, tile: usize, samples: u32) -> Result<(TileFilm, Duration), RenderError> {
         if self.host.tiles.len() > 1 {
             self.film.upload(&self.host.tiles[tile])?;
@@ -189,7 +189,7 @@ impl<'a> PathRun<'a> {
         }
     }
 
-    /// Has every pixel of a tile go on to `sample_end` samples of its block.
+    /// Makes every pixel of a tile continue to `sample_end` samples of its block.
     fn dispatch(&mut self, tile: Tile, sample_end: u32) -> Result<Duration, RenderError> {
         let slice = Slice {
             tile_x: tile.x,
@@ -205,14 +205,14 @@ impl<'a> PathRun<'a> {
         self.kernel.dispatch(0, state, &slice, tile.pixels())
     }
 
-    /// What the samples of the tile that was advanced last came to: as many a pixel as the kernel has room for.
+    /// The values of the samples of the tile that was advanced last: as many a pixel as fit.
     pub fn outcomes(&self) -> Result<Vec<PathOutcome>, RenderError> {
         let buffer = self.recorded.as_ref();
         let bytes = buffer.map_or(Ok(Vec::new()), Buffer::read)?;
         Ok(bytemuck::pod_collect_to_vec(&bytes))
     }
 
-    /// The events written down, in order.
+    /// The recorded events, in order.
     pub fn records(&self) -> Result<Vec<Record>, RenderError> {
         let paths = self.film.read_paths()?;
         let Some(buffer) = &self.recorded else {

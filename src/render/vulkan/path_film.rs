@@ -1,4 +1,4 @@
-//! What the host keeps of a path tracer's picture: the samples before the block under way, and the film of that, tile by tile.
+//! A path tracer's film on the host: the samples before the current block, and the film of that block, tile by tile.
 
 use crate::film::Keeps;
 use crate::part::{Part, PixelSums, Sums, Tally};
@@ -8,17 +8,17 @@ use crate::render::tiles::Tile;
 /// A tile between two of its slices.
 pub struct TileFilm {
     pub tile: Tile,
-    /// Of the block under way, row by row.
+    /// Of the current block, row by row.
     pub sums: Sums<f32>,
-    /// What was counted in that block.
+    /// The counters of that block.
     pub tally: Tally,
 }
 
-/// The film of a path tracer, all tiles of it.
+/// The film of a path tracer, with all its tiles.
 pub struct PathFilm {
     area: Tile,
     pub tiles: Vec<TileFilm>,
-    /// All samples before the block under way.
+    /// All samples before the current block.
     closed: Part<f32>,
 }
 
@@ -34,7 +34,7 @@ impl TileFilm {
 }
 
 impl PathFilm {
-    /// Goes on from a part of the pixels of `area`, which `tiles` cover.
+    /// Continues a part of the pixels of `area`, which `tiles` cover.
     pub fn new(area: Tile, tiles: Vec<Tile>, part: Part<f32>) -> Self {
         let (closed, tail) = part.without_tail();
         let film = |tile| match &tail {
@@ -52,18 +52,18 @@ impl PathFilm {
         }
     }
 
-    /// One of the same tiles that goes on from another part.
+    /// One of the same tiles that continues another part.
     pub fn going_on(&self, part: Part<f32>) -> Self {
         let tiles = self.tiles.iter().map(|t| t.tile).collect();
         Self::new(self.area, tiles, part)
     }
 
-    /// What it has of each pixel beside its sums.
+    /// Its additional sums of each pixel.
     pub fn keeps(&self) -> Keeps {
         self.closed.keeps()
     }
 
-    /// The index of the first sample of the block under way.
+    /// The index of the first sample of the current block.
     pub fn block_begin(&self) -> u32 {
         self.closed.range().end
     }
@@ -78,7 +78,7 @@ impl PathFilm {
         self.closed.stop(self.done(), to)
     }
 
-    /// Begins a new block where one ends; whether it does.
+    /// Begins a new block if one ends; returns whether it does.
     pub fn settle(&mut self) -> bool {
         let ends = self.closed.ends_at(self.done());
         if ends {
@@ -91,20 +91,20 @@ impl PathFilm {
         ends
     }
 
-    /// Begins a tile anew, after all samples of `closed`.
+    /// Restarts a tile, after all samples of `closed`.
     pub fn restart(&mut self, tile: usize, closed: Part<f32>) {
         let film = &mut self.tiles[tile];
         *film = TileFilm::new(film.tile, closed.keeps());
         self.closed = closed;
     }
 
-    /// What was counted so far.
+    /// The counters so far.
     fn tally(&self) -> Tally {
         let tiles = self.tiles.iter().map(|t| t.tally);
         tiles.fold(self.closed.tally, Tally::plus)
     }
 
-    /// Of the block under way: puts each pixel of each tile in its place.
+    /// The sums of the current block: puts each pixel of each tile in its place.
     fn sums(&self) -> Sums<f32> {
         let pixels = self.area.pixels() as usize;
         let mut all = Sums::zero(pixels, self.closed.keeps());

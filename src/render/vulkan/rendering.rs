@@ -1,4 +1,4 @@
-//! A rendering on a device, whichever integrator makes it.
+//! A rendering on a device by any integrator.
 
 use std::time::Duration;
 
@@ -7,7 +7,7 @@ use crate::gpu::Device;
 use crate::part::Part;
 use crate::render::{DispatchLimits, HostFilm, Job, RenderError, SetUp};
 
-/// The kernels and buffers of one integrator, and the film that they add samples to.
+/// The kernels and buffers of one integrator, and the film to which they add samples.
 pub trait Rendering<'a>: Sized {
     type Film: HostFilm<Scalar = f32>;
 
@@ -19,17 +19,17 @@ pub trait Rendering<'a>: Sized {
         limits: DispatchLimits,
     ) -> Result<Self, RenderError>;
 
-    /// The first dispatch, on which drivers compile: asks for no sample.
+    /// The first dispatch, on which drivers compile; it makes no sample.
     fn compile(&mut self) -> Result<Duration, RenderError>;
 
-    /// Goes on from a part of the job's picture.
+    /// Continues a part of the job's picture.
     fn go_on(&mut self, part: Part<f32>) -> Result<(), RenderError>;
 
     /// Brings every pixel to the sample of index `samples` and reports the part that is done; returns the longest dispatch.
     ///
     /// # Errors
-    /// [`RenderError::Loops`] after the first dispatch that did not end its loops itself: what comes after would
-    /// be wrong too. After this one and any other, the film has the samples that every pixel had by then.
+    /// [`RenderError::Loops`] after the first dispatch that did not end its loops itself: later ones would be wrong
+    /// too. After this one and any other, the film has the samples that every pixel had by then.
     fn advance(
         &mut self,
         samples: u32,
@@ -41,7 +41,7 @@ pub trait Rendering<'a>: Sized {
     /// A film of no samples.
     fn empty(&self) -> Self::Film;
 
-    /// Takes up another film, of which no path is under way, by other random numbers; gives back the one so far.
+    /// Switches to another film, of which no path is in flight, with other random numbers; returns the previous one.
     fn exchange(&mut self, film: Self::Film, seed: u32) -> Result<Self::Film, RenderError>;
 
     fn costs(&self) -> &Costs;
@@ -50,10 +50,10 @@ pub trait Rendering<'a>: Sized {
     fn buffers(&self) -> Vec<(String, u64)>;
 }
 
-/// What a rendering takes beside its samples.
+/// The cost of a rendering apart from its samples.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Costs {
-    /// How long all this took to make; opening the device is not in it.
+    /// The time that all this took to make, without opening the device.
     pub set_up: SetUp,
     pub spirv_bytes: u64,
     /// The device's own time for all dispatches.

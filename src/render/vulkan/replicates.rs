@@ -1,4 +1,4 @@
-//! Renderings by several seeds on one device: one kernel, one scene in its memory, the films on the host.
+//! Renderings with several seeds on one device: one kernel, one scene in its memory, the films on the host.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -11,7 +11,7 @@ use crate::render::replicates::{Growing, Took};
 use crate::render::slices::Slices;
 use crate::render::{HostFilm, Job, RenderError};
 
-/// A kernel that has been through its first dispatch, and the films so far.
+/// A kernel that has completed its first dispatch, and the films so far.
 pub struct Replicates<R, F> {
     run: R,
     slices: Slices,
@@ -51,7 +51,7 @@ impl<'a, R: Rendering<'a>> Replicates<R, R::Film> {
         })
     }
 
-    /// Has the run go on with the film of replicate `i`.
+    /// Makes the run continue with the film of replicate `i`.
     fn take_up(&mut self, i: usize) -> Result<(), RenderError> {
         if self.current == Some(i) {
             return Ok(());
@@ -65,7 +65,7 @@ impl<'a, R: Rendering<'a>> Replicates<R, R::Film> {
         Ok(())
     }
 
-    /// Slices of samples from `done` to `spp`; returns how many there are.
+    /// Renders slices of samples from `done` to `spp`; returns the index reached.
     fn sample(&mut self, mut done: u32, spp: u32, stop: &AtomicBool) -> Result<u32, RenderError> {
         while done < spp && !stop.load(Ordering::Relaxed) {
             let slice = self.slices.next(spp - done);

@@ -1,4 +1,4 @@
-//! A rendering under way, whichever integrator makes it, for all who have it go on.
+//! A rendering by any integrator, for all callers that advance it.
 
 use std::ops::Range;
 use std::time::Duration;
@@ -13,7 +13,7 @@ use crate::render::several::Ranges;
 use crate::render::slices::Slices;
 use crate::render::{HostFilm, Job, NEAREST, RenderError, Stats, empty_part};
 
-/// A rendering under way.
+/// A rendering in progress.
 pub struct Run<'a, R> {
     job: &'a Job<'a>,
     device: &'a Device,
@@ -24,7 +24,7 @@ pub struct Run<'a, R> {
 }
 
 impl<'a, R: Rendering<'a>> Run<'a, R> {
-    /// All is compiled.
+    /// Everything is compiled.
     pub fn new(
         job: &'a Job<'a>,
         device: &'a Device,

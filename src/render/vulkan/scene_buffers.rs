@@ -13,7 +13,7 @@ pub struct SceneBuffers {
 }
 
 impl SceneBuffers {
-    /// Uploads what was planned, and nothing else.
+    /// Uploads the planned arrays, and nothing else.
     pub fn new(device: &Device, plan: &ScenePlan) -> Result<Self, RenderError> {
         let mut buffers = Vec::new();
         for array in plan.arrays() {
@@ -28,7 +28,7 @@ impl SceneBuffers {
         })
     }
 
-    /// Has the kernel draw other random numbers from now on.
+    /// Makes the kernel draw other random numbers from now on.
     pub fn reseed(&self, prepared: &Prepared, seed: u32) -> Result<(), RenderError> {
         let camera = self.buffers.iter().find(|b| b.name() == CAMERA);
         let record = flat::camera(prepared, seed);
