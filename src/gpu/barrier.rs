@@ -1,8 +1,8 @@
-//! Who sees what was written, before and after each piece of work.
+//! Memory barriers before and after each piece of work.
 
 use ash::vk;
 
-/// What host, kernels and copies wrote before is seen by what follows.
+/// Makes earlier writes of host, kernels and copies visible to the following work.
 ///
 /// # Safety
 /// While recording.
@@ -25,7 +25,7 @@ pub(super) unsafe fn before(raw: &ash::Device, commands: vk::CommandBuffer) {
     };
 }
 
-/// What kernels and copies wrote is seen by the host, once the fence has been waited for.
+/// Makes writes of kernels and copies visible to the host, once the fence has been waited for.
 ///
 /// # Safety
 /// While recording.

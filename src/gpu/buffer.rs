@@ -1,4 +1,4 @@
-//! Buffers, each with memory of its own.
+//! Buffers, each with its own memory.
 
 use std::ptr::NonNull;
 use std::sync::{Arc, PoisonError};
@@ -11,7 +11,7 @@ use super::memory::{kinds_of_memory, stages};
 use super::shared_device::SharedDevice;
 use crate::layout::BufferUse;
 
-/// Device memory with a name, zeros at first.
+/// Device memory with a name, initially zero.
 pub struct Buffer {
     pub(super) device: Arc<SharedDevice>,
     pub(super) name: String,
@@ -20,9 +20,9 @@ pub struct Buffer {
     pub(super) raw: vk::Buffer,
     pub(super) memory: vk::DeviceMemory,
     pub(super) heap: usize,
-    /// What was taken from the heap.
+    /// Bytes taken from the heap.
     pub(super) size: u64,
-    /// The first byte, where the host sees it.
+    /// The first byte, if the host sees it.
     pub(super) mapped: Option<NonNull<u8>>,
 }
 
@@ -35,8 +35,8 @@ impl Device {
     /// A buffer of `bytes` bytes, zeros.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`], before anything is allocated, where `bytes` is more than the device allows for this
-    /// use or than its memory has left.
+    /// [`GpuError::TooLarge`], before anything is allocated, if `bytes` is more than the device allows for this use or
+    /// than its memory has left.
     pub fn buffer(
         &self,
         name: impl Into<String>,
@@ -82,7 +82,7 @@ impl Device {
 }
 
 impl Buffer {
-    /// Without zeros. A buffer of 0 bytes is legal here, so it takes at least 16.
+    /// Without zeros. Buffers of 0 bytes are legal here, but not in Vulkan, so it takes at least 16.
     pub(super) fn new(
         device: &Arc<SharedDevice>,
         name: String,
@@ -117,7 +117,7 @@ impl Buffer {
         &self.name
     }
 
-    /// Size as asked for.
+    /// The requested size.
     pub fn bytes(&self) -> u64 {
         self.bytes
     }
@@ -128,8 +128,8 @@ impl Drop for Buffer {
         if self.device.is_abandoned() {
             return;
         }
-        // SAFETY: no work is under way (each piece is waited for), and nobody else has the handles.
-        // Freeing unmaps; null handles are ignored.
+        // SAFETY: no work is in flight (each piece is waited for), and no one else has the handles. Freeing unmaps;
+        // null handles are ignored.
         unsafe {
             self.device.raw.destroy_buffer(self.raw, None);
             self.device.raw.free_memory(self.memory, None);

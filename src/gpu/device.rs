@@ -37,17 +37,17 @@ impl Device {
         &self.0.limits
     }
 
-    /// What it tells of itself beyond that.
+    /// Its further properties.
     pub fn facts(&self) -> &Facts {
         &self.0.facts
     }
 
-    /// Whether the validation layer watches.
+    /// Whether the validation layer is active.
     pub fn is_validated(&self) -> bool {
         self.0.options.validation
     }
 
-    /// Warnings and errors of the validation layer so far; empty where validation is off.
+    /// Warnings and errors of the validation layer so far; empty if validation is off.
     pub fn validation_messages(&self) -> Vec<String> {
         self.0.validation_messages()
     }

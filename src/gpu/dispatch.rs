@@ -13,10 +13,10 @@ use super::shared_device::SharedDevice;
 use crate::layout::BufferUse;
 
 impl Device {
-    /// Runs `groups` workgroups and waits for them; the device's own time.
+    /// Runs `groups` workgroups and waits for them; returns the device's own time.
     ///
     /// # Errors
-    /// [`GpuError::Mismatch`] where buffers, push constants or groups are not what pipeline and device take;
+    /// [`GpuError::Mismatch`] if buffers, push constants or groups do not match pipeline and device;
     /// [`GpuError::TimeOut`] and [`GpuError::Lost`], after which the device cannot be used any more.
     pub fn dispatch(
         &self,
@@ -27,8 +27,8 @@ impl Device {
     ) -> Result<Duration, GpuError> {
         self.check_dispatch(pipeline, buffers, push, groups)?;
         let mut queue = self.0.queue()?;
-        // SAFETY: the set is not in use, because no work is under way while the queue is locked; the buffers
-        // have the types of the layout, and all objects are of this device and outlive the work.
+        // SAFETY: the set is not in use, because no work is in flight while the queue is locked; the buffers have the
+        // types of the layout, and all objects are of this device and outlive the work.
         unsafe {
             pipeline.bind(buffers);
             queue.run(&self.0, |raw, commands| {

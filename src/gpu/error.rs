@@ -1,4 +1,4 @@
-//! What can go wrong with a device, told so that the user can do something about it.
+//! Errors of devices, worded so that the user can act on them.
 
 use std::time::Duration;
 
@@ -52,7 +52,7 @@ pub enum GpuError {
     Kernel(#[from] crate::kernel::KernelError),
 }
 
-/// What a device is opened by.
+/// The Vulkan calls that open a device.
 const OPENING: [&str; 4] = [
     "vkCreateInstance",
     "vkCreateDebugUtilsMessengerEXT",
@@ -61,8 +61,8 @@ const OPENING: [&str; 4] = [
 ];
 
 impl GpuError {
-    /// Whether the device failed under way, and the same work may succeed on a device that is opened anew: not where it
-    /// could not be opened, or was asked for what it does not do.
+    /// Whether the device failed during work, and the same work may succeed on the device opened again: not if it could
+    /// not be opened, or cannot do what was requested.
     pub fn is_loss(&self) -> bool {
         match self {
             Self::TimeOut(_) | Self::Lost | Self::OutOfMemory(_) => true,

@@ -1,10 +1,10 @@
-//! What a device tells of itself beyond its limits: memory, floats, features. Nothing of a rendering depends on it.
+//! Properties of a device beyond its limits: memory, floats, features. No rendering depends on them.
 
 use ash::vk;
 
 use super::instance::Instance;
 
-/// What a device tells of itself.
+/// Properties of a device.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Facts {
     pub heaps: Vec<Heap>,
@@ -13,7 +13,7 @@ pub struct Facts {
     /// The GLSL types `double` and `int64_t`; vkpt's kernels have neither.
     pub float64: bool,
     pub int64: bool,
-    /// `None`: a device of Vulkan 1.1, which does not tell.
+    /// `None` for a device of Vulkan 1.1, which does not report them.
     pub float_controls: Option<FloatControls>,
 }
 
@@ -24,7 +24,7 @@ pub struct Heap {
     pub device_local: bool,
 }
 
-/// What shaders may demand of 32-bit floats (VkPhysicalDeviceFloatControlsProperties). vkpt's demand none of it.
+/// The guarantees that shaders may demand of 32-bit floats (VkPhysicalDeviceFloatControlsProperties). vkpt's demand none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FloatControls {
     pub denormals_kept: bool,
@@ -60,7 +60,7 @@ impl Facts {
     }
 }
 
-/// Of a device of Vulkan 1.2.
+/// For a device of Vulkan 1.2.
 fn float_controls(instance: &Instance, device: vk::PhysicalDevice) -> FloatControls {
     let mut controls = vk::PhysicalDeviceFloatControlsProperties::default();
     let mut all = vk::PhysicalDeviceProperties2::default().push_next(&mut controls);

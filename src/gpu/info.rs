@@ -1,4 +1,4 @@
-//! Which devices there are.
+//! The list of devices.
 
 use std::ffi::CStr;
 use std::fmt;
@@ -11,7 +11,7 @@ use super::instance::Instance;
 /// A Vulkan device, as `vkpt devices` lists it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DeviceInfo {
-    /// In the loader's order; what [`Selector::Index`](super::Selector::Index) takes.
+    /// In the loader's order; the index of [`Selector::Index`](super::Selector::Index).
     pub index: usize,
     pub name: String,
     pub kind: DeviceKind,
@@ -50,7 +50,7 @@ impl fmt::Display for DeviceKind {
 /// All devices, in the loader's order.
 ///
 /// # Errors
-/// [`GpuError::NoVulkan`] where there is no loader, no driver or no device.
+/// [`GpuError::NoVulkan`] if there is no loader, no driver or no device.
 pub fn devices() -> Result<Vec<DeviceInfo>, GpuError> {
     let instance = Instance::new(false)?;
     let all = enumerate(&instance)?;
@@ -74,7 +74,7 @@ pub(super) fn enumerate(
         .collect())
 }
 
-/// A family of queues that compute, preferably the one that also draws: drivers treat it best.
+/// A queue family with compute, preferably the one with graphics too: drivers treat it best.
 pub(super) fn compute_family(
     instance: &Instance,
     device: vk::PhysicalDevice,

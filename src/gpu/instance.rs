@@ -1,4 +1,4 @@
-//! The Vulkan loader, an instance, and what the validation layer says.
+//! The Vulkan loader, an instance, and the messages of the validation layer.
 
 use std::ffi::{CStr, c_void};
 use std::sync::{Mutex, PoisonError};
@@ -13,14 +13,14 @@ const VALIDATION_LAYER: &CStr = c"VK_LAYER_KHRONOS_validation";
 pub(super) struct Instance {
     pub raw: ash::Instance,
     validation: Option<Validation>,
-    /// Last: the loader's library must outlive all else.
+    /// Last: the loader's library must outlive everything else.
     _entry: ash::Entry,
 }
 
 struct Validation {
     utils: ext::debug_utils::Instance,
     messenger: vk::DebugUtilsMessengerEXT,
-    /// Boxed, because the messenger holds its address.
+    /// Boxed, because the messenger has its address.
     messages: Box<Mutex<Vec<String>>>,
 }
 
@@ -56,7 +56,7 @@ impl Instance {
 
 impl Drop for Instance {
     fn drop(&mut self) {
-        // SAFETY: the messenger and then the instance are destroyed once, after all that was made from them:
+        // SAFETY: the messenger and then the instance are destroyed once, after everything that was made from them:
         // devices hold the instance.
         unsafe {
             if let Some(v) = &self.validation {
@@ -125,7 +125,7 @@ impl Validation {
     }
 }
 
-/// The layer's callback: keeps the message.
+/// The layer's callback: stores the message.
 unsafe extern "system" fn collect(
     _severity: vk::DebugUtilsMessageSeverityFlagsEXT,
     _kind: vk::DebugUtilsMessageTypeFlagsEXT,

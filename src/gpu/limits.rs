@@ -1,10 +1,10 @@
-//! What a device allows.
+//! The limits of a device.
 
 use ash::vk;
 
 use super::instance::Instance;
 
-/// Limits that vkpt meets.
+/// The limits that vkpt respects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Bytes.

@@ -1,4 +1,4 @@
-//! The memory of a buffer: which kind, how much is left, and whether the host sees it.
+//! The memory of a buffer: its kind, the amount left, and whether the host sees it.
 
 use std::ptr::NonNull;
 use std::sync::PoisonError;
@@ -10,8 +10,8 @@ use super::error::GpuError;
 use super::info::DeviceKind;
 use super::shared_device::SharedDevice;
 
-/// Whether the host reaches a kernel's buffers by copies only: across a bus it reads device memory slowly, even
-/// where it sees it.
+/// Whether the host reaches a kernel's buffers only by copies: across a bus it reads device memory
+/// slowly, even if it sees it.
 pub(super) fn stages(device: &SharedDevice) -> bool {
     matches!(device.info.kind, DeviceKind::Discrete | DeviceKind::Virtual)
         || device.options.always_stage
@@ -33,7 +33,7 @@ pub(super) fn kinds_of_memory(device: &SharedDevice) -> Vec<vk::MemoryPropertyFl
 }
 
 impl Buffer {
-    /// Allocates, binds and, where asked to and possible, maps.
+    /// Allocates, binds and, if requested and possible, maps.
     pub(super) fn allocate(
         &mut self,
         kinds: &[vk::MemoryPropertyFlags],
@@ -83,7 +83,7 @@ impl Buffer {
         Ok(())
     }
 
-    /// Enters `size` bytes in the books, or refuses.
+    /// Reserves `size` bytes of a heap, or refuses.
     fn reserve(&mut self, heap: usize, size: u64) -> Result<(), GpuError> {
         let mut allocated = self
             .device

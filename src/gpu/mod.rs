@@ -1,8 +1,8 @@
 //! Vulkan compute: devices, buffers, pipelines, dispatches; and Open Image Denoise ([`oidn`]). The only module with foreign
 //! libraries, ash and `unsafe`.
 //!
-//! Everything is synchronous: a call returns when the device has done it. Objects keep their device alive and free
-//! themselves. A [`Device`] may be shared between threads; its work is done one piece at a time.
+//! Everything is synchronous: a call returns when the device is done. Objects keep their device alive and free
+//! themselves. A [`Device`] may be shared between threads; it does one piece of work at a time.
 
 mod barrier;
 mod buffer;

@@ -8,21 +8,21 @@ use crate::cache;
 /// How a device is opened.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Run under the Khronos validation layer, synchronisation included; an error where it is not installed.
+    /// Run under the Khronos validation layer, including synchronisation; an error if it is not installed.
     pub validation: bool,
-    /// Keep all buffers in memory that the host does not see, as on a discrete GPU.
+    /// Put all buffers in memory that the host does not see, as on a discrete GPU.
     pub always_stage: bool,
     /// How long to wait for one piece of work.
     pub patience: Duration,
     /// The folder that keeps compiled kernels from one process to the next; `None`: they are not kept.
     pub cache: Option<PathBuf>,
-    /// Have the driver count what its compiler made: [`Pipeline::statistics`](super::Pipeline::statistics).
+    /// Make the driver collect statistics of its compiler: [`Pipeline::statistics`](super::Pipeline::statistics).
     pub statistics: bool,
 }
 
 impl Options {
-    /// Validation where the environment says `VKPT_VALIDATION=1`; the cache in the folder that `VKPT_CACHE` names, or
-    /// in the user's.
+    /// Validation if the environment has `VKPT_VALIDATION=1`; the cache in the folder that `VKPT_CACHE`
+    /// names, or in the user's.
     pub fn from_env() -> Self {
         let validation = std::env::var_os("VKPT_VALIDATION").is_some_and(|v| v == "1");
         Self {

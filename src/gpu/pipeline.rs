@@ -24,12 +24,12 @@ pub struct Pipeline {
 }
 
 impl Device {
-    /// Makes a kernel ready. Drivers may put off the compilation until the first dispatch.
+    /// Makes a kernel ready. Drivers may defer compilation until the first dispatch.
     ///
     /// `push_bytes`: the size of its push constants, a multiple of 4.
     ///
     /// # Errors
-    /// [`GpuError::Mismatch`] for more than the device allows.
+    /// [`GpuError::Mismatch`] if it exceeds the device's limits.
     pub fn pipeline(
         &self,
         kernel: &Spirv,
@@ -133,7 +133,7 @@ impl Pipeline {
 
     fn make_set(&mut self) -> Result<(), GpuError> {
         let raw = &self.device.raw;
-        // One of each more than is needed: a pool of none is not allowed.
+        // One of each more than needed: an empty pool is not allowed.
         let size = |usage| {
             let n = self.uses.iter().filter(|u| **u == usage).count() as u32;
             vk::DescriptorPoolSize {
@@ -199,7 +199,7 @@ impl Drop for Pipeline {
             return;
         }
         let raw = &self.device.raw;
-        // SAFETY: no work is under way (each piece is waited for); null handles are ignored.
+        // SAFETY: no work is in flight (each piece is waited for); null handles are ignored.
         unsafe {
             raw.destroy_pipeline(self.raw, None);
             raw.destroy_descriptor_pool(self.pool, None);

@@ -1,8 +1,8 @@
-//! What a driver compiled, kept on disk from one process to the next (Vulkan 1.3, section 10.7, "Pipeline Cache").
+//! A driver's compiled kernels, kept on disk from one process to the next (Vulkan 1.3, section 10.7, "Pipeline Cache").
 //!
-//! One file for each kernel on each device with each version of its driver. A driver must cope with data of its own
-//! alone, so bytes reach it only if the file is whole and their header names this device and driver. Without a
-//! cache, or with one that fails in any way, pipelines are the same and only later.
+//! One file for each kernel on each device with each version of its driver. A driver must accept only its own data, so
+//! bytes reach it only if the file is whole and their header names this device and driver. Without a cache, or with one
+//! that fails in any way, pipelines are the same and only take longer.
 
 use std::path::Path;
 
@@ -23,11 +23,11 @@ const ROOM: Room = Room {
     bytes: 64 << 20,
 };
 
-/// Whose data it is.
+/// The device and driver that the data belong to.
 pub(super) struct Owner {
-    /// What the driver's data must begin with.
+    /// The required beginning of the driver's data.
     header: [u8; HEADER],
-    /// Everything known of device and driver; drivers are known to forget their version in the header's UUID.
+    /// Everything known of device and driver; some drivers do not put their version into the header's UUID.
     name: String,
 }
 
@@ -75,27 +75,27 @@ struct Kept<'a> {
     raw: vk::PipelineCache,
     folder: CacheFolder<'a>,
     key: String,
-    /// Bytes of the driver's data at first.
+    /// Bytes of the driver's data initially.
     bytes: usize,
 }
 
 impl<'a> PipelineCache<'a> {
-    /// With what earlier processes left for this kernel, on this device with this driver.
+    /// With the data that earlier processes left for this kernel, on this device with this driver.
     pub fn open(device: &'a SharedDevice, kernel: &Spirv) -> Self {
         let folder = device.options.cache.as_deref();
         let kept = folder.and_then(|folder| Kept::open(device, folder, kernel));
         Self { device, kept }
     }
 
-    /// For the driver; null where nothing is kept.
+    /// For the driver; null if nothing is kept.
     pub fn raw(&self) -> vk::PipelineCache {
         self.kept
             .as_ref()
             .map_or(vk::PipelineCache::null(), |kept| kept.raw)
     }
 
-    /// Leaves what the driver has put in for later processes. Many drivers put in nothing: Mesa's lavapipe compiles
-    /// later and has a cache of its own.
+    /// Stores the driver's additions for later processes. Many drivers add nothing: Mesa's lavapipe compiles later and
+    /// has its own cache.
     pub fn keep(&self) {
         let Some(kept) = &self.kept else { return };
         let data = data(self.device, kept.raw);
@@ -128,19 +128,19 @@ impl<'a> Kept<'a> {
 
 impl Drop for PipelineCache<'_> {
     fn drop(&mut self) {
-        // SAFETY: the pipeline is made, and nobody else has the handle; null is ignored.
+        // SAFETY: the pipeline is made, and no one else has the handle; null is ignored.
         unsafe { self.device.raw.destroy_pipeline_cache(self.raw(), None) };
     }
 }
 
-/// `None` where the driver fails, which is its right for any data.
+/// `None` if the driver fails, which it may for any data.
 fn create(device: &SharedDevice, data: &[u8]) -> Option<vk::PipelineCache> {
     let info = vk::PipelineCacheCreateInfo::default().initial_data(data);
     // SAFETY: the info is complete; data begin with this driver's header and are, to the checksum, what it gave.
     unsafe { device.raw.create_pipeline_cache(&info, None) }.ok()
 }
 
-/// All that the driver has put in; empty where it fails.
+/// All that the driver has stored; empty if it fails.
 fn data(device: &SharedDevice, cache: vk::PipelineCache) -> Vec<u8> {
     // SAFETY: the cache was made by this device and is alive.
     unsafe { device.raw.get_pipeline_cache_data(cache) }.unwrap_or_default()

@@ -1,11 +1,11 @@
-//! Does the driver finish its loops?
+//! Probes whether the driver finishes its loops.
 
 use super::device::Device;
 use super::error::GpuError;
 use crate::kernel::{Composer, compile};
 use crate::layout::BufferUse;
 
-/// Steps of the probe. Mesa 22's lavapipe ends all loops of a subgroup after 65,535 in one dispatch, in silence.
+/// Steps of the probe. Mesa 22's lavapipe silently ends all loops of a subgroup after 65,535 in one dispatch.
 const GOAL: u32 = 200_000;
 
 impl Device {

@@ -1,4 +1,4 @@
-//! Work, one piece at a time: record, submit, wait, tell how long it took.
+//! Work, one piece at a time: record, submit, wait, report its duration.
 
 use std::time::{Duration, Instant};
 
@@ -8,14 +8,14 @@ use super::barrier;
 use super::error::GpuError;
 use super::shared_device::SharedDevice;
 
-/// A compute queue with a command buffer, two timestamps and, once there was work, a fence.
+/// A compute queue with a command buffer, two timestamps and, after the first work, a fence.
 pub(super) struct Queue {
     raw: vk::Queue,
     pool: vk::CommandPool,
     commands: vk::CommandBuffer,
     fence: vk::Fence,
     queries: vk::QueryPool,
-    /// Bits of a timestamp that count; 0 where the queue has none.
+    /// Valid bits of a timestamp; 0 if the queue has none.
     timestamp_bits: u32,
 }
 
@@ -74,7 +74,7 @@ impl Queue {
         }
     }
 
-    /// Runs what `record` records, between barriers, and waits for it. The device's own time.
+    /// Runs the commands that `record` records, between barriers, and waits for them. Returns the device's own time.
     ///
     /// # Safety
     /// `record` must record valid commands for a compute queue, on objects of `device` that live until this returns.
@@ -125,7 +125,7 @@ impl Queue {
                     vk::Result::TIMEOUT => GpuError::TimeOut(patience),
                     result => GpuError::of("vkWaitForFences")(result),
                 })
-                // The device may still be at work on it.
+                // The device may still be working on it.
                 .inspect_err(|error| device.give_up(error))?;
             if device.raw.reset_fences(&[self.fence]).is_err() {
                 // It stays signalled, and the next work would be taken for done: that gets a fence of its own.
@@ -165,7 +165,7 @@ impl Queue {
         Ok(())
     }
 
-    /// Time between the two timestamps, `None` where the queue has none or they cannot be had: the work is done all the same.
+    /// Time between the two timestamps, `None` if the queue has none or they cannot be read: the work is done all the same.
     ///
     /// # Safety
     /// The commands with both timestamps have been executed.

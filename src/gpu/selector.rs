@@ -1,4 +1,4 @@
-//! Which device is meant.
+//! The choice of a device.
 
 use super::error::GpuError;
 use super::info::{DeviceInfo, DeviceKind};
@@ -10,7 +10,7 @@ pub enum Selector {
     #[default]
     Best,
     Index(usize),
-    /// The first whose name holds this, in any case of letters; a usable one before others.
+    /// The first whose name contains this, ignoring case; a usable one before others.
     Name(String),
 }
 

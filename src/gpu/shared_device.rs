@@ -1,4 +1,4 @@
-//! What everything on a device shares: its handles, and what is known of them.
+//! The handles and properties that everything on a device shares.
 
 use std::mem::ManuallyDrop;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -24,20 +24,20 @@ pub(super) struct SharedDevice {
     pub limits: Limits,
     pub facts: Facts,
     pub memory: vk::PhysicalDeviceMemoryProperties,
-    /// Bytes that this device has from each heap.
+    /// Bytes that this device has allocated from each heap.
     pub allocated: Mutex<[u64; vk::MAX_MEMORY_HEAPS]>,
     pub options: Options,
-    /// Whose compiled kernels the cache on disk may hold.
+    /// The owner of the compiled kernels in the cache on disk.
     pub cache_owner: Owner,
-    /// Where statistics were asked for and the device has them.
+    /// If statistics were requested and the device has them.
     pub statistics: Option<khr::pipeline_executable_properties::Device>,
     pub loop_limit: OnceLock<Option<u32>>,
     queue: Mutex<Queue>,
-    /// Set after a time-out, or where waiting failed: the device may still be writing, so nothing it uses may be freed.
+    /// Set after a time-out, or if waiting failed: the device may still be writing, so nothing it uses may be freed.
     abandoned: AtomicBool,
-    /// Set once Vulkan says so: the device does nothing any more, so what it used may be freed, and must be.
+    /// Set once Vulkan reports the loss: the device does nothing any more, so its objects may be freed, and must be.
     lost: AtomicBool,
-    /// Dropped last, and not at all after a time-out: an instance may not go before its device.
+    /// Dropped last, and not at all after a time-out: an instance must not go before its device.
     instance: ManuallyDrop<Instance>,
 }
 
@@ -84,8 +84,8 @@ impl SharedDevice {
         })
     }
 
-    /// The queue, for as long as the guard lives. Host access to mapped memory also holds it, so that host and
-    /// device never touch a buffer at once.
+    /// The queue, for as long as the guard lives. Host access to mapped memory also holds it, so that host and device
+    /// never touch a buffer at once.
     pub fn queue(&self) -> Result<MutexGuard<'_, Queue>, GpuError> {
         let guard = self.queue.lock().unwrap_or_else(PoisonError::into_inner);
         if self.is_abandoned() || self.lost.load(Ordering::Acquire) {
@@ -104,7 +104,7 @@ impl SharedDevice {
         self.abandoned.load(Ordering::Acquire)
     }
 
-    /// Gives up a device that failed while work was under way.
+    /// Gives up a device that failed during work.
     pub fn give_up(&self, error: &GpuError) {
         match error {
             GpuError::Lost => self.lost.store(true, Ordering::Release),

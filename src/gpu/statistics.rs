@@ -1,4 +1,4 @@
-//! What a driver tells of its compiler's work (VK_KHR_pipeline_executable_properties).
+//! A driver's statistics of its compiled kernels (VK_KHR_pipeline_executable_properties).
 
 use std::ffi::{CStr, c_char};
 use std::fmt;
@@ -13,9 +13,9 @@ use super::pipeline::Pipeline;
 /// One number of a compiled kernel. Names, meanings and units are the driver's own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statistic {
-    /// The machine code that it counts: drivers may compile a kernel several times, for subgroups of several sizes.
+    /// The machine code that it describes: drivers may compile a kernel several times, for subgroups of several sizes.
     pub executable: String,
-    /// Such as "Instructions", "VGPRs" or "Code size".
+    /// For example "Instructions", "VGPRs" or "Code size".
     pub name: String,
     pub value: Value,
     pub description: String,
@@ -41,7 +41,7 @@ impl fmt::Display for Value {
     }
 }
 
-/// Whether the device counts at all.
+/// Whether the device has statistics at all.
 pub(super) fn are_offered(instance: &Instance, device: vk::PhysicalDevice) -> bool {
     // SAFETY: the handle comes from this instance.
     let extensions = unsafe { instance.raw.enumerate_device_extension_properties(device) };
@@ -59,14 +59,14 @@ pub(super) fn are_offered(instance: &Instance, device: vk::PhysicalDevice) -> bo
 }
 
 impl Device {
-    /// Whether its driver counts anything, and was asked to.
+    /// Whether its driver has statistics, and collects them.
     pub fn counts(&self) -> bool {
         self.0.statistics.is_some()
     }
 }
 
 impl Pipeline {
-    /// What the driver's compiler made of the kernel. Empty where the device does not tell, or was opened without
+    /// The driver's statistics of the kernel. Empty if the device does not report any, or was opened without
     /// [`Options::statistics`](super::Options::statistics).
     ///
     /// # Errors
@@ -113,7 +113,7 @@ fn statistic(executable: &str, s: &vk::PipelineExecutableStatisticKHR) -> Statis
     }
 }
 
-/// Up to the first 0; empty where a driver forgot it.
+/// Up to the first 0; empty if a driver forgot it.
 fn text(bytes: &[c_char]) -> String {
     let bytes = bytemuck::cast_slice(bytes);
     CStr::from_bytes_until_nul(bytes)

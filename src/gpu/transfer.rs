@@ -1,4 +1,4 @@
-//! What goes into a buffer and what comes out: directly where the host sees its memory, else by a staging buffer.
+//! Transfers into and out of a buffer: directly if the host sees its memory, else by a staging buffer.
 
 use ash::vk;
 
@@ -10,15 +10,15 @@ use crate::layout::BufferUse;
 const STAGE: u64 = 16 << 20;
 
 impl Buffer {
-    /// Writes `bytes` from the start on; there may be fewer than the buffer holds.
+    /// Writes `bytes` from the start on; there may be fewer than the buffer's size.
     ///
     /// # Errors
-    /// [`GpuError::WrongLength`] where there are more.
+    /// [`GpuError::WrongLength`] if there are more.
     pub fn write(&self, bytes: &[u8]) -> Result<(), GpuError> {
         self.check_length(bytes.len())?;
         if let Some(first) = self.mapped {
             let _idle = self.device.queue()?;
-            // SAFETY: the mapping holds at least as many bytes as were checked for, and the lock keeps all
+            // SAFETY: the mapping has at least as many bytes as were checked for, and the lock keeps all
             // other users of it away.
             unsafe { std::ptr::copy_nonoverlapping(bytes.as_ptr(), first.as_ptr(), bytes.len()) };
             return Ok(());
@@ -40,10 +40,10 @@ impl Buffer {
         Ok(())
     }
 
-    /// Fills `bytes` from the start of the buffer; there may be fewer than it holds.
+    /// Fills `bytes` from the start of the buffer; there may be fewer than its size.
     ///
     /// # Errors
-    /// [`GpuError::WrongLength`] where there are more.
+    /// [`GpuError::WrongLength`] if there are more.
     pub fn read_into(&self, bytes: &mut [u8]) -> Result<(), GpuError> {
         self.check_length(bytes.len())?;
         if let Some(first) = self.mapped {
@@ -71,7 +71,7 @@ impl Buffer {
         Ok(())
     }
 
-    /// All that the buffer holds.
+    /// All bytes of the buffer.
     pub fn read(&self) -> Result<Vec<u8>, GpuError> {
         let mut bytes = vec![0; self.bytes as usize];
         self.read_into(&mut bytes)?;
@@ -122,7 +122,7 @@ impl Buffer {
 
     fn copy(&self, from: &Self, to: &Self, region: vk::BufferCopy) -> Result<(), GpuError> {
         let mut queue = self.device.queue()?;
-        // SAFETY: both buffers were made for copies, hold the region (its size is not 0), and outlive the work.
+        // SAFETY: both buffers were made for copies, contain the region (its size is not 0), and outlive the work.
         let run = unsafe {
             queue.run(&self.device, |raw, commands| {
                 raw.cmd_copy_buffer(commands, from.raw, to.raw, &[region])
@@ -132,7 +132,7 @@ impl Buffer {
     }
 }
 
-/// (start, length) of the pieces that `bytes` bytes are staged in.
+/// (start, length) of the pieces in which `bytes` bytes are staged.
 fn chunks(bytes: u64) -> impl Iterator<Item = (u64, u64)> {
     (0..bytes)
         .step_by(STAGE as usize)

@@ -1,8 +1,8 @@
 //! Refuses operations whose result Vulkan leaves to the driver.
 //!
-//! Vulkan 1.3, appendix "Precision and Operation of SPIR-V Instructions": `+ − ×` round correctly, `÷` is within
-//! 2.5 ulps and `√` inherits from it (both round correctly on CPU drivers); everything below may differ from
-//! driver to driver by far more, or may be evaluated in any order, or may answer either way for NaN and ±0.
+//! Vulkan 1.3, appendix "Precision and Operation of SPIR-V Instructions": `+ − ×` round correctly, `÷` is within 2.5
+//! ulps and `√` inherits from it (both round correctly on CPU drivers); everything below may differ from driver to
+//! driver by far more, or may be evaluated in any order, or may give either result for NaN and ±0.
 
 use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{BinaryOperator, Expression, Function, MathFunction, Module, ScalarKind};
@@ -10,7 +10,7 @@ use naga::{BinaryOperator, Expression, Function, MathFunction, Module, ScalarKin
 use super::composed::Composed;
 use super::error::{Culprit, KernelError};
 
-/// An error that names every such operation that `module` holds.
+/// An error that names every such operation in `module`.
 pub(super) fn refuse_driver_maths(
     module: &Module,
     info: &ModuleInfo,
@@ -52,7 +52,7 @@ fn look(
             .to_range()
             .map_or(start, |r| r.start);
         let kind = info[handle].ty.inner_with(&module.types).scalar_kind();
-        // No kind: a pair of results in a struct, as of modf and frexp.
+        // No kind: a pair of results in a struct, as for modf and frexp.
         let float = kind.is_none_or(|k| k == ScalarKind::Float);
         let name = match expression {
             Expression::Math { fun, .. } if float && !is_exact(*fun) => format!("{fun:?}"),
@@ -66,7 +66,7 @@ fn look(
     }
 }
 
-/// Functions with one right answer, which every driver must give (`√`: see above).
+/// Functions with one correct result, which every driver must give (`√`: see above).
 fn is_exact(fun: MathFunction) -> bool {
     use MathFunction as M;
     matches!(fun, M::Abs | M::Floor | M::Ceil | M::Trunc | M::Sqrt)

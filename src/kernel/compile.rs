@@ -12,7 +12,7 @@ use super::error::KernelError;
 use super::spirv::Spirv;
 use super::{audit, no_contraction, single_store, uninitialised};
 
-/// Compiles a composed kernel: what `main` does not reach is left out, operations whose result a driver may
+/// Compiles a composed kernel: functions that `main` does not reach are dropped, operations whose result a driver may
 /// choose are refused, and every float operation is marked `NoContraction`.
 ///
 /// # Errors
@@ -43,7 +43,7 @@ pub(super) fn module(kernel: &Composed) -> Result<(Module, ModuleInfo), KernelEr
     module_edited(kernel, |_| {})
 }
 
-/// The same of what `edit` makes of the parsed module.
+/// The same for the result of `edit` on the parsed module.
 pub(super) fn module_edited(
     kernel: &Composed,
     edit: impl FnOnce(&mut Module),
@@ -89,7 +89,7 @@ fn invalid(error: &WithSpan<ValidationError>, kernel: &Composed) -> KernelError 
     }
 }
 
-/// An error and all that caused it, in one line.
+/// An error and all its causes, in one line.
 fn with_causes(error: &dyn std::error::Error) -> String {
     let mut message = error.to_string();
     let mut cause = error.source();
@@ -114,7 +114,7 @@ fn options() -> back::spv::Options<'static> {
             image_load: BoundsCheckPolicy::Unchecked,
             binding_array: BoundsCheckPolicy::Unchecked,
         },
-        // No kernel divides integers by what may be 0.
+        // No kernel divides integers by a number that may be 0.
         emit_int_div_checks: false,
         zero_initialize_workgroup_memory: back::spv::ZeroInitializeWorkgroupMemoryMode::None,
         ..Default::default()

@@ -1,8 +1,8 @@
-//! Which files a kernel holds, and in which order.
+//! Decides which files a kernel contains, and their order.
 //!
-//! A file says in its header what it builds on, `// uses: math/vec, math/frame, <normals>`: paths below
-//! `shaders/` without `.glsl`, `constants/NAME`, which the host declares, and slots, which the composer fills with a file
-//! or with generated text. A file is in the kernel, once, or it is not; there is no `#ifdef`.
+//! A file's header names its dependencies, `// uses: math/vec, math/frame, <normals>`: paths below `shaders/` without
+//! `.glsl`, `constants/NAME`, which the host declares, and slots, which the composer fills with a file or with
+//! generated text. A file is in the kernel, once, or it is not; there is no `#ifdef`.
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,7 +12,7 @@ use super::constants;
 use super::error::KernelError;
 use super::sources;
 
-/// What stands where files say `<name>`.
+/// The text that replaces `<name>` in files.
 #[derive(Clone, Debug)]
 pub enum Slot {
     /// A file, by its path below `shaders/` without `.glsl`.
@@ -21,16 +21,15 @@ pub enum Slot {
     Text(String),
 }
 
-/// A shader file of one's own.
+/// A custom shader file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OwnFile<'a> {
-    /// Its path below `shaders/` without `.glsl`: that of the file whose place it takes, or another that one of these
-    /// uses.
+    /// Its path below `shaders/` without `.glsl`: that of the file that it replaces, or another that one of these uses.
     pub name: &'a str,
     pub text: &'a str,
 }
 
-/// Collects what a kernel is made of; [`compose`](Composer::compose) puts it in order.
+/// Collects the parts of a kernel; [`compose`](Composer::compose) puts them in order.
 #[derive(Clone, Debug, Default)]
 pub struct Composer {
     prelude: Vec<String>,
@@ -55,13 +54,13 @@ impl Composer {
         self
     }
 
-    /// Adds a file that `shaders/` does not hold, or one in place of its namesake there.
+    /// Adds a file that is not in `shaders/`, or one in place of its namesake there.
     pub fn add(mut self, name: &str, text: impl Into<String>) -> Self {
         self.added.insert(name.to_owned(), text.into());
         self
     }
 
-    /// `#version`, the prelude, then `roots` in order, each after all that it uses.
+    /// `#version`, the prelude, then `roots` in order, each after everything that it uses.
     pub fn compose(&self, roots: &[&str]) -> Result<Composed, KernelError> {
         let mut walk = Walk {
             composer: self,
@@ -87,7 +86,7 @@ impl Composer {
     }
 }
 
-/// Depth-first: a file is written once all that it uses has been.
+/// Depth-first: a file is written once everything that it uses has been.
 struct Walk<'a> {
     composer: &'a Composer,
     done: BTreeSet<String>,
@@ -149,7 +148,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Who uses the innermost open file.
+    /// The file that uses the innermost open one.
     fn asked_by(&self) -> String {
         let n = self.open.len();
         if n >= 2 {

@@ -61,7 +61,7 @@ impl Composed {
         text
     }
 
-    /// What the kernel is made of, in order: files, `<slot>`s filled with text, `<prelude>`.
+    /// The parts of the kernel, in order: files, `<slot>`s filled with text, `<prelude>`.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.files.iter().skip(1).map(String::as_str)
     }
@@ -94,7 +94,7 @@ impl Composed {
     }
 }
 
-/// A file's path in the repository, or what a text that was made for the scene is for.
+/// A file's path in the repository, or the purpose of a text that was generated for the scene.
 fn heading(name: &str) -> String {
     match name {
         "<prelude>" => "constants, structs and buffers of the scene".to_owned(),

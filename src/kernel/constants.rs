@@ -1,4 +1,4 @@
-//! The texts that stand where a file says `// uses: constants/NAME`.
+//! The texts that replace `// uses: constants/NAME` in files.
 
 use std::fmt::Debug;
 
@@ -7,7 +7,7 @@ use crate::layout::constants::{self, uint};
 use crate::prepared::{MaterialKind, ShapeKind};
 
 /// The declarations of `constants/NAME`, by NAME: those of [`layout::constants`](crate::layout::constants), and the
-/// numbers of what has a type of its own in Rust.
+/// numbers of Rust enums.
 pub fn text(name: &str) -> Option<String> {
     let name = name.strip_prefix("constants/")?;
     match name {

@@ -1,4 +1,4 @@
-//! What can be wrong with a kernel. These are errors of the project, not of its user, save for a driver's refusal.
+//! Errors of kernels. They are errors of the project, not of its user, except a driver's refusal.
 
 use std::fmt;
 
@@ -30,7 +30,7 @@ pub enum KernelError {
     Spirv(String),
 }
 
-/// A place in a shader file, and what is wrong there.
+/// A place in a shader file, and the error there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Culprit {
     pub message: String,

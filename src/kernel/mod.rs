@@ -2,7 +2,7 @@
 //!
 //! [`Composer`] picks the files that a kernel needs, [`compile`] turns them into [`Spirv`].
 //!
-//! What naga's GLSL (30.0.1) does not take, or takes otherwise than GLSL says:
+//! naga's GLSL (30.0.1) does not accept these, or treats them differently from GLSL:
 //! - a buffer block with an instance name that has an unsized array *and* other members: reading one of those fails
 //!   ("Loading of … can't be done"); give each block one member, or no instance name;
 //! - a block's instance and its member of one name;

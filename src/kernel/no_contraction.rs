@@ -1,5 +1,5 @@
-//! Marks every float operation `NoContraction`, so that a driver computes it as written: no fused
-//! multiply-add, no rewritten algebra. It is what makes kernel and CPU reference agree to the bit.
+//! Marks every float operation `NoContraction`, so that a driver computes it as written: no fused multiply-add, no
+//! rewritten algebra. This makes kernel and CPU reference agree to the bit.
 
 use super::error::KernelError;
 use super::spirv::{HEADER, Instruction};
@@ -31,7 +31,7 @@ pub(super) fn decorate(module: &[u32]) -> Result<Vec<u32>, KernelError> {
     Ok([&module[..at], &decorations, &module[at..]].concat())
 }
 
-/// Index of the word before which decorations may stand: the end of the debug section (SPIR-V 1.3, section 2.4).
+/// Index of the word before which decorations may be inserted: the end of the debug section (SPIR-V 1.3, section 2.4).
 fn annotations(module: &[u32]) -> Result<usize, KernelError> {
     let mut at = HEADER;
     for instruction in Instruction::walk(module) {

@@ -1,4 +1,4 @@
-//! The memory layout that naga gives to a kernel's structs, for holding it against [`layout`](crate::layout).
+//! The memory layout that naga gives to a kernel's structs, for comparison with [`layout`](crate::layout).
 
 use naga::TypeInner;
 
@@ -10,7 +10,7 @@ use super::error::KernelError;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StructLayout {
     pub name: String,
-    /// Bytes from one to the next in an array.
+    /// Bytes from one element to the next in an array.
     pub size: u32,
     pub members: Vec<Member>,
 }
@@ -22,7 +22,7 @@ pub struct Member {
     pub offset: u32,
 }
 
-/// All named structs that the kernel reaches, buffer blocks included.
+/// All named structs that the kernel reaches, including buffer blocks.
 pub fn struct_layouts(kernel: &Composed) -> Result<Vec<StructLayout>, KernelError> {
     caught(|| {
         let (module, _) = module(kernel)?;

@@ -1,8 +1,8 @@
-//! Takes out local variables that are only another name of a value.
+//! Removes local variables that are only another name of a value.
 //!
-//! naga copies every parameter of a function into a variable of its own, and keeps each `float x = …;` in one. Once
-//! a driver has put all functions into one, those are thousands of variables: Mesa 22's lavapipe spent 70 % of its
-//! time in making a pipeline on them. A variable with one store, which every load comes after, needs no memory.
+//! naga copies every parameter of a function into a variable of its own, and keeps each `float x = …;` in one. Once a
+//! driver has inlined all functions, those are thousands of variables: Mesa 22's lavapipe spent 70 % of its pipeline
+//! creation time on them. A variable with one store that precedes every load needs no memory.
 
 use std::collections::HashMap;
 
@@ -19,20 +19,20 @@ const OP_LABEL: u32 = 248;
 const OP_BRANCH: u32 = 249;
 const STORAGE_FUNCTION: u32 = 7;
 
-/// What is known of a variable, and in the end becomes of it.
+/// The state of a variable during the analysis, and its fate at the end.
 #[derive(Clone, Copy)]
 enum Variable {
     /// Neither stored nor loaded yet.
     Unused,
-    /// Stored once, on the way that all calls take, and only loaded from there on.
+    /// Stored once, where every call passes, and only loaded from there on.
     Holds {
         value: u32,
     },
     Kept,
 }
 
-/// The module without such variables and their stores. Their loads become copies of the value, which leaves all
-/// names as they are and costs a driver nothing.
+/// The module without such variables and their stores. Their loads become copies of the value, which leaves all names
+/// as they are and costs a driver nothing.
 pub(super) fn forward(module: &[u32]) -> Result<Vec<u32>, KernelError> {
     let mut out = module.get(..HEADER).unwrap_or_default().to_vec();
     let mut function = Vec::new();
@@ -54,7 +54,7 @@ pub(super) fn forward(module: &[u32]) -> Result<Vec<u32>, KernelError> {
 fn rewrite(function: &[Instruction], out: &mut Vec<u32>) {
     let variables = variables(function);
     for instruction in function {
-        // Where the instruction names the variable that it is about.
+        // Where the instruction names its variable.
         let place = match instruction.opcode() {
             OP_VARIABLE => 1,
             OP_STORE => 0,
@@ -75,8 +75,8 @@ fn rewrite(function: &[Instruction], out: &mut Vec<u32>) {
     }
 }
 
-/// The function's variables. What is no plain load or store of one keeps all whose number it holds: it may be another
-/// operand's, but then nothing is lost but a variable.
+/// The function's variables. Any instruction except a plain load or store keeps all variables whose numbers it
+/// contains: such a number may be another operand's, but then only one removal is missed.
 fn variables(function: &[Instruction]) -> HashMap<u32, Variable> {
     let opening = opening(function);
     let mut variables = HashMap::new();
@@ -94,7 +94,7 @@ fn variables(function: &[Instruction]) -> HashMap<u32, Variable> {
                 }
                 keep(&mut variables, &[value]);
             }
-            // Before its store a variable holds what it is initialised with.
+            // Before its store a variable has its initial value.
             (OP_LOAD, &[_, _, _, pointer]) => {
                 if let Some(variable @ Variable::Unused) = variables.get_mut(&pointer) {
                     *variable = Variable::Kept;
@@ -114,8 +114,8 @@ fn keep(variables: &mut HashMap<u32, Variable>, ids: &[u32]) {
     }
 }
 
-/// Number of instructions until the way parts for the first time. They dominate all that follow them: blocks stand
-/// after those that dominate them (SPIR-V 1.3, section 2.16.1), so what is stored here reaches every later load.
+/// Number of instructions before the first branch. They dominate all that follow them: blocks come after those that
+/// dominate them (SPIR-V 1.3, section 2.16.1), so a value stored here reaches every later load.
 fn opening(function: &[Instruction]) -> usize {
     let parts = |pair: &[Instruction]| match pair[0].opcode() {
         OP_BRANCH => pair[1].opcode() != OP_LABEL || pair[0].operand(0) != pair[1].operand(0),
@@ -135,7 +135,7 @@ mod tests {
         words
     }
 
-    /// A function of the value %20 with a variable %10, two blocks %30 and %31, and what is between.
+    /// A function of the value %20 with a variable %10, two blocks %30 and %31, and `body`.
     fn function(body: &[Vec<u32>]) -> Vec<u32> {
         let open = [op(54, &[1, 9, 0, 2]), op(55, &[3, 20]), op(OP_LABEL, &[30])];
         let variable = [op(OP_VARIABLE, &[4, 10, STORAGE_FUNCTION, 5])];

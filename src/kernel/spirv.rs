@@ -6,7 +6,7 @@ use super::error::KernelError;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spirv {
     pub words: Vec<u32>,
-    /// The GLSL functions that are in it, in order of definition; an overloaded name comes once an overload.
+    /// The names of its GLSL functions, in order of definition; an overloaded name appears once an overload.
     pub functions: Vec<String>,
     pub workgroup_size: [u32; 3],
 }
@@ -20,7 +20,7 @@ impl Spirv {
         }
     }
 
-    /// As a `.spv` file holds them.
+    /// As in a `.spv` file.
     pub fn bytes(&self) -> &[u8] {
         bytemuck::cast_slice(&self.words)
     }
@@ -34,7 +34,7 @@ impl Spirv {
 /// Number of words before the first instruction (SPIR-V 1.3, section 2.3).
 pub(super) const HEADER: usize = 5;
 
-/// One instruction: the first word holds length and opcode, the others are operands.
+/// One instruction: the first word contains length and opcode, the others are operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Instruction<'a> {
     pub words: &'a [u32],
@@ -45,12 +45,12 @@ impl<'a> Instruction<'a> {
         self.words[0] & 0xffff
     }
 
-    /// Operand `i`, result type and result included; 0 where there is none.
+    /// Operand `i`, result type and result included; 0 if it has none.
     pub fn operand(self, i: usize) -> u32 {
         self.words.get(i + 1).copied().unwrap_or(0)
     }
 
-    /// Walks the instructions of a whole module; ends with an error where an instruction overruns it.
+    /// Walks the instructions of a whole module; ends with an error if an instruction overruns it.
     pub(super) fn walk(module: &'a [u32]) -> impl Iterator<Item = Result<Self, KernelError>> {
         let mut rest = module.get(HEADER..).unwrap_or_default();
         std::iter::from_fn(move || {

@@ -1,5 +1,5 @@
-//! Kernels that ask what a driver makes of what [`compile`](super::compile) refuses or marks. Only `doctor` uses
-//! them (`tests/library/architecture.rs`): no picture may depend on such a kernel.
+//! Kernels that test how a driver treats operations that [`compile`](super::compile) refuses or marks. Only `doctor`
+//! uses them (`tests/library/architecture/`): no picture may depend on such a kernel.
 
 use super::compile::{caught, module_edited, spirv, words};
 use super::composed::Composed;
@@ -7,16 +7,16 @@ use super::error::KernelError;
 use super::spirv::Spirv;
 use super::{no_contraction, workgroup_barrier};
 
-/// What a driver may make of float operations.
+/// How a driver may treat float operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arithmetic {
     /// Each as it is written: `NoContraction`, as in every kernel that renders.
     AsWritten,
-    /// What it likes: products and sums in one, rewritten algebra.
+    /// Freely: fused products and sums, rewritten algebra.
     DriversChoice,
 }
 
-/// Compiles a composed kernel with whatever GLSL's own functions and barriers it calls.
+/// Compiles a composed kernel with any of GLSL's own functions and barriers.
 ///
 /// # Errors
 /// As [`compile`](super::compile).

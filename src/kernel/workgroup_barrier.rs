@@ -1,10 +1,10 @@
-//! What naga (30.0.1) makes of GLSL's `barrier()` waits for the subgroup alone: its front end asks for every kind of
-//! barrier at once, and its back end writes the narrowest of them. lavapipe waits for the workgroup anyway,
-//! SwiftShader does not.
+//! The barrier that naga (30.0.1) makes of GLSL's `barrier()` waits for the subgroup alone: its front end requests
+//! every kind of barrier at once, and its back end writes the narrowest of them. lavapipe waits for the workgroup
+//! anyway, SwiftShader does not.
 
 use naga::{Barrier, Block, Module, Statement};
 
-/// Makes every barrier of a kernel one of its workgroup, for memory that the workgroup shares and for buffers.
+/// Widens every barrier of a kernel to its workgroup, for shared memory and for buffers.
 pub(super) fn widen(module: &mut Module) {
     for (_, function) in module.functions.iter_mut() {
         widen_in(&mut function.body);

@@ -43,9 +43,10 @@ pub type SetImage = unsafe extern "C" fn(
 
 impl Api {
     /// # Errors
-    /// Where the library cannot be loaded, or lacks a function.
+    /// If the library cannot be loaded, or lacks a function.
     pub fn load(library: &OsStr) -> Result<Self, OidnError> {
-        // SAFETY: what runs when a library is loaded is its own affair; it is Intel's, or the one that the user has named.
+        // SAFETY: code that runs when a library is loaded is its own responsibility; it is Intel's, or the one that the
+        // user has named.
         let library = unsafe { Library::new(library) };
         let library = library.map_err(|error| OidnError::NoLibrary(told(&error)))?;
         Ok(Self {
@@ -74,7 +75,7 @@ fn function<F: Copy>(library: &Library, name: &str) -> Result<F, OidnError> {
         .map_err(|_| OidnError::TooOld(name.to_owned()))
 }
 
-/// What the loader says, in one line.
+/// The loader's message, in one line.
 fn told(error: &libloading::Error) -> String {
     let source = std::error::Error::source(error).map(ToString::to_string);
     let told = source.unwrap_or_else(|| error.to_string());

@@ -14,7 +14,7 @@ pub struct Pixels {
     pub values: Vec<[f32; 3]>,
 }
 
-/// What a picture is to the filter.
+/// The role of a picture in the filter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Input {
     Colour,
@@ -54,7 +54,7 @@ impl<'a> Filter<'a> {
         }
     }
 
-    /// Filters the first of `inputs`, of one size all of them.
+    /// Filters the first of `inputs`, which are all of one size.
     pub fn run(self, inputs: &[(Input, &Pixels)]) -> Result<Pixels, OidnError> {
         let (_, first) = inputs[0];
         let pixels = first.width * first.height;
@@ -74,7 +74,7 @@ impl<'a> Filter<'a> {
         self.set_image(c"output", values, &out);
         let (api, raw) = (&self.device.api, self.filter.as_ptr());
         let colour = inputs[0].0 == Input::Colour;
-        // SAFETY: the filter is alive; so are the pictures, of the size that `set_image` was told, and nothing else
+        // SAFETY: the filter is alive; so are the pictures, of the size that `set_image` was given, and nothing else
         // touches `out` before the call returns.
         unsafe {
             if colour {
@@ -91,7 +91,7 @@ impl<'a> Filter<'a> {
     /// Lends pixels to the filter until it has run.
     fn set_image(&self, name: &CStr, values: *mut [f32; 3], size: &Pixels) {
         let (api, raw) = (&self.device.api, self.filter.as_ptr());
-        // SAFETY: the pixels lie close together: width · height of three floats, which `run` has made sure of.
+        // SAFETY: the pixels are contiguous: width · height of three floats, which `run` has made sure of.
         unsafe {
             (api.set_image)(
                 raw,
@@ -110,7 +110,7 @@ impl<'a> Filter<'a> {
 
 impl Drop for Filter<'_> {
     fn drop(&mut self) {
-        // SAFETY: the filter is alive, and nobody else has it.
+        // SAFETY: the filter is alive, and no one else has it.
         unsafe { (self.device.api.release_filter)(self.filter.as_ptr()) }
     }
 }

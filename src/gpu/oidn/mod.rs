@@ -1,7 +1,7 @@
 //! Intel's Open Image Denoise, a neural network that denoises pictures, from a library that is found at run time. Its C API:
 //! <https://www.openimagedenoise.org/documentation.html>.
 //!
-//! It runs on the CPU alone: the same bits for any number of threads.
+//! It runs on the CPU alone, with the same bits for any number of threads.
 
 mod api;
 mod filter;
@@ -13,7 +13,7 @@ use api::{Api, Device};
 pub use filter::Pixels;
 use filter::{Filter, Input};
 
-/// Why there is no denoiser, or no denoised picture.
+/// Errors of the denoiser.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum OidnError {
     #[error("{0}")]
@@ -45,7 +45,7 @@ impl Oidn {
     /// Loads the library of this name or path, by the rules of the system's loader, and opens its device.
     ///
     /// # Errors
-    /// Where there is none, or what is there is not it.
+    /// If it does not exist, or is another library.
     pub fn load(library: &OsStr) -> Result<Self, OidnError> {
         let api = Api::load(library)?;
         // SAFETY: the function has this signature since version 2, which `Api::load` has made sure of.
@@ -65,17 +65,16 @@ impl Oidn {
         Ok(Self { device, version })
     }
 
-    /// Such as 2.5.1.
+    /// For example 2.5.1.
     pub fn version(&self) -> String {
         let [major, minor, patch] = [10_000, 100, 1].map(|unit| self.version / unit % 100);
         format!("{major}.{minor}.{patch}")
     }
 
-    /// Denoises linear radiance. `albedo` and `normal`, if given, are those of the surfaces seen; their own noise is taken away
-    /// first.
+    /// Denoises linear radiance. `albedo` and `normal`, if given, are those of the surfaces seen; their own noise is
+    /// removed first.
     ///
-    /// # Errors
-    /// What the library says.
+    /// # Errors Those of the library.
     pub fn denoise(
         &self,
         colour: &Pixels,
@@ -104,7 +103,7 @@ impl OwnDevice {
         self.device.as_ptr()
     }
 
-    /// What has gone wrong since the last check.
+    /// The error since the last check, if any.
     fn check(&self) -> Result<(), OidnError> {
         match failure(&self.api, self.raw()) {
             None => Ok(()),
@@ -115,12 +114,12 @@ impl OwnDevice {
 
 impl Drop for OwnDevice {
     fn drop(&mut self) {
-        // SAFETY: the device is alive, and nobody else has it.
+        // SAFETY: the device is alive, and no one else has it.
         unsafe { (self.api.release_device)(self.raw()) }
     }
 }
 
-/// The message of the first error of a device, or of this thread where `device` is null.
+/// The message of the first error of a device, or of this thread if `device` is null.
 fn failure(api: &Api, device: *mut Device) -> Option<String> {
     let mut message: *const c_char = null();
     // SAFETY: a device is alive, null is allowed; the message lives until the next call, which comes after it was copied.

@@ -7,7 +7,7 @@ use crate::layout::{self, BufferUse, GpuStruct, constants};
 use crate::prepared::{LightKind, device};
 use crate::settings::{Integrator, Roulette};
 
-/// What an array is made of.
+/// The element type of an array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Element {
     Float,
@@ -37,12 +37,12 @@ impl Element {
     }
 }
 
-/// A read-only array that a kernel finds at binding i of set 0, i its place in the list of bindings.
+/// A read-only array that a kernel finds at binding i of set 0, where i is its place in the list of bindings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Binding {
     pub name: &'static str,
     pub element: Element,
-    /// Elements that mean something. The buffer has one at least, zeros that no kernel reads.
+    /// Meaningful elements. The buffer has at least one: zeros that no kernel reads.
     pub count: usize,
     pub buffer_use: BufferUse,
 }

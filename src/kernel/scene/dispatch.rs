@@ -2,18 +2,18 @@
 
 /// A function that chooses among functions of the same arguments.
 pub struct Dispatch<'a> {
-    /// What it returns.
+    /// Its return type.
     pub result: &'a str,
     pub name: &'a str,
     /// Type and name of each argument.
     pub arguments: &'a [(&'a str, &'a str)],
-    /// The number it chooses by.
+    /// The number by which it chooses.
     pub selector: &'a str,
 }
 
 impl Dispatch<'_> {
-    /// The function, calling the expressions of `members`: no switch where there is one of them, and the last
-    /// serves as the default elsewhere. `none` is what it returns without members.
+    /// The function, calling the expressions of `members`: without a switch if there is only one, otherwise the last
+    /// serves as the default. `none` is its value without members.
     pub fn text(&self, members: &[(u32, String)], none: &str) -> String {
         let arguments: Vec<String> = self
             .arguments

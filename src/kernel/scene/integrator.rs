@@ -1,4 +1,4 @@
-//! What is an integrator's own in a kernel: the root file, the arrays that it writes, what a dispatch is told.
+//! The parts of a kernel that belong to its integrator: the root file, the arrays that it writes, the push constants.
 
 use super::{Recording, Side};
 use crate::features::{Features, Keeps};
@@ -63,7 +63,7 @@ fn light_state() -> Vec<StateArray> {
     ]
 }
 
-/// What light paths leave for eye paths.
+/// The arrays that light paths fill for eye paths.
 fn kept_state() -> [StateArray; 2] {
     [
         array::<LightVertex>("light_vertices"),

@@ -1,4 +1,4 @@
-//! Features → the composed kernel of a scene: which file stands in each slot, what is generated, what is declared.
+//! Features → the composed kernel of a scene: the file in each slot, generated text, declarations.
 
 mod declare;
 mod dispatch;
@@ -14,34 +14,34 @@ use crate::settings::{Absorption, Connect, Integrator, LobeChoice, Normals, Samp
 pub use declare::{Binding, Element, declare_binding};
 use integrator::Own;
 
-/// What the text of a kernel depends on besides its features.
+/// The parameters of a kernel's text apart from its features.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameters<'a> {
     pub settings: &'a Settings,
     pub bindings: &'a [Binding],
     /// Entries of the hierarchy's traversal stack, and the largest coordinate in it.
     pub bvh: Option<(u32, f32)>,
-    /// Index among the lights of everything outside, where it shines.
+    /// Index of the background among the lights, if it emits.
     pub background_light: Option<u32>,
-    /// What that is. Kernels do not ask at run time: where a branch depends on nothing but a uniform at a fixed place, Mesa 22.3's
-    /// compiler may write beyond its own arrays.
+    /// Its kind. Kernels do not read it at run time: if a branch depends only on a uniform at a fixed place, Mesa
+    /// 22.3's compiler may write beyond its own arrays.
     pub outside: Option<LightKind>,
     pub recording: Recording,
-    /// Read what is tried one by one before any branch, as CPU drivers want it; no bit depends on it.
+    /// Read the unrolled primitives before any branch, which CPU drivers need; no bit depends on it.
     pub read_first: bool,
-    /// What stands in place of the files of `shaders/`, or beside them.
+    /// Files that replace those of `shaders/`, or are added to them.
     pub own_files: &'a [OwnFile<'a>],
 }
 
 impl Parameters<'_> {
-    /// Elements of an array; none where it is not bound.
+    /// Elements of an array; none if it is not bound.
     fn count(&self, name: &str) -> usize {
         let binding = self.bindings.iter().find(|b| b.name == name);
         binding.map_or(0, |b| b.count)
     }
 }
 
-/// An end that paths begin at.
+/// An end at which paths begin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     Eye,
@@ -49,7 +49,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// Those that an integrator follows paths from, a kernel each, in the order of their dispatches.
+    /// The ends from which an integrator follows paths, a kernel each, in the order of their dispatches.
     pub fn of(integrator: Integrator) -> &'static [Self] {
         match integrator {
             Integrator::Path => &[Self::Eye],
@@ -59,24 +59,23 @@ impl Side {
     }
 }
 
-/// What a kernel writes down of its paths beside the film.
+/// The records that a kernel makes of its paths in addition to the film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Recording {
     Nothing,
-    /// So many events of a path, into the buffer `records`.
+    /// This many events of a path, into the buffer `records`.
     Events(u32),
-    /// What the paths of so many samples a pixel came to, into the buffer `outcomes`.
+    /// The outcomes of the paths of this many samples a pixel, into the buffer `outcomes`.
     Outcomes(u32),
 }
 
 /// Slots of a thread for the splats of one dispatch of light tracing.
 pub const SPLATS: u32 = 16;
 
-/// The kernels for a scene of these features, one for each of [`Side::of`] the integrator: the files they need, the generated
-/// dispatch, nothing else.
+/// The kernels for a scene of these features, one for each of [`Side::of`] the integrator: the files they need, the
+/// generated dispatch, nothing else.
 ///
-/// # Errors
-/// If a file or slot is missing, which would be a mistake in this program; if a file of one's own is not used.
+/// # Errors If a file or slot is missing, which would be a bug in this program; if a custom file is not used.
 pub fn compose(features: &Features, parameters: &Parameters) -> Result<Vec<Composed>, KernelError> {
     let kernel = |&side: &Side| {
         let own = Own::of(features, parameters.recording, side);
@@ -108,7 +107,7 @@ fn composer(features: &Features, parameters: &Parameters, side: Side, own: &Own)
     composer
 }
 
-/// Slots that hold one file of several.
+/// Slots that are filled with one of several files.
 fn files(
     features: &Features,
     parameters: &Parameters,
@@ -348,7 +347,7 @@ fn files(
     ]
 }
 
-/// How a vertex picks the light that it is connected to.
+/// How a vertex picks the light to which it is connected.
 fn picked(features: &Features) -> &'static str {
     let has = |pick| features.picks.contains(&pick);
     match (has(LightPick::Every), has(LightPick::Tree)) {
@@ -359,7 +358,7 @@ fn picked(features: &Features) -> &'static str {
     }
 }
 
-/// What a kernel writes down of its paths; a light tracer's nothing.
+/// The recorder of a kernel's paths; for a light tracer one that records nothing.
 fn recorder(integrator: Integrator, side: Side, recording: Recording) -> &'static str {
     let both = integrator == Integrator::Bidirectional;
     match (both, side, recording) {

@@ -7,8 +7,8 @@ use crate::kernel::scene::Parameters;
 use crate::kernel::scene::dispatch::Dispatch;
 use crate::shape::{ShapeKind, filled};
 
-/// One test after the other of the kinds of which there are few, then the hierarchy: the least (t, shape, prim) in any
-/// order. Where `any` hit will do, the search may end at the first. `read_primitives()` is to be called once, before.
+/// Tests the primitives of each kind that has few, one after the other, then the hierarchy: the least (t, shape, prim)
+/// in any order. With `any`, the search may end at the first hit. `read_primitives()` must be called once, before.
 pub fn nearest(features: &Features, parameters: &Parameters) -> String {
     let mut head = String::from("// uses: shape/ray, <cover>\n");
     let mut copies = String::new();
@@ -50,7 +50,7 @@ pub fn surface(features: &Features) -> String {
     uses("shape/ray", files) + &dispatch.text(&members, none)
 }
 
-/// Whether a hit with a shape is none, a function a kind: `is_covered`, or never.
+/// Whether a hit with a shape does not count, a function a kind: `is_covered`, or never.
 pub fn covered(features: &Features) -> String {
     let function = |kind: &ShapeKind| {
         let value = match features.covered.contains(kind) {

@@ -22,8 +22,8 @@ fn function<'a>(
     }
 }
 
-/// What is called for each kind of light: what its shape says, or one of `outside`, of the constant background and of
-/// surroundings.
+/// The call for each kind of light: that of its shape, or one of `outside`, for the constant
+/// background and for surroundings.
 fn calls(
     features: &Features,
     of_shape: impl Fn(&Description) -> &str,
@@ -72,7 +72,7 @@ pub fn emission_pdf(features: &Features) -> String {
         + &function("float", "emission_pdf", &arguments).text(&members, "0.0")
 }
 
-/// Explicit sampling: `light_sample`, `light_radiance` of what it drew, and `light_pdf` for what a path hits.
+/// Explicit sampling: `light_sample`, `light_radiance` of the sample, and `light_pdf` for a hit.
 pub fn light(features: &Features) -> String {
     let sample = [
         ("uint", "light"),
@@ -98,7 +98,7 @@ pub fn light(features: &Features) -> String {
 
 const OUTSIDE_SAMPLES: [&str; 2] = ["background_light_sample(u)", "surroundings_light_sample(u)"];
 
-/// The file that has the sampling of a kind.
+/// The file with the sampling of a kind.
 fn file(kind: &LightKind) -> &'static str {
     match (kind.shape(), kind) {
         (Some(shape), _) => shape.description().light_file,
@@ -127,7 +127,7 @@ fn radiance(features: &Features) -> String {
     .text(&members, "")
 }
 
-/// What a path sees that leaves the scene: `outside_seen`.
+/// The light that a path sees when it leaves the scene: `outside_seen`.
 pub fn outside(parameters: &Parameters) -> String {
     let radiance = "lights[BACKGROUND_LIGHT].radiance";
     let value = match parameters.outside {

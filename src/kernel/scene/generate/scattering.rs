@@ -1,4 +1,4 @@
-//! What materials do with light.
+//! The scattering of materials.
 
 use super::uses;
 use crate::features::Features;
@@ -6,7 +6,7 @@ use crate::kernel::scene::dispatch::Dispatch;
 use crate::prepared::MaterialKind;
 use crate::settings::{Distribution, Fresnel};
 
-/// File of `bsdf/kind/` and stem of its functions; `None` for what never scatters.
+/// File of `bsdf/kind/` and stem of its functions; `None` for a kind that never scatters.
 fn kind_file(kind: MaterialKind) -> Option<&'static str> {
     Some(match kind {
         MaterialKind::Black | MaterialKind::NullInterface => return None,

@@ -1,10 +1,10 @@
-//! Access to the words of surroundings, whose arrays a device may hold in several parts.
+//! Access to the words of surroundings, whose arrays may be split over several buffers.
 
 use crate::kernel::scene::dispatch::Dispatch;
 use crate::kernel::scene::{Binding, Parameters};
 
-/// `surroundings_end(i)` and `surroundings_value(i)`: word i of all parts together. Every part but the last has as many words
-/// as the first, a power of two.
+/// `surroundings_end(i)` and `surroundings_value(i)`: word i of all parts together. Every part except the last has as
+/// many words as the first, a power of two.
 pub fn words(parameters: &Parameters) -> String {
     let part = |name| {
         let parts = parameters

@@ -1,8 +1,8 @@
 //! Primitives that are tried one by one, without a loop.
 //!
-//! On a CPU each is read into a variable of its own before any branch: lavapipe of Mesa 22.3 reads a uniform behind a
-//! branch lane by lane, whatever its index (`shaders/integrator/path/path_trace.comp`). A GPU reads it into scalar
-//! registers anywhere, and would run out of them if all were read at once: radv spills 436 on `scenes/glass-table.txt`.
+//! On a CPU each is read into its own variable before any branch: lavapipe of Mesa 22.3 reads a uniform behind a branch
+//! lane by lane, at any index (`shaders/integrator/path/path_trace.comp`). A GPU reads it into scalar registers
+//! anywhere, and would run out of them if all were read at once: radv spills 436 on `scenes/glass-table.txt`.
 
 use crate::shape::{Description, ShapeKind, filled};
 
@@ -13,7 +13,7 @@ pub struct WrittenOut {
 }
 
 impl WrittenOut {
-    /// So many of a kind.
+    /// The primitives of a kind, by their number.
     pub fn new(kind: ShapeKind, count: impl Fn(&str) -> usize) -> Self {
         let kind = kind.description();
         Self {
@@ -27,7 +27,7 @@ impl WrittenOut {
         self.kind.nearer_file
     }
 
-    /// Declares the variables; there is no array of no elements.
+    /// Declares the variables; an array cannot be empty.
     pub fn copies(&self) -> String {
         match self.count {
             0 => String::new(),
@@ -41,7 +41,7 @@ impl WrittenOut {
         (0..self.count).map(line).collect()
     }
 
-    /// Tries each: its copy, where they were `read_first`.
+    /// Tries each: its copy, if they were `read_first`.
     pub fn test(&self, read_first: bool) -> String {
         let once = format!("{}_once", self.kind.name);
         let line = |i| {
