@@ -1,7 +1,7 @@
-//! What must hold whatever a file's bytes are: a function a reader, which panics where it does not.
+//! Properties that must hold for any bytes of a file: a function a reader, which panics on a violation.
 //!
-//! `fuzz_targets/` calls them with bytes that libFuzzer invents, vkpt's own tests with those that are kept and with
-//! what they invent themselves.
+//! `fuzz_targets/` calls them with bytes that libFuzzer invents, vkpt's own tests with the stored inputs and with some
+//! that they invent.
 
 mod mesh;
 mod model;
@@ -16,7 +16,7 @@ pub use part::part;
 pub use picture::picture;
 pub use scene::scene;
 
-/// An error says something, and nothing that a terminal would obey.
+/// An error has a message, without characters that control a terminal.
 fn is_told(error: &dyn std::fmt::Display) {
     let message = error.to_string();
     assert!(!message.is_empty(), "an error without a message");

@@ -15,7 +15,7 @@ pub fn obj(bytes: &[u8]) {
     mesh(bytes, "none/mesh.obj");
 }
 
-/// A glTF or GLB file is a whole mesh, or refused. There are no buffers beside it.
+/// A glTF or GLB file is a whole mesh, or refused. It has no external buffers.
 pub fn gltf(bytes: &[u8]) {
     mesh(bytes, "none/mesh.gltf");
 }
@@ -30,7 +30,7 @@ fn mesh(bytes: &[u8], path: &str) {
     }
 }
 
-/// Holds a mesh against what [`MeshFile`] promises.
+/// Checks a mesh for the promises of [`MeshFile`].
 fn promises_kept(file: &MeshFile) {
     let finite = |p: &DVec3| p.as_vec3().is_finite();
     assert!(file.positions.iter().all(finite), "positions");
@@ -46,7 +46,7 @@ fn promises_kept(file: &MeshFile) {
     file.warnings.iter().for_each(|w| super::is_told(w));
 }
 
-/// Does with a mesh what a scene does.
+/// Uses a mesh as a scene does.
 fn take_up(file: MeshFile, path: &str) {
     let mut mesh = Mesh {
         path: path.into(),

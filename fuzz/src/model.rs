@@ -7,7 +7,7 @@ use vkpt::scene::{Errors, Read, parse_model};
 
 use super::scene::{is_drawn, promises_kept};
 
-/// A scene that keeps its promises, or errors; with `strict` errors for warnings. There are no buffers beside it.
+/// A scene that keeps its promises, or errors; with `strict` errors for warnings. It has no external buffers.
 pub fn model(bytes: &[u8]) {
     let path = Path::new("none/scene.glb");
     let [read, strict] = [false, true].map(|strict| parse_model(bytes, path, strict, None));
@@ -33,7 +33,7 @@ pub fn model(bytes: &[u8]) {
     }
 }
 
-/// Materials, shapes and the camera have lines of the listing, each its own.
+/// Materials, shapes and the camera have lines in the listing, each its own.
 fn is_listed(read: &Read) {
     let scene = &read.scene;
     let materials = scene.materials.iter().map(|m| m.line);

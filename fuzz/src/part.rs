@@ -2,8 +2,8 @@
 
 use vkpt::state::{Kept, parse, write};
 
-/// A part is whole, with a value for each pixel and written again as it was read; or it is refused. Since a checksum refuses
-/// nearly everything, the same bytes are tried with the right one, too.
+/// A part is whole, has a value for each pixel and is written as it was read; or it is refused. Because a checksum
+/// refuses nearly everything, the same bytes are also tried with the correct one.
 pub fn part(bytes: &[u8]) {
     tried(bytes);
     if let Some(content) = bytes.len().checked_sub(blake3::OUT_LEN) {

@@ -1,4 +1,4 @@
-//! Pictures to compare with.
+//! Pictures for comparison.
 
 use vkpt::image::decode;
 

@@ -1,4 +1,4 @@
-//! What a scene becomes before it is rendered.
+//! Prepared scenes.
 
 use glam::DVec3;
 use vkpt::prepared::cdf::CDF_TOTAL;
@@ -6,7 +6,7 @@ use vkpt::prepared::{LightKind, Material, MaterialKind, NONE, Prepared, prepare}
 use vkpt::scene::Scene;
 use vkpt::settings::Settings;
 
-/// A legal scene is prepared for either preset, or refused with the line that is at fault.
+/// A legal scene can be prepared with either preset, or is refused with the line at fault.
 pub fn is_prepared(scene: &Scene) {
     for settings in [Settings::default(), Settings::handout()] {
         match prepare(scene, &settings, Some([16, 12])) {
@@ -23,7 +23,7 @@ pub fn is_prepared(scene: &Scene) {
     }
 }
 
-/// Everything that the device gets is finite there, in single precision.
+/// Everything that goes to the device is finite in single precision.
 fn is_finite(prepared: &Prepared) {
     let finite = |v: DVec3| v.as_vec3().is_finite();
     let camera = prepared.camera;
@@ -64,7 +64,7 @@ fn is_finite_material(m: &Material) {
     for v in [m.kd, m.f0, m.sigma, m.radiance] {
         assert!(v.as_vec3().is_finite(), "{m:?}");
     }
-    // The exponent of a smooth surface may be infinite, and is not looked at.
+    // The exponent of a smooth surface may be infinite, and is never read.
     let alpha = match m.kind {
         MaterialKind::Glossy | MaterialKind::RoughDielectric | MaterialKind::WeakDielectric => {
             m.alpha
@@ -77,7 +77,7 @@ fn is_finite_material(m: &Material) {
     assert!(numbers.all(|n| (*n as f32).is_finite()), "{m:?}");
 }
 
-/// The lists of coincident faces name faces of the scene, and none itself.
+/// The lists of coincident faces name faces of the scene, and no face names itself.
 fn is_listed(prepared: &Prepared) {
     for (i, shape) in (0..).zip(&prepared.shapes) {
         for prim in shape.faces() {
@@ -93,7 +93,7 @@ fn is_listed(prepared: &Prepared) {
     }
 }
 
-/// The tables by which lights are chosen are whole, and name shapes that name them.
+/// The tables by which lights are chosen are complete, and name shapes that name them.
 fn is_lit(prepared: &Prepared) {
     let is_whole = |cdf: &[u32]| {
         let ends = (cdf.first(), cdf.last()) == (Some(&0), Some(&CDF_TOTAL));

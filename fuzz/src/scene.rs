@@ -1,4 +1,4 @@
-//! Scene files, and what is said of them.
+//! Scene files and their diagnostics.
 
 use std::path::Path;
 
@@ -28,7 +28,7 @@ pub fn scene(bytes: &[u8]) {
     }
 }
 
-/// Each diagnostic points into the text where it says, in file order; the first is drawn.
+/// Each diagnostic points into the text at its place, in file order; the first is drawn.
 fn are_told(diagnostics: &[Diagnostic]) {
     let start = |d: &Diagnostic| d.place.map_or(usize::MAX, |place| place.start);
     assert!(diagnostics.is_sorted_by_key(start));
@@ -51,7 +51,7 @@ pub fn is_drawn(diagnostic: &Diagnostic) {
     assert!(!drawn.contains(control), "{drawn:?}");
 }
 
-/// The whole text that a diagnostic points into, if it does.
+/// The whole text into which a diagnostic points, if any.
 fn text_of(diagnostic: &Diagnostic) -> Option<String> {
     let whole = (0, 0).into();
     let span = diagnostic.source_code()?.read_span(&whole, 0, 1 << 30);
@@ -70,7 +70,7 @@ fn points_into(text: &str, place: Place) {
     assert_eq!(place.line, lines + 1, "{place:?}");
 }
 
-/// Holds a scene against what the format allows, in single precision too.
+/// Checks a scene against the format's limits, in single precision too.
 pub fn promises_kept(scene: &Scene) {
     let camera = scene.camera;
     for side in [scene.screen.width, scene.screen.height] {
