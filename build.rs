@@ -9,7 +9,7 @@ fn main() -> io::Result<()> {
     let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR").unwrap_or_default()).join("shaders");
     let mut paths = Vec::new();
     collect(&root, &mut paths)?;
-    // By name, as they are looked up: `a` before `a/b`, which a path would put after `a.glsl`.
+    // By name, the order of lookups: `a` before `a/b`, which a path would put after `a.glsl`.
     paths.sort_by_key(|path| name(path, &root));
     let mut table = String::from("&[\n");
     for path in paths {
@@ -38,7 +38,7 @@ fn collect(folder: &Path, paths: &mut Vec<PathBuf>) -> io::Result<()> {
     Ok(())
 }
 
-/// The name that `// uses:` knows the file by: `/` between the parts on every system; `.glsl` goes, `.comp` stays.
+/// The name of the file in `// uses:`: `/` between the parts on every system; without `.glsl`, with `.comp`.
 fn name(path: &Path, root: &Path) -> String {
     let name = path
         .strip_prefix(root)

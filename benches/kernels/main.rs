@@ -4,10 +4,10 @@
 //! cargo bench --bench kernels -- --out docs/records/2026-01-31-kernels
 //! ```
 //!
-//! writes `raw.jsonl`, a line a run (vkpt's own report, with the seconds of the whole process), and `tables.md`. What is
-//! compared ran side by side: composed, full, composed, full. Scenes are those of `scenes/`, and those of a folder
-//! `../shared/scenes` if there is one. Compiling is measured apart from rendering: `cold` without vkpt's and Mesa's caches
-//! (other drivers' caches are not known here), `warm` with both, after a run that fills them.
+//! writes `raw.jsonl`, a line a run (vkpt's own report, with the seconds of the whole process), and `tables.md`. The
+//! compared runs alternate: composed, full, composed, full. Scenes are those of `scenes/`, and those of a folder
+//! `../shared/scenes` if it exists. Compiling is measured separately from rendering: `cold` without vkpt's and Mesa's
+//! caches (other drivers' caches are not known here), `warm` with both, after a run that fills them.
 
 mod run;
 mod tables;
@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = Arguments::parse();
     // Cargo runs benchmarks in their package's folder, `cli/`.
     std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))?;
-    // The program itself may take cpu-f32, which has no kernel.
+    // The program itself may choose cpu-f32, which has no kernel.
     if arguments.device.is_none() {
         let best = Device::open(&Selector::Best)?;
         arguments.device = Some(best.info().index.to_string());

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::Arguments;
 
-/// What a run is for.
+/// The purpose of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// One sample without caches.
@@ -32,14 +32,14 @@ pub struct Run {
 }
 
 impl Run {
-    /// A number of the report by its path, `/seconds/compile`; NaN where there is none.
+    /// A number of the report by its path, such as `/seconds/compile`; NaN if it is missing.
     pub fn number(&self, path: &str) -> f64 {
         let value = self.json.pointer(path).and_then(Value::as_f64);
         value.unwrap_or(f64::NAN)
     }
 }
 
-/// Renders `scene` in a process of its own.
+/// Renders `scene` in its own process.
 pub fn run(
     arguments: &Arguments,
     scene: &Path,

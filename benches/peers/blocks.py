@@ -1,11 +1,11 @@
-"""Whether two sets of pictures have one mean: a test of blocks."""
+"""Whether two sets of pictures have the same mean: a test of blocks."""
 
 import numpy as np
 from scipy.stats import norm, t
 
 ALPHA = 1e-3
 BLOCKS = 10
-# What rounding to single precision may put between two means without noise, relative to them.
+# The most by which rounding to single precision may separate two means without noise, relative to them.
 ROUNDING = 2.0**-18
 
 
@@ -17,7 +17,7 @@ def means(pictures):
 
 
 def z_scores(ours, theirs):
-    """One z a block and channel, by Welch's t-test over the pictures of either side, at the same probability."""
+    """One z a block and channel, of the same probability as Welch's t-test over the pictures of either side."""
     a, b = means(ours), means(theirs)
     squares = [x.var(0, ddof=1) / len(x) for x in (a, b)]
     floor = (ROUNDING * np.abs(b.mean(0))) ** 2 + 1e-30
@@ -28,6 +28,6 @@ def z_scores(ours, theirs):
 
 
 def bound():
-    """What the largest of all |z| stays below with probability 1 - ALPHA (Sidak)."""
+    """The bound that the largest of all |z| stays below with probability 1 - ALPHA (Sidak)."""
     tests = 3 * BLOCKS**2
     return norm.isf(0.5 * -np.expm1(np.log1p(-ALPHA) / tests))

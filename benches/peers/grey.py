@@ -1,13 +1,13 @@
-"""A scene without colours: pbrt's spectra are the same at all wavelengths then, and their products those of RGB."""
+"""Scenes without colours: pbrt's spectra are then constant over all wavelengths, and their products those of RGB."""
 
 # Where the colours of a command begin.
 COLOURS = {"brdf": (1, 4, 8), "light": (1,), "background": (1,)}
 
 
 def _mean(words, first):
-    """The words with the mean of three in place of each."""
+    """The words with three of them replaced by their mean."""
     three = words[first : first + 3]
-    # Of a picture of the surroundings there is a name.
+    # A picture of the surroundings has a name instead.
     if len(three) < 3 or not all(word.replace(".", "").isdigit() for word in three):
         return words
     mean = repr(sum(map(float, three)) / 3)
@@ -15,7 +15,7 @@ def _mean(words, first):
 
 
 def grey(text):
-    """The text with grey in place of each colour."""
+    """The text with each colour replaced by grey."""
     lines = []
     for line in text.splitlines():
         words = line.split()

@@ -1,4 +1,4 @@
-"""Renders scenes by vkpt and by Mitsuba or pbrt in alternation: do they agree, and how fast is each?"""
+"""Renders scenes with vkpt and with Mitsuba or pbrt in alternation: do they agree, and how fast is each?"""
 
 import argparse
 from pathlib import Path
@@ -19,11 +19,11 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("scenes", nargs="*", type=Path, default=SCENES)
     parser.add_argument("--vkpt", default=ROOT / "target/release/vkpt")
-    parser.add_argument("--replicates", type=int, default=16, help="pictures by either program")
+    parser.add_argument("--replicates", type=int, default=16, help="pictures from each program")
     parser.add_argument("--spp", type=int, default=64, help="samples per pixel of each")
     parser.add_argument("--shrink", type=int, default=2, help="divide width and height by this")
     parser.add_argument("--pbrt", type=Path, help="compare with this program, pbrt-v4, in place of Mitsuba")
-    parser.add_argument("--grey", action="store_true", help="take the colours out of the scenes")
+    parser.add_argument("--grey", action="store_true", help="replace the scenes' colours by grey")
     return parser.parse_args()
 
 
@@ -40,12 +40,12 @@ def speed(pixels, seconds):
 
 
 def rel_mse(pictures, truth):
-    """What one of them is off by, on average: its variance over the pictures, relative to the truth squared."""
+    """The mean squared error of one of them: its variance over the pictures, relative to the truth squared."""
     return np.mean(np.var(pictures, axis=0, ddof=1) / (truth**2 + 0.01))
 
 
 def compare(scene, options):
-    """Prints the scene's row; whether the programs agree and every planted error is noticed."""
+    """Prints the scene's row; returns whether the programs agree and every planted error is noticed."""
     text = scene.read_text()
     if options.grey:
         text = grey(text)
@@ -70,7 +70,7 @@ def compare(scene, options):
         noticed[name] = np.abs(z_scores(planted, pictures[1])).max()
     row += [", ".join(f"{name}: {worst:.1f}" for name, worst in noticed.items())]
     truth = np.mean(pictures, axis=(0, 1))
-    # Both fall as 1/samples, so their product with the seconds is that of any number of samples.
+    # Both fall as 1/samples, so their product with the seconds is the same for any number of samples.
     costs = [rel_mse(pictures[side], truth) * np.median(seconds[side]) for side in (0, 1)]
     row += [speed(samples, seconds[0]), speed(samples, seconds[1]), f"{costs[1] / costs[0]:.2f}", ours.device, theirs.roulette]
     print("| " + " | ".join(row) + " |", flush=True)

@@ -8,7 +8,7 @@ def _changed(text, is_meant, change):
     return "\n".join(" ".join(words) for words in lines) + "\n"
 
 
-# brdf, Kd 1 to 3, Ks 4 to 6, alpha 7, of glass Kt 8 to 10, the index 11.
+# brdf, Kd 1 to 3, Ks 4 to 6, alpha 7; for glass Kt 8 to 10, the index 11.
 def _is_glass(words):
     return words[:1] == ["brdf"] and len(words) == 12
 
@@ -34,7 +34,7 @@ def _is_lens(words):
 
 
 def errors(text):
-    """Each error's name and the scene that has it: of a lens, of glass, or where there is neither, of all else."""
+    """Each error's name and the scene that has it: an error of the lens, else of glass, else of everything."""
     if any(_is_lens(line.split()) for line in text.splitlines()):
         return {"lens +10 %": _changed(text, _is_lens, lambda words: [words[0], repr(1.1 * float(words[1])), words[2]])}
     if not any(_is_glass(line.split()) for line in text.splitlines()):

@@ -1,4 +1,4 @@
-"""vkpt, Mitsuba and pbrt: each renders a seed and tells the seconds, of vkpt and Mitsuba without those of compiling."""
+"""vkpt, Mitsuba and pbrt: each renders a seed and returns the seconds, for vkpt and Mitsuba without those of compiling."""
 
 import json
 import subprocess
@@ -20,11 +20,11 @@ def read(path):
 
 
 class Refused(Exception):
-    """A scene that the other program cannot have, and why."""
+    """A scene that cannot be exported to the other program, and why."""
 
 
 def export(program, scene, text, size, to, peer):
-    """Writes the scene's text in the peer's words; what vkpt says of it."""
+    """Writes the scene in the peer's format; returns vkpt's messages."""
     command = [program, "export", "-", "--to", peer, "--size", size, "-o", to]
     run = subprocess.run([str(word) for word in command], input=text, text=True, cwd=scene.parent, capture_output=True)
     if run.returncode == 3:
@@ -34,9 +34,9 @@ def export(program, scene, text, size, to, peer):
 
 
 class Vkpt:
-    """A scene's text, rendered in the folder where its meshes are, by the faster of a CPU's driver and the reference.
+    """A scene's text, rendered in the folder of its meshes, by the faster of a CPU's driver and the reference.
 
-    vkpt's own choice counts the seconds of compiling, which are left out here; the bits are the same.
+    vkpt's own choice counts the seconds of compiling, which are excluded here; the bits are the same.
     """
 
     DEVICES = ["llvmpipe", "cpu-f32"]
@@ -57,13 +57,13 @@ class Vkpt:
 
 
 class Mitsuba:
-    """The same scene by `vkpt export`; its first picture is spent on compiling."""
+    """The same scene from `vkpt export`; its first picture only compiles."""
 
     def __init__(self, options, scene, text, size):
         with tempfile.TemporaryDirectory() as folder:
             xml = Path(folder, "scene.xml")
             export(options.vkpt, scene, text, size, xml, "mitsuba")
-            # Mitsuba's roulette is right where there are no media (README.md), and then the same as vkpt's.
+            # Mitsuba's roulette is right without media (README.md), and then the same as vkpt's.
             self.roulette = "off" if "volpathmis" in xml.read_text() else "throughput"
             self.scene = mi.load_file(str(xml))
         self.render(options.spp, 2**31 - 1)
@@ -78,7 +78,7 @@ class Mitsuba:
 
 
 class Pbrt:
-    """The same scene by `vkpt export --to pbrt`, each picture by a process of its own."""
+    """The same scene from `vkpt export --to pbrt`, with a process for each picture."""
 
     roulette = "throughput"
 

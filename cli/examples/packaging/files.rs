@@ -9,7 +9,8 @@ use vkpt_cli::command_line;
 
 const SHELLS: [Shell; 3] = [Shell::Bash, Shell::Zsh, Shell::Fish];
 
-/// `man/`: a page for `vkpt` and for each command; `completions/`: a file for each shell, by the name that it looks for.
+/// `man/`: a page for `vkpt` and for each command; `completions/`: a file for each shell, under the name that the shell
+/// looks for.
 ///
 /// # Errors
 /// A file or folder that cannot be written.

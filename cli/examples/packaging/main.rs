@@ -1,4 +1,4 @@
-//! Writes what packages have beside the program: man pages, and completions for shells.
+//! Writes the files that packages contain besides the program: man pages, and completions for shells.
 //!
 //! ```sh
 //! cargo run --example packaging -- target/packaging

@@ -75,7 +75,7 @@ struct Vertices<F> {
 }
 
 impl<F: Fn(DVec3) -> DVec3> Vertices<F> {
-    /// The vertex with these weights of corners; from whichever face it is met it is the same to the bit.
+    /// The vertex with these weights of corners, the same to the bit from every face.
     fn at(&mut self, corners: &[DVec3; 12], weights: [(usize, u32); 3]) -> u32 {
         let mut key = weights.map(|(i, w)| if w == 0 { (corners.len(), 0) } else { (i, w) });
         key.sort_unstable();
