@@ -17,9 +17,9 @@ struct EyeSample {
     float importance;
 };
 
-// The importance of the eye at the point `to` from it: radiance * cosine there times this is added to its pixel by one of n_l =
-// width height light paths. p_c/(t^2 n_l), p_c = 1/(A cos^3) the density of the pixel's directions per solid angle, A = 4
-// |right||up|/n_l the pixel's area on the picture plane at distance 1. With cos = z/t that is t/(4 |right||up| z^3).
+// The factor with which radiance * cosine at the point `to` from the eye counts in its pixel, for one of n_l = width height
+// light paths: p_c/(t^2 n_l), p_c = 1/(A cos^3) the density of the pixel's directions per solid angle, A = 4 |right||up|/n_l
+// the pixel's area on the picture plane at distance 1. With cos = z/t that is t/(4 |right||up| z^3).
 float eye_importance(Camera camera, vec3 to) {
     float distance = length3(to);
     float z = dot3(to, camera.forward);

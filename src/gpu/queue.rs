@@ -128,7 +128,7 @@ impl Queue {
                 // The device may still be working on it.
                 .inspect_err(|error| device.give_up(error))?;
             if device.raw.reset_fences(&[self.fence]).is_err() {
-                // It stays signalled, and the next work would be taken for done: that gets a fence of its own.
+                // It stays signalled, so the next work would be taken for done: it gets its own fence.
                 device.raw.destroy_fence(self.fence, None);
                 self.fence = vk::Fence::null();
             }

@@ -54,7 +54,7 @@ struct Pixel {
     /// Lines of the shape and the material that the first of those samples hit.
     shape: usize,
     material: usize,
-    /// Of the picture.
+    /// Samples of the picture.
     samples: u32,
 }
 

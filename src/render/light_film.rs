@@ -14,10 +14,10 @@ use crate::reference::math::{Real, Vec3};
 /// The film of a light tracer.
 pub struct LightFilm<F> {
     pixels: Pixels<F>,
-    /// Of the current sample indices.
+    /// Sums of the current sample indices.
     sums: Vec<PixelSum<F>>,
     under_way: LightCounts,
-    /// Of complete samples.
+    /// Counters of complete samples.
     counts: Counts,
     /// Pixels in a row of the full picture.
     width: u32,

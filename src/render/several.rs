@@ -63,8 +63,9 @@ enum Message {
 /// Renders as [`render_from`](super::render_from) does, on all `targets`, none of which is `cpu-f64`. A device that
 /// fails leaves its samples to the others; once none is left, the result so far is returned.
 ///
-/// # Errors A device that does not exist, or cannot do what the job requires; [`RenderError::Twice`] if all have failed
-/// before the first sample; [`RenderError::Start`] if it is to continue another job's samples.
+/// # Errors
+/// A device that does not exist, or cannot do what the job requires; [`RenderError::Twice`] if all have failed before
+/// the first sample; [`RenderError::Start`] if it is to continue another job's samples.
 pub fn render_several(
     job: &Job,
     targets: &[Target],

@@ -5,9 +5,9 @@
 
 // sqrt(dVCM) and sqrt(dVC) of a subpath.
 struct Partial {
-    // Of the way that joins the vertex before to the other side, over the subpath's own.
+    // For the technique that joins the vertex before to the other side, over the subpath's own density.
     float vcm;
-    // Of all ways that join still earlier vertices.
+    // For all techniques that join still earlier vertices.
     float vc;
 };
 

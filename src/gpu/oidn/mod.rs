@@ -74,7 +74,8 @@ impl Oidn {
     /// Denoises linear radiance. `albedo` and `normal`, if given, are those of the surfaces seen; their own noise is
     /// removed first.
     ///
-    /// # Errors Those of the library.
+    /// # Errors
+    /// Those of the library.
     pub fn denoise(
         &self,
         colour: &Pixels,

@@ -75,7 +75,8 @@ pub const SPLATS: u32 = 16;
 /// The kernels for a scene of these features, one for each of [`Side::of`] the integrator: the files they need, the
 /// generated dispatch, nothing else.
 ///
-/// # Errors If a file or slot is missing, which would be a bug in this program; if a custom file is not used.
+/// # Errors
+/// If a file or slot is missing, which would be a bug in this program; if a custom file is not used.
 pub fn compose(features: &Features, parameters: &Parameters) -> Result<Vec<Composed>, KernelError> {
     let kernel = |&side: &Side| {
         let own = Own::of(features, parameters.recording, side);

@@ -18,9 +18,9 @@ pub struct EyeSample<F> {
     pub importance: F,
 }
 
-/// The importance of the eye at the point `to` from it: radiance · cosine there times this is added to its pixel by one of n_l
-/// = width · height light paths. It is p_c/(t² n_l), p_c = 1/(A cos³) the density of the pixel's directions per solid angle, A
-/// = 4 |right||up|/n_l the pixel's area on the picture plane at distance 1. With cos = z/t that is t/(4 |right||up| z³).
+/// The factor with which radiance · cosine at the point `to` from the eye counts in its pixel, for one of
+/// n_l = width · height light paths: p_c/(t² n_l), p_c = 1/(A cos³) the density of the pixel's directions per solid angle,
+/// A = 4 |right||up|/n_l the pixel's area on the picture plane at distance 1. With cos = z/t that is t/(4 |right||up| z³).
 ///
 /// Veach, Robust Monte Carlo Methods for Light Transport Simulation, 1997, section 8.3.2: the importance that a pinhole
 /// emits.

@@ -123,7 +123,7 @@ fn specular<F: Real>(m: &Material<F>) -> Vec3<F> {
     }
 }
 
-/// Of the surroundings along `d`: their radiance up to 1.
+/// The surroundings' colour along `d`: their radiance up to 1.
 fn background_colour<F: Real>(world: &World<F>, d: Vec3<F>) -> Vec3<F> {
     match world.background_light {
         None => Vec3::zero(),

@@ -14,7 +14,6 @@
 //! primitive (y) and the point (z, w), `light_block(0)` its direction (x, y). The point of the lens (z, w) that a
 //! vertex is joined to comes from `light_block(bounce + 1)`, for the light's own point from `light_block(0)`; a
 //! bidirectional light path, whose own point is not joined, uses that of `light_block(0)` for its aim (z).
-//! path, whose own point is not joined, has that of `light_block(0)` for what it is aimed at (z).
 
 pub use crate::layout::constants::path::LIGHT_PATH;
 

@@ -25,7 +25,7 @@ pub struct LightRun<'a> {
     job: &'a Job<'a>,
     kernel: Kernel<'a>,
     light: LightPaths,
-    /// Of bidirectional paths.
+    /// Only for bidirectional paths.
     pub eye: Option<EyePaths>,
     /// Tiles of light paths: a path's number is a pixel's, independent of where its splats go.
     pub tiles: Vec<Tile>,

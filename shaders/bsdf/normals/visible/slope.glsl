@@ -39,11 +39,11 @@ SlopeShare slope_share(SlopeLaw law, float t) {
         law.p * g.erfc + law.r * (g.gauss * grown), g.erfc, g.gauss, 1.7724539 * law.r * (1.0 - law.gamma) * grown);
 }
 
-// A slope near the one with G(t) = u G(-limit); whole is G(-limit). Where visibility matters, it is right at both
-// ends and where q -> infinity: with s^2 = -ln u, t = s - limit/(1 + c s), c such that 1 - G/G(-limit) begins as
-// s^2 does. Elsewhere it is a Gaussian's, cut off at -limit, then moved and narrowed to the first two moments of (1
-// + t q/p) e^(-t^2); but next to a limit that is not dark, where few facets are left, it is one for uniform
-// brightness.
+// A slope near the one with G(t) = u G(-limit); whole is G(-limit).
+// Where visibility matters, it is right at both ends and where q -> infinity: with s^2 = -ln u, t = s - limit/(1 + c s), c
+// such that 1 - G/G(-limit) begins as s^2 does. Elsewhere it is a Gaussian's, cut off at -limit, then moved and narrowed to
+// the first two moments of (1 + t q/p) e^(-t^2); but next to a limit that is not dark, where few facets are left, it is
+// one for uniform brightness.
 float slope_start(SlopeLaw law, SlopeShare whole, float u) {
     float s = sqrt(-log1p(u - 1.0));
     float limit = law.limit;

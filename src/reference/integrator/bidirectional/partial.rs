@@ -17,9 +17,9 @@ pub const MOST: f64 = 1e18;
 /// √dVCM and √dVC of a subpath.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Partial<F> {
-    /// Of the way that joins the vertex before to the other side, over the subpath's own.
+    /// For the technique that joins the vertex before to the other side, over the subpath's own density.
     pub vcm: F,
-    /// Of all ways that join still earlier vertices.
+    /// For all techniques that join still earlier vertices.
     pub vc: F,
 }
 

@@ -28,7 +28,6 @@ pub fn triangle_self_distance<F: Real>(p: Vec3<F>, ng: Vec3<F>, d: Vec3<F>) -> F
 /// which the ray has already left (a ray to the outside of a closed mesh cannot come out of it first, one to the inside cannot
 /// go in) *and* if, up to rounding, the ray is still in the plane in which it started, or also started in the plane of that
 /// triangle. A surface that the ray may truly meet first, such as a wall in a corner, therefore stops it at any distance.
-/// first, a wall in a corner, therefore stops it however near it starts.
 pub fn is_origin<F: Real>(
     ray: Ray<F>,
     triangle: &Triangle<F>,
