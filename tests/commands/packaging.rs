@@ -9,7 +9,7 @@ use crate::cli::program::{finish, names};
 #[path = "../../cli/examples/packaging/files.rs"]
 mod files;
 
-const MANIFEST: &str = include_str!("../../Cargo.toml");
+const MANIFEST: &str = include_str!("../../cli/Cargo.toml");
 const SCRIPT: &str = include_str!("../../scripts/package");
 
 fn written() -> tempfile::TempDir {
@@ -89,6 +89,7 @@ fn the_deb_is_made_of_files_that_there_are() {
     let mut found = 0;
     for line in assets.lines() {
         let path = line.split('"').nth(1).expect("a path");
+        let path = path.strip_prefix("../").unwrap_or(path);
         let (at, path) = match path.strip_prefix("target/packaging/") {
             Some(path) => (folder.path(), path),
             None => (root, path),
@@ -113,7 +114,6 @@ fn the_archive_has_the_name_that_binstall_looks_for() {
     };
     let filled = |template: String| {
         let parts = [
-            ("name", "vkpt"),
             ("version", "$version"),
             ("target", "$host"),
             ("bin", "vkpt"),
