@@ -15,7 +15,7 @@ crate::layout::record! {
         first: uint,
         /// Number of primitives.
         count: uint,
-        /// A mesh's first entry in `triangle_cdf`, of count + 1: triangle first + i is chosen where cdf[i] ≤ u24 < cdf[i + 1].
+        /// A mesh's first entry in `triangle_cdf`, of count + 1: triangle first + i is chosen where `cdf[i]` ≤ u24 < `cdf[i + 1]`.
         cdf: uint,
     }
 }

@@ -3,7 +3,7 @@
 
 use crate::reference::math::Real;
 
-/// The i with cdf[i] ≤ `u24` < cdf[i + 1], for `u24` < 2²⁴ (see `prepared::cdf`). Entries of no width are
+/// The i with `cdf[i]` ≤ `u24` < `cdf[i + 1]`, for `u24` < 2²⁴ (see `prepared::cdf`). Entries of no width are
 /// never chosen.
 pub fn cdf_choice(cdf: &[u32], u24: u32) -> u32 {
     let mut low = 0;

@@ -1,4 +1,4 @@
-//! The same as JUnit's XML, which CI services show (https://github.com/testmoapp/junitxml).
+//! The same as JUnit's XML, which CI services show (<https://github.com/testmoapp/junitxml>).
 
 use std::io;
 
