@@ -9,6 +9,8 @@
 //! `../shared/scenes` if it exists. Compiling is measured separately from rendering: `cold` without vkpt's and Mesa's
 //! caches (other drivers' caches are not known here), `warm` with both, after a run that fills them.
 
+#![allow(clippy::print_stderr, reason = "a program of its own")]
+
 mod run;
 mod tables;
 

@@ -2,6 +2,12 @@
 //!
 //! `cargo run --release --example icosphere -- --triangles 100000 --displace .1 -o blob.ply`
 
+#![allow(
+    clippy::print_stderr,
+    clippy::print_stdout,
+    reason = "a program of its own"
+)]
+
 mod mesh;
 
 use std::path::PathBuf;

@@ -4,6 +4,11 @@
 //! Everything is synchronous: a call returns when the device is done. Objects keep their device alive and free
 //! themselves. A [`Device`] may be shared between threads; it does one piece of work at a time.
 
+#![allow(
+    unsafe_code,
+    reason = "foreign libraries are called here, and nowhere else"
+)]
+
 mod barrier;
 mod buffer;
 mod device;

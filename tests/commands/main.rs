@@ -1,5 +1,7 @@
 //! The program: its command line, its ends on devices that fail, and its pages in a browser.
 
+#![allow(clippy::expect_used, clippy::panic, reason = "a test fails by a panic")]
+
 #[path = "../common/mod.rs"]
 mod common;
 

@@ -1,5 +1,14 @@
 //! What the library does on a Vulkan device (see `common`).
 
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stdout,
+    clippy::unreachable,
+    clippy::unwrap_used,
+    reason = "a test fails by a panic, and may print what it measured"
+)]
+
 #[path = "../common/mod.rs"]
 mod common;
 

@@ -1,5 +1,14 @@
 //! What the library does, on the host alone: no device, no command line.
 
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stdout,
+    clippy::unreachable,
+    clippy::unwrap_used,
+    reason = "a test fails by a panic, and may print what it measured"
+)]
+
 #[path = "../../fuzz/src/lib.rs"]
 mod bodies;
 #[path = "../common/mod.rs"]

@@ -4,6 +4,8 @@
 //! cargo run --example packaging -- target/packaging
 //! ```
 
+#![allow(clippy::print_stderr, reason = "a program of its own")]
+
 mod files;
 
 use std::path::Path;

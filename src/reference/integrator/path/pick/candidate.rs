@@ -32,7 +32,7 @@ pub struct Candidate<F> {
 
 /// The point of `light` that `u24` and `u` draw. `expected` is the average number of points drawn on this light, as
 /// given by [`pick_probability`](super::pick_probability).
-#[allow(clippy::too_many_arguments)]
+#[allow(clippy::too_many_arguments, reason = "those of its GLSL twin")]
 pub fn candidate<F: Real>(
     world: &World<F>,
     settings: &Settings,
