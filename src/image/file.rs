@@ -1,6 +1,6 @@
 //! Writes files atomically: the complete file or nothing.
 
-use std::fs::{self, OpenOptions, Permissions};
+use std::fs::{self, OpenOptions};
 use std::io::{self, BufWriter, Cursor, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
@@ -107,7 +107,7 @@ fn temporary(path: &Path) -> io::Result<NamedTempFile> {
     let mut builder = Builder::new();
     builder.prefix(".vkpt-");
     #[cfg(unix)]
-    builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
+    builder.permissions(<fs::Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
     let folder = folder(path);
     match folder.exists() {
         true => builder.tempfile_in(folder).map_err(nameless),
@@ -192,7 +192,7 @@ mod tests {
         std::os::unix::fs::symlink("a.png", &link).expect("a link");
         for mode in [0o666, 0o640, 0o604] {
             if mode != 0o666 {
-                fs::set_permissions(&path, Permissions::from_mode(mode)).expect("permissions");
+                fs::set_permissions(&path, fs::Permissions::from_mode(mode)).expect("permissions");
             }
             write_whole(&link, |out| out.write_all(b"new")).expect("written");
             let there = fs::symlink_metadata(&path).expect("a file");

@@ -35,6 +35,7 @@ fn open(path: &Path) -> io::Result<File> {
     OpenOptions::new().write(true).append(is_file).open(path)
 }
 
+#[cfg_attr(not(unix), expect(dead_code, reason = "only Unix has these kinds"))]
 enum Kind {
     Pipe,
     Socket,
