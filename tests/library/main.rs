@@ -51,3 +51,4 @@ mod slots;
 mod state;
 mod twin_names;
 mod valid;
+mod workflows;
