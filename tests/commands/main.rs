@@ -6,6 +6,7 @@
 mod common;
 
 mod cli;
+mod cli_page;
 mod documented;
 mod farm;
 #[cfg(target_os = "linux")]

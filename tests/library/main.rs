@@ -38,6 +38,7 @@ mod layers;
 mod lens;
 mod light;
 mod light_tracing;
+mod links;
 mod metrics;
 mod needs;
 mod no_allocation;
