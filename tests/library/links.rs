@@ -9,7 +9,9 @@ use std::path::{Component, Path, PathBuf};
 const SKIPPED: [&str; 3] = ["target", "node_modules", "test-results"];
 
 /// Folders whose sources name pages by their path, and the endings of such sources.
-const FOLDERS: [&str; 7] = ["benches", "examples", "python", "scripts", "shaders", "src", "tests"];
+const FOLDERS: [&str; 7] = [
+    "benches", "examples", "python", "scripts", "shaders", "src", "tests",
+];
 const ENDINGS: [&str; 7] = ["rs", "glsl", "comp", "py", "pyi", "txt", ""];
 
 /// The files of a folder and of those in it, by their paths from `root`.
@@ -160,8 +162,8 @@ fn wrong(root: &Path, from: &Path, link: &str) -> Option<String> {
         return Some(format!("{link}: nothing is there"));
     }
     let anchor = anchor?;
-    let has_anchor = ending(&at) == "md"
-        && anchors(&fs::read_to_string(&at).expect("a page")).contains(anchor);
+    let has_anchor =
+        ending(&at) == "md" && anchors(&fs::read_to_string(&at).expect("a page")).contains(anchor);
     (!has_anchor).then(|| format!("{link}: no such heading"))
 }
 
@@ -275,6 +277,9 @@ fn planted_errors_are_found() {
         assert_eq!(found.len(), 1, "{link}: {found:?}");
         assert!(found[0].starts_with("README.md: "), "{link}: {found:?}");
     }
-    assert_eq!(named("see docs/a.md, docs/b/c.md."), ["docs/a.md", "docs/b/c.md"]);
+    assert_eq!(
+        named("see docs/a.md, docs/b/c.md."),
+        ["docs/a.md", "docs/b/c.md"]
+    );
     assert!(named("docs/ and docs/a.png").is_empty());
 }
