@@ -30,7 +30,9 @@ fn page(mut program: Command) -> String {
     let render = program.find_subcommand("render").expect("render").clone();
     let mut page = String::new();
     overview(&mut page, &mut program, &render);
-    for command in program.get_subcommands_mut() {
+    let mut commands: Vec<&mut Command> = program.get_subcommands_mut().collect();
+    commands.sort_by_key(|command| command.get_display_order());
+    for command in commands {
         section(&mut page, command, &render);
     }
     page.push_str("\n## Settings\n\nCommands that render take all of these.\n");
@@ -44,7 +46,9 @@ fn page(mut program: Command) -> String {
 fn overview(page: &mut String, program: &mut Command, render: &Command) {
     title(page, program);
     page.push_str("\n| command | |\n|---|---|\n");
-    for command in program.get_subcommands() {
+    let mut commands: Vec<&Command> = program.get_subcommands().collect();
+    commands.sort_by_key(|command| command.get_display_order());
+    for command in commands {
         let (name, about) = (full_name(command), about(command));
         let anchor = name.replace(' ', "-");
         _ = writeln!(page, "| [`{name}`](#{anchor}) | {} |", cell(&about));
@@ -91,7 +95,10 @@ fn full_name(command: &Command) -> String {
 }
 
 fn about(command: &Command) -> String {
-    command.get_about().map(ToString::to_string).expect("a help")
+    command
+        .get_about()
+        .map(ToString::to_string)
+        .expect("a help")
 }
 
 /// Heading, purpose and usage of a command.
@@ -141,7 +148,10 @@ fn options(page: &mut String, heading: &str, options: &[&Arg]) {
     if options.is_empty() {
         return;
     }
-    _ = write!(page, "\n**{heading}**\n\n| option | meaning | default |\n|---|---|---|\n");
+    _ = write!(
+        page,
+        "\n**{heading}**\n\n| option | meaning | default |\n|---|---|---|\n"
+    );
     options.iter().for_each(|arg| row(page, arg));
 }
 
@@ -149,22 +159,21 @@ fn options(page: &mut String, heading: &str, options: &[&Arg]) {
 fn row(page: &mut String, arg: &Arg) {
     let short = arg.get_short().map(|short| format!("`-{short}`, "));
     let help = arg.get_help().expect("a help").to_string();
-    let (help, default) = match help.rsplit_once(" [default: ") {
-        Some((help, default)) => (help, default.trim_end_matches(']')),
-        None => match help.rsplit_once(" [default ") {
-            Some((help, default)) => (help, default.trim_end_matches(']')),
-            None => (&*help, ""),
-        },
-    };
+    let (help, said) = help.rsplit_once(" [default").unwrap_or((&help, ""));
+    let said = said.trim_end_matches(']').trim_start_matches(':').trim();
     let values = arg.get_default_values().iter();
     let values: Vec<_> = values.map(|value| value.to_string_lossy()).collect();
     // A switch is off, and nobody says so.
-    let default = match default.is_empty() && arg.get_action().takes_values() {
+    let default = match said.is_empty() && arg.get_action().takes_values() {
         true => values.join(" "),
-        false => default.to_owned(),
+        false => said.to_owned(),
+    };
+    let default = match default.is_empty() {
+        true => default,
+        false => format!(" {}", cell(&default)),
     };
     let short = short.unwrap_or_default();
-    _ = writeln!(page, "| {short}`{arg}` | {} | {} |", cell(help), cell(&default));
+    _ = writeln!(page, "| {short}`{arg}` | {} |{default} |", cell(help));
 }
 
 /// Text in a cell of a table: without what Markdown would take for its own.
@@ -275,12 +284,19 @@ fn a_new_option_or_another_default_is_seen() {
         let option = Arg::new("new").long("new").value_name("N");
         command.arg(option.help("A | new* option [default: the scene's]"))
     });
-    assert_eq!(option, "| `--new <N>` | A \\| new\\* option | the scene's |");
+    assert_eq!(
+        option,
+        "| `--new <N>` | A \\| new\\* option | the scene's |"
+    );
     let default = planted(|command| command.mut_arg("replicates", |arg| arg.default_value("9")));
     assert!(default.ends_with("| 9 |"), "{default}");
     // A setting of one command that is not that of all others stands there.
     let setting = planted(|command| command.mut_arg("lobe", |arg| arg.help("Another help")));
-    assert!(setting.contains("| `--lobe <RULE>` | Another help |"), "{setting}");
-    let codes = planted(|command| command.after_help("Exit codes:\n    9  one that\n       nobody knew"));
+    assert!(
+        setting.contains("| `--lobe <RULE>` | Another help |"),
+        "{setting}"
+    );
+    let codes =
+        planted(|command| command.after_help("Exit codes:\n    9  one that\n       nobody knew"));
     assert_eq!(codes, "| 9 | one that nobody knew |");
 }

@@ -1,20 +1,22 @@
-//! Every command line that README.md, docs/ci.md and the help of the commands show is run, and succeeds. Those of docs/farm.md
-//! are run by `farm::page`, those of docs/python.md by pytest.
+//! Every command line that README.md, the pages of docs/ and the help of the commands show is run, and succeeds.
 
 use std::fs;
+use std::os::unix::fs::symlink;
 use std::path::Path;
 use std::process::Command;
 
 use tempfile::TempDir;
 
-use crate::cli::program::{finish, run, without_vulkan, words};
+use crate::cli::program::{finish, names, run, without_vulkan, words};
 use crate::common::models::{Model, lamp};
 use crate::scripts::program::program;
 
-const PAGES: [&str; 2] = [
-    include_str!("../../README.md"),
-    include_str!("../../docs/ci.md"),
-];
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+const README: &str = include_str!("../../README.md");
+
+/// Pages whose command lines others run: those of cli.md are the help's, those of farm.md below its first heading are run by
+/// `farm::page`, those of python.md by pytest.
+const ELSEWHERE: [&str; 3] = ["cli.md", "farm.md", "python.md"];
 
 /// The commands that have a page of help.
 const COMMANDS: [&str; 14] = [
@@ -38,7 +40,8 @@ const COMMANDS: [&str; 14] = [
 const SCENE: &str = "screen 8 6\ncamera 0 0 5 .3\nlight 1 1 1\nbox 0 0 1 .3 .3 .3\nbrdf .5 .5 .5 0 0 0 1\nbox -1 -1 -1 2 2 1.5\n";
 
 /// What is run in place of what takes long; the words are the same to the program.
-const CHEAPER: [(&str, &str); 9] = [
+const CHEAPER: [(&str, &str); 10] = [
+    ("--size 640x480", "--size 8x6"),
     ("--time 60", "--time 0.2"),
     ("--time 3600", "--time 0.2"),
     ("vkpt converge ", "vkpt converge --device cpu-f32 "),
@@ -52,6 +55,19 @@ const CHEAPER: [(&str, &str); 9] = [
     ("--submit", ""),
 ];
 
+/// README.md and the pages of `docs/`, of farm.md what is above its headings.
+fn pages() -> Vec<String> {
+    let read = |path: &Path| fs::read_to_string(path).expect("a page");
+    let docs = Path::new(ROOT).join("docs");
+    let names = names(&docs).into_iter();
+    let names = names.filter(|name| name.ends_with(".md") && !ELSEWHERE.contains(&&**name));
+    let mut pages: Vec<String> = names.map(|name| read(&docs.join(name))).collect();
+    pages.push(README.to_owned());
+    let farm = read(&docs.join("farm.md"));
+    pages.extend(farm.split("\n## ").next().map(str::to_owned));
+    pages
+}
+
 /// The lines of blocks that run vkpt, and of `run:` in workflows, without comments.
 fn of_page(page: &str) -> Vec<String> {
     let blocks = page.split("```").skip(1).step_by(2);
@@ -59,6 +75,14 @@ fn of_page(page: &str) -> Vec<String> {
     let lines = lines.map(|line| line.strip_prefix("- run: ").unwrap_or(line));
     let shown = lines.filter(|line| line.starts_with("vkpt ") || line.contains("| vkpt "));
     shown.map(|line| uncommented(line).to_owned()).collect()
+}
+
+/// The command lines within the text of a page; a command alone, such as `vkpt merge`, is none.
+fn of_text(page: &str) -> Vec<String> {
+    let text = page.split("```").step_by(2);
+    let code = text.flat_map(|text| text.split('`').skip(1).step_by(2));
+    let lines = code.filter(|code| code.starts_with("vkpt ") && code.split(' ').count() > 2);
+    lines.map(str::to_owned).collect()
 }
 
 /// The line up to what is said of it.
@@ -79,6 +103,11 @@ fn of_help(help: &str) -> Vec<String> {
 fn cheaper(line: &str) -> String {
     let told = |line: String, (long, short): &(&str, &str)| line.replace(long, short);
     let line = CHEAPER.iter().fold(line.to_owned(), told);
+    let is_large = line.contains("scenes/") || line.contains("docs/");
+    let line = match is_large && !line.contains("--size") {
+        true => format!("{line} --size 8x6"),
+        false => line,
+    };
     match line.starts_with("vkpt converge") && !line.contains("--time") {
         true => format!("{line} --time 0.2"),
         false => line,
@@ -104,6 +133,9 @@ fn folder() -> TempDir {
     model.document["cameras"][0]["name"] = "Front".into();
     model.cuboid([-1.0; 3], [1.0; 3], lamp(1.0));
     fs::write(at.join("model.glb"), model.glb()).expect("a model");
+    for name in ["scenes", "docs"] {
+        symlink(Path::new(ROOT).join(name), at.join(name)).expect("a link");
+    }
     let bin = at.join("bin");
     program(
         &bin,
@@ -164,11 +196,15 @@ fn every_command_that_is_shown_succeeds() {
     }
     let folder = folder();
     let help = COMMANDS.map(|command| words(folder.path(), format!("{command} --help").trim()).out);
-    let pages = PAGES.iter().flat_map(|page| of_page(page));
-    let lines: Vec<String> = pages
+    let pages = pages();
+    let shown = pages.iter().flat_map(|page| of_page(page));
+    let claims = of_text(README);
+    assert!(claims.len() > 3, "{claims:?}");
+    let lines: Vec<String> = shown
+        .chain(claims)
         .chain(help.iter().flat_map(|help| of_help(help)))
         .collect();
-    assert!(lines.len() > 60, "{lines:#?}");
+    assert!(lines.len() > 90, "{lines:#?}");
     let failed: Vec<String> = lines
         .iter()
         .filter_map(|line| failure(folder.path(), line))
@@ -182,6 +218,10 @@ fn lines_are_found_and_failures_seen() {
     assert_eq!(
         of_page(page),
         ["vkpt a.txt", "make | vkpt - -o -", "vkpt test p"]
+    );
+    assert_eq!(
+        of_text("`vkpt a.txt --spp 4`, `vkpt merge` or `ls -l -a`\n```\nvkpt b.txt -o c\n```\n"),
+        ["vkpt a.txt --spp 4"]
     );
     let help = "Options:\n\nExamples:\n  vkpt init              said\n  vkpt a.txt --time 60\n";
     assert_eq!(of_help(help), ["vkpt init", "vkpt a.txt --time 60"]);
@@ -200,7 +240,8 @@ fn lines_are_found_and_failures_seen() {
 #[test]
 fn the_workflow_is_the_one_of_its_page() {
     let workflow = include_str!("../../docs/ci/pictures.yml");
-    assert!(PAGES[1].contains(&format!("```yaml\n{workflow}```\n")));
+    let page = include_str!("../../docs/ci.md");
+    assert!(page.contains(&format!("```yaml\n{workflow}```\n")));
     assert!(workflow.lines().count() <= 12);
 }
 

@@ -12,5 +12,6 @@ mod farm;
 #[cfg(target_os = "linux")]
 mod faults;
 mod packaging;
+mod pages;
 mod report_page;
 mod scripts;

@@ -31,7 +31,6 @@ mod overwriting;
 mod paired;
 mod parts;
 pub mod program;
-mod readme;
 mod refusals;
 mod rendering;
 mod resume;
