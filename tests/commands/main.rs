@@ -15,3 +15,4 @@ mod packaging;
 mod pages;
 mod report_page;
 mod scripts;
+mod tutorial;
