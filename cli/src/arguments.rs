@@ -75,6 +75,7 @@ const SHOWN: [(&str, &str); 6] = [
 /// A headless path tracer on Vulkan: a scene file goes in, pictures come out
 #[derive(Parser, Debug)]
 #[command(
+    name = "vkpt",
     version,
     args_conflicts_with_subcommands = true,
     subcommand_negates_reqs = true

@@ -10,9 +10,9 @@ use std::fmt::Write as _;
 use std::fs;
 
 use clap::{Arg, Command};
-use vkpt::cli::command_line;
+use vkpt_cli::command_line;
 
-const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/cli.md");
+const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/cli.md");
 
 /// The last line that is written by hand.
 const MARK: &str =

@@ -11,7 +11,7 @@ use crate::cli::program::{finish, names, run, without_vulkan, words};
 use crate::common::models::{Model, lamp};
 use crate::scripts::program::program;
 
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 const README: &str = include_str!("../../README.md");
 
 /// Pages whose command lines others run: those of cli.md are the help's, those of farm.md below its first heading are run by

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Arg, Command};
-use vkpt::cli::command_line;
+use vkpt_cli::command_line;
 
 const README: &str = include_str!("../../README.md");
 const FIRST_SCENE: &str = include_str!("../../docs/first-scene.txt");
@@ -32,7 +32,7 @@ const FOREIGN: [&str; 15] = [
 
 /// README.md and the pages of `docs/`, but not its records, by their paths.
 fn pages() -> Vec<(PathBuf, String)> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = crate::common::root();
     let docs = fs::read_dir(root.join("docs")).expect("docs").flatten();
     let paths = docs.map(|entry| entry.path());
     let pages = paths.filter(|path| path.extension().is_some_and(|ending| ending == "md"));

@@ -3,15 +3,20 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
+use std::path::PathBuf;
 use std::process::Command;
 
 use crate::cli::program::{Run, finish, names, run};
+use crate::common::root;
 
 const PAGE: &str = include_str!("../../docs/tutorial.md");
-const FOLDER: &str = "docs/tutorial";
 
-/// What the page may weigh.
+/// The folder of its scenes and pictures.
+fn at() -> PathBuf {
+    root().join("docs/tutorial")
+}
+
+/// The most bytes of all pictures.
 const BYTES: u64 = 1_500_000;
 
 /// Pictures that take a second or two: a diffuse surface, glass, rough metal, and a model other than the default one.
@@ -60,13 +65,13 @@ fn shown(page: &str) -> BTreeSet<String> {
 }
 
 fn with_ending(ending: &str) -> BTreeSet<String> {
-    let names = names(Path::new(FOLDER));
+    let names = names(&at());
     let names = names.iter().filter_map(|name| name.strip_suffix(ending));
     names.map(str::to_owned).collect()
 }
 
 fn script(arguments: &[&str]) -> Run {
-    let mut script = Command::new("scripts/tutorial");
+    let mut script = Command::new(root().join("scripts/tutorial"));
     let script = script.args(arguments);
     finish(script.env("VKPT", env!("CARGO_BIN_EXE_vkpt")))
 }
@@ -75,10 +80,10 @@ fn script(arguments: &[&str]) -> Run {
 fn every_scene_is_read_without_a_warning_and_says_what_it_shows() {
     for name in with_ending(".txt") {
         let file = format!("{name}.txt");
-        let explained = run(Path::new(FOLDER), &["explain", &file, "--strict"]);
+        let explained = run(&at(), &["explain", &file, "--strict"]);
         assert_eq!(explained.code, Some(0), "{name}: {}", explained.err);
         assert!(!explained.err.contains("warning"), "{}", explained.err);
-        let scene = fs::read_to_string(Path::new(FOLDER).join(&file)).expect("a scene");
+        let scene = fs::read_to_string(at().join(&file)).expect("a scene");
         let comment = scene.lines().take_while(|line| line.starts_with("# "));
         assert!((2..=6).contains(&comment.count()), "{name}");
         assert!(PAGE.contains(&format!("(tutorial/{file})")), "{name}");
@@ -91,7 +96,7 @@ fn scenes_of_the_page_are_those_of_their_files() {
     assert!(blocks.len() > 8, "{blocks:#?}");
     assert_eq!(blocks.len(), PAGE.matches("```text\n").count());
     for block in blocks {
-        let path = Path::new(FOLDER).join(format!("{}.txt", block.file));
+        let path = at().join(format!("{}.txt", block.file));
         let file = fs::read_to_string(path).expect("the file of a block");
         assert!(agrees(&block, &file), "{block:#?}");
     }
@@ -115,7 +120,8 @@ fn the_page_shows_each_picture_that_the_script_makes() {
     let listed: BTreeSet<String> = listed.out.lines().map(str::to_owned).collect();
     assert_eq!(listed, shown(PAGE));
     assert_eq!(listed, with_ending(".png"));
-    let size = |name: &String| fs::metadata(format!("{FOLDER}/{name}.png")).map_or(0, |m| m.len());
+    let size =
+        |name: &String| fs::metadata(at().join(format!("{name}.png"))).map_or(0, |m| m.len());
     assert!(listed.iter().map(size).sum::<u64>() < BYTES);
 }
 
@@ -129,7 +135,7 @@ fn cheap_pictures_are_made_again_to_the_bit() {
     for name in CHEAP {
         let file = format!("{name}.png");
         let now = fs::read(folder.path().join(&file)).expect("a picture");
-        let kept = fs::read(Path::new(FOLDER).join(&file)).expect("a picture that is kept");
+        let kept = fs::read(at().join(&file)).expect("a picture that is kept");
         assert!(now == kept, "{name}");
     }
 }
