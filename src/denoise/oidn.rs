@@ -40,7 +40,7 @@ impl Oidn {
                 let file = std::path::absolute(&file).unwrap_or(file);
                 Library::load(file.as_os_str()).map(Self)
             }
-            _ => Err(OidnError::NoLibrary(format!("there is no {}", NAMES[0]))),
+            _ => Err(OidnError::NoLibrary(format!("{} does not exist", NAMES[0]))),
         }
     }
 

@@ -24,22 +24,22 @@ pub fn chosen(prepared: &Prepared, settings: &Settings) -> Chosen {
     };
     match () {
         () if settings.model.absorption == Absorption::Term => {
-            path("absorption by term has no path backwards")
+            path("--absorption term has no adjoint for light paths")
         }
         () if settings.estimator.connect != Connect::Mis => {
-            path("--connect weighs paths from the eye alone")
+            path("--connect applies only to paths from the eye")
         }
-        () if !prepared.lights.iter().any(|l| !l.kind.is_outside()) => path("no shape shines"),
+        () if !prepared.lights.iter().any(|l| !l.kind.is_outside()) => path("no shape is a light"),
         () if background_share(prepared) > 0.5 => {
-            path("most light is the background's, which paths from the eye find by themselves")
+            path("most light comes from the background, which paths from the eye find")
         }
         () if prepared.aims.is_empty() => path("nothing mirrors or refracts"),
         () if prepared.light_share.is_some_and(|share| share >= SMALL) => {
-            path("the lights are large, and hit by paths from the eye")
+            path("the lights are large, and paths from the eye hit them")
         }
         () => Chosen {
             integrator: Integrator::Bidirectional,
-            why: "small lights shine on what mirrors or refracts",
+            why: "small lights illuminate mirrors or glass",
         },
     }
 }

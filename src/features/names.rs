@@ -29,7 +29,7 @@ impl Features {
             names.push(set("absorption", words(&absorption)));
         }
         let optional = [
-            (self.diffuse_beside, "diffuse beside specular"),
+            (self.diffuse_beside, "diffuse with specular"),
             (self.shading_normals, "shading normals"),
             (self.aims, "aimed light paths"),
             (self.lens, "lens"),
@@ -38,7 +38,7 @@ impl Features {
         ];
         names.extend(optional.iter().filter(|o| o.0).map(|o| o.1.to_owned()));
         if !self.aovs.is_empty() {
-            names.push(set("beside the picture", list(&self.aovs)));
+            names.push(set("other outputs", list(&self.aovs)));
         }
         names
     }

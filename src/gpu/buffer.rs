@@ -47,11 +47,11 @@ impl Device {
         let (limit, what) = match usage {
             BufferUse::Uniform => (
                 self.0.limits.uniform_buffer,
-                "what the device allows in one uniform buffer",
+                "the device's limit for a uniform buffer",
             ),
             BufferUse::Storage => (
                 self.0.limits.storage_buffer,
-                "what the device allows in one storage buffer",
+                "the device's limit for a storage buffer",
             ),
         };
         if bytes > limit {

@@ -65,20 +65,20 @@ impl Device {
         let uses: Vec<BufferUse> = buffers.iter().map(|b| b.usage).collect();
         if uses != pipeline.uses {
             return Err(GpuError::Mismatch(format!(
-                "buffers {uses:?}, the kernel takes {:?}",
+                "buffers {uses:?}, but the kernel takes {:?}",
                 pipeline.uses
             )));
         }
         if push.len() != pipeline.push_bytes as usize {
             let (given, taken) = (push.len(), pipeline.push_bytes);
             return Err(GpuError::Mismatch(format!(
-                "{given} bytes of push constants, the kernel takes {taken}"
+                "{given} bytes of push constants, but the kernel takes {taken}"
             )));
         }
         let limit = self.0.limits.group_count;
         if groups.iter().zip(limit).any(|(g, l)| *g > l) {
             return Err(GpuError::Mismatch(format!(
-                "{groups:?} workgroups, the device allows {limit:?}"
+                "{groups:?} workgroups, but the device allows {limit:?}"
             )));
         }
         let foreign = |d: &Arc<SharedDevice>| !Arc::ptr_eq(d, &self.0);

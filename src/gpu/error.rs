@@ -1,4 +1,4 @@
-//! Errors of devices, worded so that the user can act on them.
+//! Errors of a device, with advice for the user.
 
 use std::time::Duration;
 
@@ -9,25 +9,25 @@ pub enum GpuError {
     #[error(
         "no Vulkan device: {0}\n\
          Install a loader and a driver (Debian: apt install libvulkan1 mesa-vulkan-drivers; the latter brings lavapipe, \
-         which needs no GPU), or render without Vulkan by --device cpu-f64."
+         which needs no GPU), or render without Vulkan with --device cpu-f64."
     )]
     NoVulkan(String),
     #[error(
-        "validation was asked for, but VK_LAYER_KHRONOS_validation is not installed (Debian: vulkan-validationlayers)"
+        "validation was requested, but VK_LAYER_KHRONOS_validation is not installed (Debian: vulkan-validationlayers)"
     )]
     NoValidationLayer,
-    #[error("no device {wanted}; there are: {there}")]
+    #[error("no device {wanted}; the devices are: {there}")]
     NoSuchDevice { wanted: String, there: String },
     #[error("{name} cannot be used: {reason}")]
     Unusable { name: String, reason: String },
-    #[error("{name} would take {bytes} bytes, more than {limit} bytes, {what}")]
+    #[error("{name} needs {bytes} bytes, more than {limit} bytes, {what}")]
     TooLarge {
         name: String,
         bytes: u64,
         limit: u64,
         what: &'static str,
     },
-    #[error("{name} holds {bytes} bytes, {given} were given")]
+    #[error("{name} has {bytes} bytes, but {given} were given")]
     WrongLength {
         name: String,
         bytes: u64,
@@ -35,10 +35,10 @@ pub enum GpuError {
     },
     #[error("dispatch: {0}")]
     Mismatch(String),
-    #[error("the device did not finish within {0:?}; it is given up")]
+    #[error("the device did not finish within {0:?}, and is treated as hung")]
     TimeOut(Duration),
     #[error(
-        "the device was lost: its driver stopped the kernel (a watchdog does, after seconds) or crashed"
+        "the device was lost: its driver stopped the kernel (as watchdogs do after seconds) or crashed"
     )]
     Lost,
     #[error("out of memory on the device, at {0}")]

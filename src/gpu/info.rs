@@ -55,7 +55,7 @@ pub fn devices() -> Result<Vec<DeviceInfo>, GpuError> {
     let instance = Instance::new(false)?;
     let all = enumerate(&instance)?;
     if all.is_empty() {
-        return Err(GpuError::NoVulkan("the driver shows no device".into()));
+        return Err(GpuError::NoVulkan("the driver reports no device".into()));
     }
     Ok(all.into_iter().map(|(_, info)| info).collect())
 }

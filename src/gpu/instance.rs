@@ -96,7 +96,7 @@ fn create(entry: &ash::Entry, validation: bool) -> Result<ash::Instance, GpuErro
     // SAFETY: everything `info` points to lives until the call returns.
     unsafe { entry.create_instance(&info, None) }.map_err(|result| match result {
         vk::Result::ERROR_INCOMPATIBLE_DRIVER => {
-            GpuError::NoVulkan("the loader finds no driver".into())
+            GpuError::NoVulkan("the loader found no driver".into())
         }
         result => GpuError::of("vkCreateInstance")(result),
     })

@@ -50,7 +50,7 @@ impl Buffer {
             .iter()
             .find_map(|kind| (0..types.len()).find(|i| fits(*i, *kind)));
         let index = index.ok_or_else(|| {
-            GpuError::OutOfMemory(format!("{}: no kind of memory fits", self.name))
+            GpuError::OutOfMemory(format!("{}: no suitable memory type", self.name))
         })?;
         self.reserve(types[index].heap_index as usize, needs.size)?;
         let info = vk::MemoryAllocateInfo::default()
@@ -94,11 +94,11 @@ impl Buffer {
             .size
             .saturating_sub(allocated[heap]);
         let (limit, what) = if left < self.device.limits.allocation {
-            (left, "what is left of the device's memory")
+            (left, "the device's free memory")
         } else {
             (
                 self.device.limits.allocation,
-                "what the device allows in one allocation",
+                "the device's limit for an allocation",
             )
         };
         if size > limit {

@@ -83,7 +83,7 @@ impl Device {
         ] {
             if asked > limit {
                 return Err(GpuError::Mismatch(format!(
-                    "{asked} {what}, the device allows {limit}"
+                    "{asked} {what}, but the device allows {limit}"
                 )));
             }
         }

@@ -54,7 +54,7 @@ impl Selector {
             .map(|d| format!("{} ({})", d.index, d.name))
             .collect();
         match self {
-            Self::Best => GpuError::NoVulkan("the driver shows no device".into()),
+            Self::Best => GpuError::NoVulkan("the driver reports no device".into()),
             Self::Index(i) => GpuError::NoSuchDevice {
                 wanted: i.to_string(),
                 there: there.join(", "),

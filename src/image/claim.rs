@@ -34,7 +34,7 @@ impl Claim {
             Ok(lock) => Ok(Self { _lock: Some(lock) }),
             Err(TryLockError::Error(_)) => Ok(Self { _lock: None }),
             Err(TryLockError::WouldBlock) => Err(error(io::Error::other(
-                "another vkpt is writing it; wait for it, or give one of them another name",
+                "another vkpt is writing it; wait for it, or use another name",
             ))),
         }
     }

@@ -30,7 +30,7 @@ impl Place {
             Err(_) if is_name(&path) => Ok(Self::File(path)),
             Err(_) => Err(io::Error::new(
                 ErrorKind::InvalidInput,
-                "is no name of a file",
+                "is not a file name",
             )),
         }
     }
@@ -53,7 +53,7 @@ pub fn followed(path: &Path) -> io::Result<PathBuf> {
             _ => return Ok(path),
         }
     }
-    Err(io::Error::other("its links lead in a circle"))
+    Err(io::Error::other("its links form a cycle"))
 }
 
 /// Whether Linux uses the name for an open file of a process, such as /proc/self/fd/1. The link's text is only a hint:
@@ -103,9 +103,9 @@ mod tests {
             (file("in/none"), file("none"))
         );
         assert_eq!(of("null"), Ok(Place::Straight("/dev/null".into())));
-        assert_eq!(of("a"), Err("its links lead in a circle".to_owned()));
+        assert_eq!(of("a"), Err("its links form a cycle".to_owned()));
         assert_eq!(of("in"), Err("is a folder".to_owned()));
-        assert_eq!(of("none/"), Err("is no name of a file".to_owned()));
+        assert_eq!(of("none/"), Err("is not a file name".to_owned()));
         assert!(Place::of(Path::new("")).is_err());
     }
 

@@ -10,7 +10,7 @@ pub(super) fn check(path: &Path) -> io::Result<()> {
         // A reader of a pipe would take the end of a trial write for the end of the data.
         Kind::Pipe => Ok(()),
         Kind::Socket => Err(io::Error::other(
-            "is a socket, which cannot be opened by its name",
+            "is a socket, which cannot be opened by name",
         )),
         Kind::Other => open(path).map(drop),
     }

@@ -1,4 +1,4 @@
-//! Errors of kernels. They are errors of the project, not of its user, except a driver's refusal.
+//! Errors of a kernel. These are errors of the project, not of its user, except when a driver refuses a kernel.
 
 use std::fmt;
 
@@ -7,11 +7,11 @@ use std::fmt;
 pub enum KernelError {
     #[error("{asked_by} uses {name}, but shaders/{name}.glsl does not exist")]
     UnknownFile { name: String, asked_by: String },
-    #[error("{asked_by} uses the slot <{slot}>, which nothing fills")]
+    #[error("{asked_by} uses the slot <{slot}>, which is not filled")]
     UnknownSlot { slot: String, asked_by: String },
-    #[error("shader files use each other in a circle: {}", chain.join(" → "))]
+    #[error("shader files use each other in a cycle: {}", chain.join(" → "))]
     Cycle { chain: Vec<String> },
-    #[error("the kernel uses no file {name}, so that nothing would come of one in its place")]
+    #[error("the kernel does not use the file {name}, so replacing it has no effect")]
     Unused { name: String },
     #[error("GLSL: {}", list(.0))]
     Glsl(Vec<Culprit>),
@@ -20,10 +20,10 @@ pub enum KernelError {
         message: String,
         culprits: Vec<Culprit>,
     },
-    #[error("a driver may choose the result of these, use the functions of shaders/math: {}", list(.0))]
+    #[error("the results of these depend on the driver: use the functions of shaders/math instead: {}", list(.0))]
     DriverMaths(Vec<Culprit>),
     #[error(
-        "the GLSL compiler (naga) panicked: {0}; out or inout of a component or of a member does this"
+        "the GLSL compiler (naga) panicked: {0}; a component or member passed as out or inout can cause this"
     )]
     Panic(String),
     #[error("SPIR-V: {0}")]

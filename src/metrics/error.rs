@@ -1,11 +1,11 @@
-//! Reasons why pictures cannot be compared.
+//! Errors of comparisons.
 
 /// Why two pictures could not be compared. `picture` names the one at fault: `test picture`, `reference` …; rows count
 /// from the top.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MetricsError {
     #[error(
-        "the {picture} has {}×{} pixels, the {other} {}×{}",
+        "the {picture} has {}×{} pixels, but the {other} {}×{}",
         size[0], size[1], other_size[0], other_size[1]
     )]
     Sizes {
@@ -16,14 +16,14 @@ pub enum MetricsError {
     },
     #[error("the {picture} has no pixels")]
     Empty { picture: &'static str },
-    #[error("the {picture} is {width}×{height} pixels, but its film holds {pixels}")]
+    #[error("the {picture} is {width}×{height} pixels, but its film has {pixels}")]
     Film {
         picture: &'static str,
         width: u32,
         height: u32,
         pixels: usize,
     },
-    #[error("the {picture} holds {value} at column {x}, row {y}, channel {channel}")]
+    #[error("invalid value {value} in the {picture} at column {x}, row {y}, channel {channel}")]
     Value {
         picture: &'static str,
         x: usize,
@@ -31,10 +31,10 @@ pub enum MetricsError {
         channel: char,
         value: f32,
     },
-    #[error("FLIP knows 1 to 1000 pixels per degree, not {0}")]
+    #[error("FLIP needs 1 to 1000 pixels per degree, not {0}")]
     PixelsPerDegree(f64),
-    #[error("a test's level lies between 0 and 1, not at {0}")]
+    #[error("a test's level must be between 0 and 1, not {0}")]
     Level(f64),
-    #[error("the {picture} was compressed with losses that nothing bounds")]
+    #[error("the {picture} was compressed with losses that have no bound")]
     NoRounding { picture: &'static str },
 }

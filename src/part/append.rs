@@ -10,15 +10,15 @@ use crate::reference::math::{Real, Vec3};
 /// Why one part cannot be appended to another.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Misfit {
-    #[error("it has {} of pixels, not {}", by(.0), by(.1))]
+    #[error("it has {} pixels, not {}", by(.0), by(.1))]
     Size([u32; 2], [u32; 2]),
     #[error(
-        "not all of them have what standard errors (--aov stderr) or a denoised picture (--denoise) are made from"
+        "not all parts have the data for standard errors (--aov stderr) or a denoised picture (--denoise)"
     )]
     Keeps,
-    #[error("its scalar is another: one is of cpu-f64")]
+    #[error("it has another precision: one of the parts was rendered by cpu-f64")]
     Scalar,
-    #[error("it begins at sample {}, not {}", .0.start, .1.end)]
+    #[error("it starts at sample {}, not {}", .0.start, .1.end)]
     Range(Range<u32>, Range<u32>),
 }
 

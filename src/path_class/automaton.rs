@@ -39,7 +39,7 @@ impl Automaton {
             .build(expression);
         let dfa = built.map_err(|error| match error.is_size_limit_exceeded() {
             true => "it is too large",
-            false => "its brackets or repetitions do not fit together",
+            false => "its brackets or repetitions do not match",
         })?;
         let start = dfa.universal_start_state(Anchored::Yes);
         let start = start.ok_or("it looks beyond the path")?;

@@ -5,9 +5,9 @@ use super::{Letter, Side};
 /// An invalid pattern, and why.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "{text:?} is no class of paths, {why}: E, the eye, comes first, then D (diffuse), G (rough) or S (smooth) for each surface, \
-     R or T for any that reflects or transmits, <TS> for one that transmits smoothly, then L, the light; . is any surface, \
-     and * + ? | ( ) [DG] [^S] are those of regular expressions"
+    "{text:?} is not a class of paths, {why}. Write E for the eye, then D (diffuse), G (rough) or S (smooth) for each surface, \
+     R or T for any that reflects or transmits, <TS> for one that transmits smoothly, then L for the light; . is any surface, \
+     and * + ? | ( ) [DG] [^S] are as in regular expressions"
 )]
 pub struct PatternError {
     text: String,
@@ -44,7 +44,7 @@ pub(super) fn expression(text: &str) -> Result<String, PatternError> {
             }
             other => {
                 expression += &any_of(|letter| means(other, letter) == Some(true))
-                    .ok_or_else(|| wrong(format!("{other:?} means nothing in it")))?;
+                    .ok_or_else(|| wrong(format!("{other:?} has no meaning in it")))?;
             }
         }
     }
@@ -56,12 +56,12 @@ fn bracketed(open: char, rest: &str) -> Result<(String, &str), String> {
     let close = if open == '[' { ']' } else { '>' };
     let (inside, after) = rest
         .split_once(close)
-        .ok_or_else(|| format!("a {open} has no {close}"))?;
+        .ok_or_else(|| format!("a {open} lacks its {close}"))?;
     let of = match open {
-        '[' => of_set(inside).ok_or("set of D, G, S, R and T, or one with nothing in it"),
-        _ => of_pair(inside).ok_or("R or T before D, G or S, or nothing does both"),
+        '[' => of_set(inside).ok_or("a non-empty set of D, G, S, R and T"),
+        _ => of_pair(inside).ok_or("R or T followed by D, G or S, or no surface does both"),
     };
-    let expression = of.map_err(|what| format!("{open}{inside}{close} is no {what}"))?;
+    let expression = of.map_err(|what| format!("{open}{inside}{close} is not {what}"))?;
     Ok((expression, after))
 }
 

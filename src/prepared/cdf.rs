@@ -12,7 +12,7 @@ pub enum CdfError {
     Empty,
     #[error("weight {0} is negative or not finite, or makes the sum overflow")]
     Invalid(usize),
-    #[error("{0} positive weights, more than the 2^24 that a choice can tell apart")]
+    #[error("{0} positive weights, more than the limit of 2^24")]
     TooMany(usize),
 }
 

@@ -11,7 +11,7 @@ use crate::shape::{Body, Bounds};
 pub fn warn_of_no_light(lights: &[Light], warnings: &mut Vec<String>) {
     if lights.is_empty() {
         warnings.push(
-            "nothing in the scene shines, so the picture is black: put `light r g b` before a shape, or add \
+            "the scene has no lights, so the picture is black: put `light r g b` before a shape, or add \
              `background r g b`"
                 .to_owned(),
         );
@@ -44,7 +44,7 @@ pub fn warn_of_shut_in(
     };
     if let Some(solid) = solids.find(is_dark).filter(|_| !lights.is_empty()) {
         warnings.push(format!(
-            "the eye stands inside the opaque shape of line {}, where nothing shines, so the picture is black: move the \
+            "the eye is inside the opaque shape of line {}, which contains no light, so the picture is black: move the \
              eye, or put a light inside",
             solid.line
         ));

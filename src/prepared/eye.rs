@@ -25,8 +25,8 @@ pub fn warn_of_surface(
     };
     if let Some(shape) = placed.transmissive(materials).find(is_on) {
         warnings.push(format!(
-            "the eye stands on the surface of the transmissive shape of line {}: whether it sees from within or from \
-             without is left to rounding",
+            "the eye is on the surface of the transmissive shape of line {}: rounding decides whether it is inside or \
+             outside",
             shape.line
         ));
     }

@@ -53,8 +53,8 @@ pub fn warn_of_wide(camera: &Camera, lens: &Lens, warnings: &mut Vec<String>) {
     let off = ULP * (1.0 + tangent * tangent) / pixel;
     if off > 1.0 {
         warnings.push(format!(
-            "line {}: the lens is {tangent:.0e} times as wide as what is sharp is far away: in single precision the rays of its edge \
-             miss their points of the plane that is sharp by {off:.0e} pixels",
+            "line {}: the lens is {tangent:.0e} times as wide as its focal distance: in single precision the rays of its edge \
+             miss their points of the focal plane by {off:.0e} pixels",
             lens.line
         ));
     }
@@ -78,8 +78,8 @@ pub fn warn_of_crossing(eye: DVec3, lens: &Lens, placed: &Placed, warnings: &mut
     };
     if let Some(shape) = placed.shapes.iter().find(|s| crosses(&*placed.body(s))) {
         warnings.push(format!(
-            "line {}: the lens reaches through the surface of the shape of line {}: rays start within it and without, all of \
-             them in what the eye stands in",
+            "line {}: the lens reaches through the surface of the shape of line {}: rays start inside and outside of it, all of \
+             them in the medium of the eye",
             lens.line, shape.line
         ));
     }

@@ -36,8 +36,8 @@ pub fn warn_of_overlaps(placed: &Placed, materials: &[Material], warnings: &mut 
     };
     if let Some([a, b]) = first_pair(placed, materials, rule) {
         warnings.push(format!(
-            "the transmissive shapes of lines {a} and {b} overlap: every object stands in air in this model, so the \
-             picture is wrong where they do"
+            "the transmissive shapes of lines {a} and {b} overlap: the model assumes air around every object, so the \
+             picture is wrong where they overlap"
         ));
     }
 }

@@ -144,7 +144,7 @@ fn checked<'m>(mesh: &'m Mesh, line: usize, warnings: &mut Vec<String>) -> Cow<'
         return Cow::Borrowed(mesh);
     }
     warnings.push(format!(
-        "line {line}: the transmissive mesh {name} is wound inside out (its volume is negative): turned"
+        "line {line}: the transmissive mesh {name} is wound inside out (its volume is negative): its triangles are reversed"
     ));
     let mut turned = mesh.clone();
     flip(&mut turned);

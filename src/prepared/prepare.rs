@@ -18,16 +18,16 @@ use crate::settings::Settings;
 /// A scene beyond the limits of the kernels' tables or of single precision.
 #[derive(Debug, thiserror::Error)]
 pub enum PrepareError {
-    #[error("the lights of this scene cannot be chosen among: {0}")]
+    #[error("cannot choose among the lights of this scene: {0}")]
     Lights(#[from] CdfError),
     #[error(
         "line {line}: the index of refraction {ior:e} or its inverse has no square in single precision"
     )]
     Ior { line: usize, ior: f64 },
-    #[error("line {line}: the camera is beyond single precision: its picture is too wide")]
+    #[error("line {line}: the camera exceeds single precision: its field of view is too wide")]
     Camera { line: usize },
     #[error(
-        "line {line}: the lens is beyond single precision: it is too wide, or so for the distance that is sharp"
+        "line {line}: the lens exceeds single precision: it is too wide, or too wide for its focal distance"
     )]
     Lens { line: usize },
 }

@@ -28,8 +28,8 @@ pub fn warn_of_radiances(
     for (radiance, line) in emitters.chain([background]) {
         if radiance > LARGEST_RADIANCE {
             warnings.push(format!(
-                "line {line}: the radiance {radiance:e} is above 2^96: 2^32 samples that bring so much add up to more than single \
-                 precision holds, and those that do count as black",
+                "line {line}: the radiance {radiance:e} is above 2^96: the sum of 2^32 such samples exceeds single precision, and \
+                 samples that overflow count as black",
             ));
         }
     }
@@ -63,7 +63,7 @@ pub fn warn_of_narrow(camera: &Camera, line: usize, warnings: &mut Vec<String>) 
     let pixel = 2.0 * camera.up.length() / f64::from(camera.height);
     if pixel < ULP {
         warnings.push(format!(
-            "line {line}: the camera's pixels are {pixel:.0e} wide, and single precision tells directions apart by {ULP:.0e}: \
+            "line {line}: the camera's pixels are {pixel:.0e} wide, but single precision resolves directions to {ULP:.0e}: \
              many see the same point"
         ));
     }
@@ -83,21 +83,21 @@ pub fn warn_of_small(placed: &Placed, space: &Space, warnings: &mut Vec<String>)
     let thick = space.unit * size.thickness;
     let others = match small.count() {
         0 => String::new(),
-        n => format!(", and {n} more shapes that are as small where they are"),
+        n => format!("; the same applies to {n} more shapes"),
     };
     let line = first.line;
     let apart = away * ULP;
     let squares = match size.thickness < LEAST_LENGTH {
         true => format!(
-            ", and beside a scene of {:.1e} has no squares of lengths below {:.0e}",
+            ", and in a scene of size {:.1e} cannot square lengths below {:.0e}",
             space.unit,
             space.unit * LEAST_LENGTH
         ),
         false => String::new(),
     };
     warnings.push(format!(
-        "the shape of line {line} is {thick:.1e} thick, {away:.1e} from the middle of the scene, where single precision tells \
-         places apart by {apart:.0e}{squares}: it is not where or what the file says{others}"
+        "the shape of line {line} is {thick:.1e} thick, {away:.1e} from the middle of the scene, where single precision resolves \
+         places to {apart:.0e}{squares}: its place or shape will differ from the file{others}"
     ));
 }
 

@@ -61,10 +61,10 @@ pub fn best_of(job: &Job, kinds: &[DeviceKind], threads: usize) -> Best {
     let seconds = reference_seconds(job, measured.rate * threads as f64);
     match () {
         () if kinds.iter().any(|&kind| kind != DeviceKind::Cpu) => vulkan(None),
-        () if kinds.is_empty() => reference("for want of a usable Vulkan device"),
-        () if searched(job) > FEW_SEARCHED => reference("which is faster with so many primitives"),
-        () if seconds < measured.worth => reference("which need not compile"),
-        () => vulkan(Some("worth compiling for so many samples")),
+        () if kinds.is_empty() => reference("as no Vulkan device is usable"),
+        () if searched(job) > FEW_SEARCHED => reference("which is faster for this many primitives"),
+        () if seconds < measured.worth => reference("which needs no compilation"),
+        () => vulkan(Some("worth compiling for this many samples")),
     }
 }
 

@@ -1,17 +1,17 @@
-//! Why there is no picture.
+//! Errors of a rendering.
 
 use crate::features::Features;
 use crate::gpu::GpuError;
 use crate::kernel::KernelError;
 
-/// Why there is no picture.
+/// Why a rendering failed.
 #[derive(Debug, thiserror::Error)]
 pub enum RenderError {
     #[error(transparent)]
     Gpu(#[from] GpuError),
     #[error(
-        "the kernel of this scene does not compile, which is a mistake of vkpt's or in a shader file given to it:\n{error}\n\
-         It was to hold {features}"
+        "the kernel of this scene does not compile, which is a bug in vkpt or in a shader file given to it:\n{error}\n\
+         Its features: {features}"
     )]
     Kernel {
         #[source]
@@ -19,17 +19,17 @@ pub enum RenderError {
         features: Box<Features>,
     },
     #[error(
-        "the driver ended loops of {0} paths before their end: the picture would be wrong. \
+        "the driver ended loops of {0} paths early: the picture would be wrong. \
          Try another driver, or --device cpu-f32"
     )]
     Loops(u64),
     #[error(
-        "the films of the picture take {:.1} GiB of memory, and {:.1} GiB are free: --size or --crop make them smaller",
+        "the films of the picture take {:.1} GiB of memory, but only {:.1} GiB are free: use --size or --crop for a smaller picture",
         gib(*.needed), gib(*.free)
     )]
     Memory { needed: u64, free: u64 },
     #[error(
-        "what was rendered before is of another size, of another scalar, or lacks what standard errors are made from"
+        "the earlier samples have another size or precision, or lack the data for standard errors"
     )]
     Start,
     #[error("the device failed twice: {0}")]

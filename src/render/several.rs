@@ -103,7 +103,7 @@ pub fn render_several(
                         alive.retain(|&other| other != i);
                         wrong |= !error.is_loss();
                         if error.is_loss() && !alive.is_empty() {
-                            watch.lost(&error, "the others go on without it");
+                            watch.lost(&error, "the others continue without it");
                         }
                         failure = Some(error);
                     }

@@ -26,7 +26,7 @@ pub fn render(
     };
     watch.lost(
         &first.error,
-        "it is opened anew, and the rendering goes on by shorter dispatches",
+        "it is reopened, and the rendering continues with shorter dispatches",
     );
     let state = first.so_far.as_ref().map(|so_far| so_far.state.clone());
     let start = state.map_or_else(|| start.clone(), Start::After);

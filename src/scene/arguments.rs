@@ -90,7 +90,7 @@ impl<'t> Arguments<'t> {
     pub fn finish(self, log: &mut Log) {
         if let (Some(first), Some(last)) = (self.rest().first(), self.rest().last()) {
             let message = format!("`{}` has more arguments than it takes", self.command().text);
-            log.warning(first.place.to(last.place), message, "left unread")
+            log.warning(first.place.to(last.place), message, "ignored")
                 .help(format!("usage: {}", self.usage));
         }
     }
@@ -123,7 +123,7 @@ impl<'t> Arguments<'t> {
                 true => format!("`{}` is not a finite number", shorten(text)),
                 false => format!("`{}` is not a number", shorten(text)),
             };
-            log.error(place, message, &format!("{} must stand here", field.name))
+            log.error(place, message, &format!("expected {} here", field.name))
                 .help(format!("usage: {}", self.usage));
             return None;
         };
@@ -133,11 +133,7 @@ impl<'t> Arguments<'t> {
                 "`{}` is beyond the range of single precision",
                 shorten(text)
             );
-            log.error(
-                place,
-                message,
-                &format!("{} as good as infinite", field.name),
-            );
+            log.error(place, message, &format!("{} would be infinite", field.name));
             return None;
         }
         if length < text.len() {
@@ -149,7 +145,7 @@ impl<'t> Arguments<'t> {
             log.warning(
                 place,
                 message,
-                &format!("`{}` is left unread", shorten(&text[length..])),
+                &format!("`{}` is ignored", shorten(&text[length..])),
             );
         }
         field.check(log, Number { value, place })

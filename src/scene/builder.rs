@@ -25,8 +25,8 @@ impl<T> Once<T> {
     /// Sets the value of `command`, `None` if it could not be read. Warns if the command was seen before.
     pub fn set(&mut self, value: Option<T>, command: Token<'_>, log: &mut Log) {
         if !self.is_unseen() {
-            let message = format!("`{}` stands here once more", command.text);
-            log.warning(command.place, message, "the last one counts");
+            let message = format!("`{}` is given more than once", command.text);
+            log.warning(command.place, message, "the last one is used");
         }
         *self = value.map_or(Once::Wrong, Once::Set);
     }

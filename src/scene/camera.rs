@@ -116,7 +116,7 @@ fn seen(order: Order, arguments: &mut Arguments, log: &mut Log) -> Option<(Numbe
     };
     let seen = ry.zip(rotation)?;
     let place = start?.to(arguments.last().place);
-    let message = "`camera` is written as another program has it".to_owned();
+    let message = "the arguments of `camera` are in the order of another program".to_owned();
     log.warning(place, message, read)
         .help(format!("usage: {}", arguments.usage));
     // Perhaps aperture and focus.
@@ -135,11 +135,11 @@ fn refuse(arguments: &mut Arguments, log: &mut Log) {
     let rest = arguments.rest();
     if let (Some(first), Some(last)) = (rest.first(), rest.last()) {
         let place = first.place.to(last.place);
-        let message = "`camera` is written as another program has it".to_owned();
+        let message = "the arguments of `camera` are in the order of another program".to_owned();
         log.error(
             place,
             message,
-            "it is not clear which of these is ry and which is the orientation",
+            "it is ambiguous which of these is ry and which is the orientation",
         )
         .help(format!("usage: {}", arguments.usage));
     }

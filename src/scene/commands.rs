@@ -104,7 +104,7 @@ pub(super) fn read_line(builder: &mut Builder, line: Line<'_>) {
 fn unknown(builder: &mut Builder, command: Token<'_>) {
     let (message, help) = match foreign::lacking(command.text) {
         Some(lacking) => (
-            format!("`{}` is not known here: {}", command.text, lacking.what),
+            format!("`{}` is not supported: {}", command.text, lacking.what),
             lacking.help,
         ),
         None => {

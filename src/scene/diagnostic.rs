@@ -129,7 +129,7 @@ impl fmt::Display for Errors {
         if self.promoted > 0 {
             write!(
                 f,
-                ", of them {} by --strict",
+                ", including {} by --strict",
                 plural(self.promoted, "warning")
             )?;
         }

@@ -86,9 +86,9 @@ pub(super) fn share(names: [&'static str; 3], noun: &'static str) -> [Field; 3] 
 
 /// The three channels of a radiance.
 pub(super) const RADIANCE: [Field; 3] = [
-    not_negative("r", "a radiance"),
-    not_negative("g", "a radiance"),
-    not_negative("b", "a radiance"),
+    not_negative("r", "radiance"),
+    not_negative("g", "radiance"),
+    not_negative("b", "radiance"),
 ];
 
 impl Field {

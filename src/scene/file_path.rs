@@ -43,8 +43,8 @@ pub(super) fn file_path(
         Some(path) => {
             let message = format!("`{}` is read as {}", shorten(&name), path.display());
             let label = match words.len() > 1 && bare == name && resolve(folder, bare) == path {
-                true => "blanks end a name",
-                false => "there is no file of this very name",
+                true => "a blank ends a name",
+                false => "no file has exactly this name",
             };
             log.warning(place, message, label);
             words[1..].iter().for_each(|_| arguments.skip_one());

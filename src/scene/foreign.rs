@@ -22,11 +22,11 @@ const ROWS: [Row; 8] = [
             "env",
         ],
         "the picture lacks these surroundings and their light",
-        "`background FILE` has a picture all around, `background r g b` constant light",
+        "use `background FILE` for a picture of surroundings, or `background r g b` for constant light",
     ),
     (
         &["passes", "pass", "samples", "spp", "iterations"],
-        "the number of samples is no part of the scene",
+        "the number of samples is not part of the scene",
         "use --spp on the command line",
     ),
     (
@@ -38,7 +38,7 @@ const ROWS: [Row; 8] = [
             "roulette",
             "russianroulette",
         ],
-        "the length of paths is no part of the scene",
+        "the length of paths is not part of the scene",
         "use --max-depth or --roulette on the command line",
     ),
     (
@@ -89,7 +89,7 @@ const ROWS: [Row; 8] = [
             "heightfield",
         ],
         "the picture lacks this shape",
-        "a mesh can stand for it",
+        "use a mesh instead",
     ),
     (
         &[
@@ -100,13 +100,13 @@ const ROWS: [Row; 8] = [
             "focaldistance",
             "fstop",
         ],
-        "without a `lens` all of the picture is sharp",
-        "`lens RADIUS FOCUS` blurs what is nearer or farther than FOCUS",
+        "without a `lens` the whole picture is sharp",
+        "use `lens RADIUS FOCUS`, which blurs what is nearer or farther than FOCUS",
     ),
     (
         &["fog", "medium", "media", "volume", "smoke", "participating"],
         "the picture lacks this medium",
-        "only the inside of a solid absorbs light, by its Kt",
+        "only the inside of solids absorbs light, by their Kt",
     ),
     (
         &[
@@ -119,7 +119,7 @@ const ROWS: [Row; 8] = [
             "point",
         ],
         "the picture lacks this light",
-        "a small `sphere` after `light r g b` shines like a point",
+        "use a small `sphere` after `light r g b` instead of a point light",
     ),
 ];
 

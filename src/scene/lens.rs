@@ -10,7 +10,7 @@ pub(super) fn lens(builder: &mut Builder, arguments: &mut Arguments) {
     let log = &mut builder.log;
     let fields = [
         not_negative("RADIUS", "the radius of the lens"),
-        positive("FOCUS", "the distance of what is sharp"),
+        positive("FOCUS", "the focal distance"),
     ];
     let numbers = arguments.numbers(log, fields);
     let line = arguments.command().place.line;

@@ -34,7 +34,7 @@ pub(super) fn brdf(builder: &mut Builder, arguments: &mut Arguments) {
     if kd != DVec3::ZERO && kt != DVec3::ZERO {
         let message = "Kd and Kt are both above 0".into();
         log.warning(command, message, "a material either scatters or transmits")
-            .help("the terms are added as they stand: the surface may send back more than it receives");
+            .help("the terms are added: the surface may reflect and transmit more light than it receives");
     }
     let brdf = Brdf {
         kd,
@@ -67,7 +67,7 @@ fn transmission(arguments: &mut Arguments, log: &mut Log) -> Result<Option<[Numb
     if rest.len() < 4 {
         let place = rest[0].place.to(rest[given - 1].place);
         let message = format!("`brdf` takes 7 numbers or 11, not {}", 7 + given);
-        log.error(place, message, "Kt(3) ior must stand here, or nothing")
+        log.error(place, message, "expected Kt(3) ior here, or nothing")
             .help(format!("usage: {}", arguments.usage));
         return Err(Wrong);
     }
@@ -127,7 +127,7 @@ fn choice<T: Copy>(arguments: &mut Arguments, log: &mut Log, choices: &[(&str, T
     let chosen = choices.iter().find(|(word, _)| *word == token.text);
     if chosen.is_none() {
         let command = arguments.command().text;
-        let message = format!("`{command}` is never `{}`", shorten(token.text));
+        let message = format!("`{command}` cannot be `{}`", shorten(token.text));
         let help = match closest(token.text, &words) {
             Some(word) => format!("did you mean `{word}`?"),
             None => format!("usage: {}", arguments.usage),

@@ -97,7 +97,7 @@ pub fn read_from(
         .map_err(|reason| unreadable(path, &reason))?;
     if bytes.len() as u64 > longest {
         return Err(refused(format!(
-            "{name} is longer than 256 MiB: this is no scene file"
+            "{name} is longer than 256 MiB: this is not a scene file"
         )));
     }
     if model::is_name(path) || model::is_glb(&bytes) {
@@ -107,11 +107,13 @@ pub fn read_from(
         return Err(refused(format!("{name}: {what}")));
     }
     if bytes.contains(&0) {
-        return Err(refused(format!("{name} is not text: it holds a zero byte")));
+        return Err(refused(format!(
+            "{name} is not text: it contains a zero byte"
+        )));
     }
     if camera.is_some() {
         return Err(refused(format!(
-            "{name} is no glTF file: a camera by name is of those only, the command `camera` says how a scene file is seen"
+            "{name} is not a glTF file: --camera selects a camera of glTF files only, the command `camera` sets that of a scene file"
         )));
     }
     // Old files have comments in Latin-1: they are not refused for bytes that are not UTF-8.

@@ -94,12 +94,12 @@ fn strays(arguments: &mut Arguments, log: &mut Log) {
     let (Some(first), Some(last)) = (strays.first(), strays.last()) else {
         return;
     };
-    let message = format!("`{}` begins no rotation", shorten(first.text));
-    let warning = log.warning(first.place.to(last.place), message, "left unread");
+    let message = format!("`{}` is not a rotation", shorten(first.text));
+    let warning = log.warning(first.place.to(last.place), message, "ignored");
     let is_number = |token: &Token| prefix_length(token.text) > 0;
     warning.help(match arguments.command().text {
         "camera" if strays.iter().all(is_number) => {
-            "other programs have the aperture and focus of a lens there; here they are a line of their own: lens RADIUS FOCUS"
+            "other programs have the aperture and focus of a lens there; vkpt has a separate line for them: lens RADIUS FOCUS"
         }
         _ => USAGE,
     });

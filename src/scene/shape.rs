@@ -56,7 +56,7 @@ pub(super) fn cylinder(builder: &mut Builder, arguments: &mut Arguments) {
         log.error(
             place,
             "the axis of the cylinder is zero".into(),
-            "its length is the height",
+            "its length is the cylinder's height",
         );
         return;
     }
@@ -119,5 +119,4 @@ pub(super) fn mesh(builder: &mut Builder, arguments: &mut Arguments) {
     }
 }
 
-const LOOKED_FOR: &str =
-    "a mesh is looked for beside the scene file, then in the working directory";
+const LOOKED_FOR: &str = "a mesh is searched next to the scene file, then in the working directory";

@@ -109,7 +109,7 @@ fn radiances(folder: &Path, file: &FilePath, log: &mut Log) -> Option<Film> {
         Err(error) => {
             let missing = matches!(&error.cause, DecodeError::Io(e) if e.kind() == std::io::ErrorKind::NotFound);
             let told = match missing {
-                true => format!("{}: there is no such file", path.display()),
+                true => format!("{}: no such file", path.display()),
                 false => error.to_string(),
             };
             let told = log.error(*place, told, "");
@@ -141,9 +141,9 @@ fn whole(picture: Picture, path: &Path, place: Place, log: &mut Log) -> Option<F
         Picture {
             precision: Precision::Srgb { .. },
             ..
-        } => "a PNG holds no radiances: surroundings are read from EXR (.exr) and HDR (.hdr)",
+        } => "a PNG has no radiances: use an EXR (.exr) or HDR (.hdr) for surroundings",
         Picture { origin, full, .. } if origin != [0, 0] || full != [width, height] => {
-            "its data window is not all of the picture"
+            "its data window is not the whole picture"
         }
         _ => {
             if width != 2 * height {
@@ -151,7 +151,7 @@ fn whole(picture: Picture, path: &Path, place: Place, log: &mut Log) -> Option<F
                 log.warning(
                     place,
                     message,
-                    "all directions are twice as wide as high; this is stretched over them",
+                    "pictures of all directions are twice as wide as high: this one is stretched",
                 );
             }
             return Some(picture.film);
@@ -162,4 +162,4 @@ fn whole(picture: Picture, path: &Path, place: Place, log: &mut Log) -> Option<F
 }
 
 const LOOKED_FOR: &str =
-    "a picture is looked for beside the scene file, then in the working directory";
+    "a picture is searched next to the scene file, then in the working directory";

@@ -9,7 +9,7 @@ pub fn differs(there: &Header, here: &Header) -> Option<String> {
     let pairs = a.into_iter().zip(b);
     let other = |((name, there), (_, here)): ((&str, String), (&str, String))| {
         (there != here).then(|| match name {
-            SCENE => "the scene or one of its meshes is another".to_owned(),
+            SCENE => "the scene or one of its meshes differs".to_owned(),
             _ => format!("{name} is {there} there and {here} here"),
         })
     };

@@ -91,9 +91,9 @@ impl Preamble {
                 wrong("it has no pixels, or too many")
             }
             () if self.moments && self.quarters => wrong("it has moments and quarters"),
-            () if area != Some(self.area) => wrong("its area is not that of its picture"),
+            () if area != Some(self.area) => wrong("its area does not match its picture"),
             () if job.spp != end - begin => {
-                wrong("its number of samples is not that of its record")
+                wrong("its number of samples does not match its record")
             }
             () => Ok(()),
         }

@@ -45,7 +45,7 @@ fn open(path: &Path) -> Result<(File, u64), StateError> {
     let there = path.metadata()?;
     match there.is_file() {
         true => Ok((File::open(path)?, there.len())),
-        false => Err(io::Error::other("it is no file").into()),
+        false => Err(io::Error::other("it is not a regular file").into()),
     }
 }
 

@@ -168,7 +168,7 @@ fn too_many_bytes_for_a_buffer_are_refused() {
         .buffer("seeds", BufferUse::Storage, 8)
         .expect("a buffer");
     let error = buffer.write(&[0; 9]).expect_err("too long");
-    assert_eq!(error.to_string(), "seeds holds 8 bytes, 9 were given");
+    assert_eq!(error.to_string(), "seeds has 8 bytes, but 9 were given");
     assert!(buffer.read_into(&mut [0; 9]).is_err());
 }
 

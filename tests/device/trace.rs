@@ -131,7 +131,7 @@ fn both_paths_are_told_with_every_way_to_find_light() {
         let text = trace(&job, &target, [16, 20], 3)
             .expect("a trace")
             .to_string();
-        let equal = "the same decisions and the same light as cpu-f32, to the bit";
+        let equal = "the same decisions and radiance as cpu-f32, to the bit";
         assert!(text.contains(equal), "{text}");
     }
     // Light paths of the first begin at its lamp, those of the second at its sky, most of them, which sends out none.

@@ -230,7 +230,7 @@ fn an_eye_on_the_surface_of_glass_is_warned_of() {
         assert!(warnings.len() <= 1, "{warnings:?}");
         warnings
             .iter()
-            .any(|w| w.contains("line 4") && w.contains("the eye stands on"))
+            .any(|w| w.contains("line 4") && w.contains("the eye is on"))
     };
     let (ball, cuboid, can) = (
         "sphere 0 0 0 1",
@@ -296,8 +296,8 @@ fn lights_are_as_small_as_what_gathers_their_light_sees_them() {
 
 #[test]
 fn pictures_that_can_only_be_black_are_warned_of() {
-    const NONE_SHINES: &str = "nothing in the scene shines";
-    const SHUT_IN: &str = "the eye stands inside the opaque shape of line 4";
+    const NONE_SHINES: &str = "the scene has no lights";
+    const SHUT_IN: &str = "the eye is inside the opaque shape of line 4";
     let far = format!("{MATTE}sphere 0 0 -5 1\n");
     let around = [
         format!("{MATTE}box -1 -1 -1 2 2 2\n"),

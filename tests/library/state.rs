@@ -114,7 +114,7 @@ fn a_refusal_says_why() {
     damaged[end] ^= 1;
     assert!(matches!(refused(&damaged), StateError::Checksum));
     let folder = read(Path::new("fuzz")).expect_err("a folder");
-    assert_eq!(folder.to_string(), "it is no file");
+    assert_eq!(folder.to_string(), "it is not a regular file");
 }
 
 /// A file that says it has more than there is takes no memory for it.
@@ -146,7 +146,7 @@ fn what_differs_is_named() {
     };
     named(
         &|h| h.digest.clear(),
-        "the scene or one of its meshes is another",
+        "the scene or one of its meshes differs",
     );
     named(
         &|h| h.record.version = "0.0.9".into(),

@@ -22,31 +22,31 @@ pub enum DecodeError {
     NoFile,
     #[error("is empty")]
     Empty,
-    #[error("is no picture that vkpt reads: EXR, HDR or PNG")]
+    #[error("is not a picture in a supported format: EXR, HDR or PNG")]
     Unknown,
     /// The message of the format's crate.
-    #[error("is broken: {0}")]
+    #[error("is damaged: {0}")]
     Broken(String),
-    #[error("vkpt can't read that: {0}")]
+    #[error("not supported: {0}")]
     Unsupported(String),
-    #[error("holds no pixels")]
+    #[error("has no pixels")]
     NoPixels,
-    #[error("{width}×{height} pixels are too many: vkpt reads up to 2²⁸")]
+    #[error("{width}×{height} pixels are too many: the limit is 2²⁸")]
     TooLarge { width: u64, height: u64 },
-    #[error("is broken: {bytes} bytes can't hold {width}×{height} pixels")]
+    #[error("is damaged: {bytes} bytes cannot contain {width}×{height} pixels")]
     Lying { width: u64, height: u64, bytes: u64 },
-    #[error("is no EXR, and has no layers")]
+    #[error("is not an EXR, so it has no layers")]
     NoLayers,
     #[error("has no layer {layer}; its channels are {}", channels.join(", "))]
     NoLayer {
         layer: String,
         channels: Vec<String>,
     },
-    #[error("has no channels R, G and B; those that it has are {}", channels.join(", "))]
+    #[error("has no channels R, G and B; its channels are {}", channels.join(", "))]
     Missing { channels: Vec<String> },
-    #[error("has R, G and B in several layers, and vkpt can't know which is meant: {}", layers.join(", "))]
+    #[error("has R, G and B in several layers, which is ambiguous: {}", layers.join(", "))]
     Ambiguous { layers: Vec<String> },
-    #[error("has whole numbers (UINT) for radiance in channel {channel}")]
+    #[error("has integers (UINT) in channel {channel}, but radiance needs floats")]
     WholeNumbers { channel: String },
     #[error("its colours are not sRGB: {0}; convert them first")]
     Colours(String),

@@ -34,7 +34,7 @@ fn chosen(
 ) -> Result<Picture, DecodeError> {
     // Bit 11 of the version field, the file's second word.
     if bytes.get(5).is_some_and(|flags| flags & 0b1000 != 0) {
-        let deep = "deep data, which has several values a pixel";
+        let deep = "deep data, which has several values per pixel";
         return Err(DecodeError::Unsupported(deep.to_owned()));
     }
     let reader = Reader::read_from_buffered(Cursor::new(bytes), false)?;
@@ -57,7 +57,7 @@ fn chosen(
     let window = header.shared_attributes.display_window;
     let place = |data: i32, display: i32| {
         data.checked_sub(display)
-            .ok_or_else(|| broken("its data window is too far away"))
+            .ok_or_else(|| broken("its data window is too far from the origin"))
     };
     let position = header.own_attributes.layer_position;
     let comments = header.own_attributes.comments.as_ref();
@@ -86,7 +86,7 @@ fn check_primaries(given: Option<Chromaticities>) -> Result<(), DecodeError> {
     let xy = |Vec2(x, y): Vec2<f32>| [f64::from(x), f64::from(y)];
     match given {
         Some(c) if !primaries::are_srgb([c.red, c.green, c.blue, c.white].map(xy)) => Err(
-            DecodeError::Colours("its `chromaticities` are others".to_owned()),
+            DecodeError::Colours("its `chromaticities` differ".to_owned()),
         ),
         _ => Ok(()),
     }

@@ -57,7 +57,7 @@ fn check_colours(header: &HdrMetadata) -> Result<(), DecodeError> {
             return Err(DecodeError::Broken(format!("primaries of {value}")));
         };
         if !primaries::are_srgb([[rx, ry], [gx, gy], [bx, by], [wx, wy]]) {
-            return Err(DecodeError::Colours("its PRIMARIES are others".to_owned()));
+            return Err(DecodeError::Colours("its PRIMARIES differ".to_owned()));
         }
     }
     Ok(())
@@ -67,7 +67,7 @@ impl From<ImageError> for DecodeError {
     fn from(error: ImageError) -> Self {
         match error {
             ImageError::Unsupported(what) => Self::Unsupported(what.to_string()),
-            ImageError::IoError(_) => Self::Broken("it ends too early".to_owned()),
+            ImageError::IoError(_) => Self::Broken("it is truncated".to_owned()),
             error => Self::Broken(error.to_string()),
         }
     }

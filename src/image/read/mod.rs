@@ -111,7 +111,7 @@ fn decode_layer(bytes: &[u8], layer: &str) -> Result<Picture, DecodeError> {
 fn checked(decode: impl Fn() -> Result<Picture, DecodeError>) -> Result<Picture, DecodeError> {
     // The crates are hardened against broken files, but not proved to be.
     let picture = catch_unwind(AssertUnwindSafe(decode))
-        .unwrap_or(Err(DecodeError::Broken("its decoder gave up".to_owned())))
+        .unwrap_or(Err(DecodeError::Broken("its decoder failed".to_owned())))
         .map_err(DecodeError::printable)?;
     check_finite(&picture)?;
     Ok(picture)

@@ -67,18 +67,18 @@ fn check_colours(info: &Info) -> Result<(), DecodeError> {
         let srgb = (cicp.color_primaries, cicp.transfer_function) == (1, 13);
         return match srgb && cicp.matrix_coefficients == 0 && cicp.is_video_full_range_image {
             true => Ok(()),
-            false => refuse("its cICP chunk names others"),
+            false => refuse("its cICP chunk names other colours"),
         };
     }
     if info.srgb.is_some() {
         return Ok(());
     }
     if info.icc_profile.is_some() {
-        return refuse("it has a profile of its own (iCCP chunk)");
+        return refuse("it has a colour profile (iCCP chunk)");
     }
     let gamma = info.gama_chunk.map(|g| f64::from(g.into_value()));
     if gamma.is_some_and(|gamma| (gamma - 0.45455).abs() > 5e-4) {
-        return refuse("its gAMA chunk names another transfer");
+        return refuse("its gAMA chunk names another transfer function");
     }
     let primaries = info.chrm_chunk.map(|c| {
         [c.red, c.green, c.blue, c.white]
@@ -95,7 +95,7 @@ fn check_colours(info: &Info) -> Result<(), DecodeError> {
 impl From<DecodingError> for DecodeError {
     fn from(error: DecodingError) -> Self {
         match error {
-            DecodingError::IoError(_) => Self::Broken("it ends too early".to_owned()),
+            DecodingError::IoError(_) => Self::Broken("it is truncated".to_owned()),
             error => Self::Broken(error.to_string()),
         }
     }

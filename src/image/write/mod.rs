@@ -53,7 +53,7 @@ pub enum EncodeError {
     Hdr(#[from] ::image::ImageError),
     #[error("{0}")]
     Exr(#[from] ::exr::error::Error),
-    #[error("the picture is {width}×{height} pixels, but its film holds {pixels}")]
+    #[error("the picture is {width}×{height} pixels, but its film has {pixels}")]
     Size {
         width: u32,
         height: u32,

@@ -168,7 +168,7 @@ impl<F: Real> Recorder<F> for Events<'_, F> {
         let count = self.paths.eye.len() - usize::from(on.is_some());
         let bounces = self.paths.eye_bounces(count, path.ray.d);
         let shape = on.map_or(NONE, |x| x.v.shape);
-        let to = format!("the eye path comes to {}", self.names.of(shape));
+        let to = format!("the eye path reaches {}", self.names.of(shape));
         let whole = (self.paths.eye_point, bounces, end);
         self.found([0, path.bounce + 2], &to, Some(seen), whole);
     }

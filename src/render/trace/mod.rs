@@ -25,8 +25,8 @@ pub use side_by_side::Trace;
 const REFERENCES_APART: f64 = 1e-3;
 
 /// The letters of a bidirectional trace.
-const LEGEND: &str = "s: vertices of the light path; t: of the eye path. Below a connection that found light stand all ways to \
-     find its path, each with its density p and its weight p²/Σp²; * marks the one taken.";
+const LEGEND: &str = "s: vertices of the light path; t: of the eye path. A connection that found light is followed by all ways \
+     to find its path, each with its density p and its weight p²/Σp²; * marks the one taken.";
 
 /// The path of sample `index` of the pixel at column and row `pixel`.
 ///
@@ -105,14 +105,14 @@ fn on_device(job: &Job, device: &Device, address: Address) -> Result<String, Ren
     let expected = path::<f32>(&job, &World::new(job.prepared), address);
     let name = &device.info().name;
     Ok(if found == expected {
-        format!("{name}: the same decisions and the same light as cpu-f32, to the bit")
+        format!("{name}: the same decisions and radiance as cpu-f32, to the bit")
     } else {
         let decides = match found.signature == expected.signature {
             true => "the same decisions as cpu-f32",
-            false => "other decisions than cpu-f32",
+            false => "different decisions from cpu-f32",
         };
         let [a, b] = [found.radiance, expected.radiance];
-        format!("{name}: {decides}; splats and eye path bring {a:?}, by cpu-f32 {b:?}")
+        format!("{name}: {decides}; radiance of splats and eye path {a:?}, by cpu-f32 {b:?}")
     })
 }
 

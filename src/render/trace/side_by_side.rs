@@ -36,7 +36,7 @@ impl Display for Trace {
         let parting = self.parting();
         for i in 0..self.paths[0].len().max(self.paths[1].len()) {
             let mark = if Some(i) == parting {
-                "── the paths part here ──\n"
+                "── the paths diverge here ──\n"
             } else {
                 ""
             };
@@ -52,7 +52,7 @@ impl Display for Trace {
         }
         match parting {
             None => f.write_str("the two paths are the same"),
-            Some(i) => write!(f, "the two paths part at event {}", i + 1),
+            Some(i) => write!(f, "the two paths diverge at event {}", i + 1),
         }
     }
 }
@@ -82,7 +82,7 @@ mod tests {
     fn equal_paths_are_the_same() {
         let text = trace(&[1.0, f64::NAN], &[1.0, f64::NAN], 0.0).to_string();
         assert!(text.ends_with("the two paths are the same"), "{text}");
-        assert!(!text.contains("part here"), "{text}");
+        assert!(!text.contains("diverge here"), "{text}");
     }
 
     /// One ulp, a missing event, another kind of event.
@@ -94,8 +94,8 @@ mod tests {
         other.paths[1][1].what = "escape".into();
         for planted in [one_ulp, missing, other] {
             let text = planted.to_string();
-            assert!(text.ends_with("the two paths part at event 2"), "{text}");
-            let before = text.split("── the paths part here ──").next();
+            assert!(text.ends_with("the two paths diverge at event 2"), "{text}");
+            let before = text.split("── the paths diverge here ──").next();
             assert_eq!(
                 before.map(|s| s.matches("point").count()),
                 Some(2),

@@ -5,7 +5,7 @@
 const BEGINNINGS: [(&[u8], &str); 6] = [
     (
         b"version https://git-lfs",
-        "it is a pointer of Git LFS and not the file itself: fetch that with `git lfs pull`",
+        "it is a Git LFS pointer, not the file itself: fetch the file with `git lfs pull`",
     ),
     (
         b"<!doctype html",

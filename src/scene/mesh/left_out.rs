@@ -58,8 +58,8 @@ impl LeftOut {
         };
         let faces = count(
             self.faces,
-            "face of fewer than three corners is left out",
-            "faces of fewer than three corners are left out",
+            "face with fewer than three corners is skipped",
+            "faces with fewer than three corners are skipped",
         );
         let normals = count(
             self.normals,
@@ -73,12 +73,12 @@ impl LeftOut {
         );
         let surfaces = count(
             self.surfaces,
-            "curve or surface of free form is left out",
-            "curves and surfaces of free form are left out",
+            "free-form curve or surface is skipped",
+            "free-form curves and surfaces are skipped",
         );
         let unknown = (self.first_unknown.as_ref()).map(|(line, word)| match self.unknown {
-            1 => format!("its line {line} begins with `{word}`, which is not known, and is left out"),
-            n => format!("{n} lines begin with words that are not known and are left out, the first is line {line}, `{word}`"),
+            1 => format!("line {line} begins with the unknown word `{word}` and is skipped"),
+            n => format!("{n} lines begin with unknown words and are skipped; the first is line {line}, `{word}`"),
         });
         let all = [faces, normals, references, surfaces, unknown];
         all.into_iter().flatten().collect()

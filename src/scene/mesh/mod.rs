@@ -36,20 +36,20 @@ pub struct MeshFile {
 /// An error in a mesh file.
 #[derive(Debug, thiserror::Error)]
 pub enum MeshError {
-    #[error("there is no such file")]
+    #[error("no such file")]
     Missing,
-    #[error("takes {0} bytes of memory, and they are not there")]
+    #[error("takes {0} bytes of memory, which are not available")]
     Memory(u64),
-    #[error("is no file")]
+    #[error("is not a regular file")]
     NoFile,
     #[error("cannot be read: {0}")]
     Unreadable(io::Error),
-    #[error("its format is not read; these are: {MESH_FORMATS}")]
+    #[error("unsupported format; the supported formats are {MESH_FORMATS}")]
     Format,
     /// The bytes violate the format.
     #[error("{0}")]
     Malformed(String),
-    #[error("element `{element}` is truncated: it claims {count}, and only {bytes} bytes follow")]
+    #[error("element `{element}` is truncated: it declares {count}, but only {bytes} bytes follow")]
     Truncated {
         element: String,
         count: usize,
@@ -57,7 +57,7 @@ pub enum MeshError {
     },
     #[error("vertex {0} (from 0) is not finite in single precision")]
     NotFinite(usize),
-    #[error("face {face} (from 0) refers to vertex {index}, and there are {vertices}")]
+    #[error("face {face} (from 0) refers to vertex {index}, but there are {vertices}")]
     BadIndex {
         face: usize,
         index: i64,

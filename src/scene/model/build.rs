@@ -93,8 +93,8 @@ impl<'a> Build<'a> {
             Ok(None) => {
                 let view = view::of_all(ball.centre, ball.radius);
                 match view {
-                    Some(_) => self.note("it has no camera: it is seen from before, the right and above, all of it"),
-                    None => self.fail("it has no camera, and is too large for a view of all of it in single precision: add one"),
+                    Some(_) => self.note("it has no camera: the view is from the front, right and above, and shows everything"),
+                    None => self.fail("it has no camera, and is too large for a default view in single precision: add a camera"),
                 }
                 view
             }
@@ -137,10 +137,10 @@ impl<'a> Build<'a> {
         if shines {
             return (DVec3::ZERO, 0);
         }
-        self.note("nothing in it shines: its background is white, of radiance 1");
+        self.note("it has no lights: the background is white, with radiance 1");
         let line = self
             .listing
-            .add("background 1 1 1", "nothing in the file shines");
+            .add("background 1 1 1", "the file has no lights");
         (DVec3::ONE, line)
     }
 

@@ -36,12 +36,12 @@ pub(super) fn lamps(
         };
         let light = lights.get(asked.light);
         let light =
-            light.ok_or_else(|| format!("{}: there is no light {}", node.label, asked.light))?;
+            light.ok_or_else(|| format!("{}: light {} does not exist", node.label, asked.light))?;
         let label = label(document, asked.light);
         if light.kind != "point" {
             let kind = quote(&light.kind);
             left_out.note(
-                format!("the picture lacks it, as all {kind} lights: {INSTEAD}"),
+                format!("{kind} lights are not supported, so the picture lacks it: {INSTEAD}"),
                 &label,
             );
             continue;
@@ -50,7 +50,7 @@ pub(super) fn lamps(
         let centre = node.to_scene.clone()?.translation;
         if !centre.as_vec3().is_finite() {
             return Err(format!(
-                "{label}: its place is not finite in single precision"
+                "{label}: its position is not finite in single precision"
             ));
         }
         if radiance != DVec3::ZERO {
@@ -81,7 +81,7 @@ pub(super) fn label(document: &Document, number: usize) -> String {
     )
 }
 
-const INSTEAD: &str = "give the file a mesh that shines, or a point";
+const INSTEAD: &str = "use an emissive mesh or a point light";
 
 /// A ball of radius r and radiance L has the intensity I = L π r² in all directions, because it is seen as a disc: L =
 /// I/(π r²).

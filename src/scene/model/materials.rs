@@ -54,11 +54,11 @@ impl Materials {
         let name = material.and_then(|material| material.name.as_deref());
         let label = match number {
             Some(number) => called("material", number, name),
-            None => "glTF's own material".to_owned(),
+            None => "glTF's default material".to_owned(),
         };
         let kind = match material {
             Some(material) => surface::kind(material, &label, left_out),
-            None => Err("it is not there".to_owned()),
+            None => Err("it does not exist".to_owned()),
         };
         let kind = kind.unwrap_or_else(|what| {
             self.errors.push(format!("{label}: {what}"));
@@ -120,7 +120,8 @@ impl Materials {
                 continue;
             };
             if one_sided && shines(&self.all[shape.material]) && edges(mesh).open > 0 {
-                let what = "it shines to both sides, as lights do here, and is not closed";
+                let what =
+                    "it is not closed, and emits light to both sides, as all lights in vkpt do";
                 left_out.note(what, self.label(shape.material));
             }
         }

@@ -25,7 +25,7 @@ pub(super) fn kind(
     if radiance != DVec3::ZERO {
         if surface.reflects() {
             left_out.note(
-                "it shines and reflects nothing: a light is black here",
+                "it emits light and reflects nothing: lights are black in vkpt",
                 label,
             );
         }
@@ -117,7 +117,7 @@ impl Surface {
         };
         if transmission > 0.0 && transmission < 1.0 {
             let taken = if transmission >= 0.5 { "all" } else { "none" };
-            let what = format!("it transmits a part of the light: taken as {taken}");
+            let what = format!("it transmits part of the light: taken as {taken}");
             left_out.note(what, label);
         }
         match (transmission >= 0.5, self.is_thick) {
@@ -187,8 +187,8 @@ fn nothing() -> Brdf {
     }
 }
 
-const THIN: &str = "it is thin-walled, for its thicknessFactor is 0: light passes it unchanged, and nothing is \
-    mirrored; give a solid a thickness (KHR_materials_volume)";
+const THIN: &str = "it is thin-walled, because its thicknessFactor is 0: light passes unchanged, without \
+    reflection; give solids a thickness (KHR_materials_volume)";
 
 #[cfg(test)]
 mod tests {

@@ -27,7 +27,7 @@ pub(super) fn note(document: &Document, left_out: &mut LeftOut) {
         }
     }
     if !document.animations.is_empty() {
-        let what = "its animations are not read: nodes and joints stand as they are at rest";
+        let what = "its animations are not read: nodes and joints are in their rest pose";
         left_out.note(what, FILE);
     }
     let coloured = |p: &Primitive| p.attributes.keys().any(|name| name.starts_with("COLOR_"));

@@ -56,7 +56,7 @@ fn cameras<'a>(document: &'a Document, nodes: &'a [Placed]) -> Result<Vec<Seen<'
         };
         let camera = document.cameras.get(number);
         let camera =
-            camera.ok_or_else(|| format!("{}: there is no camera {number}", node.label))?;
+            camera.ok_or_else(|| format!("{}: camera {number} does not exist", node.label))?;
         cameras.push(Seen {
             node,
             number,
@@ -77,8 +77,11 @@ fn unknown(name: &str, cameras: &[Seen]) -> String {
         })
         .collect();
     match &names[..] {
-        [] => format!("there is no camera `{name}`: its scene has none"),
-        names => format!("there is no camera `{name}`: there is {}", names.join(", ")),
+        [] => format!("camera `{name}` does not exist: its scene has no cameras"),
+        names => format!(
+            "camera `{name}` does not exist; its cameras are {}",
+            names.join(", ")
+        ),
     }
 }
 
@@ -88,8 +91,7 @@ fn view(document: &Document, seen: &Seen) -> Result<View, String> {
     let within = |what: String| format!("{label}: {what}");
     let lens = camera.perspective.as_ref().ok_or_else(|| {
         within(
-            "it is not perspective: give the file a perspective camera, or choose one by --camera"
-                .into(),
+            "it is not perspective: use a perspective camera, or choose one with --camera".into(),
         )
     })?;
     let to_scene = seen.node.to_scene.clone()?;
@@ -101,7 +103,9 @@ fn view(document: &Document, seen: &Seen) -> Result<View, String> {
     })?;
     let eye = to_scene.translation;
     if !eye.as_vec3().is_finite() {
-        return Err(within("its place is not finite in single precision".into()));
+        return Err(within(
+            "its position is not finite in single precision".into(),
+        ));
     }
     Ok(View {
         camera: Camera {
@@ -169,7 +173,7 @@ pub(super) fn of_all(centre: DVec3, radius: f64) -> Option<View> {
         width: WIDTH,
         height: WIDTH * 3 / 4,
     };
-    let of = "sees all of it: the file has no camera".to_owned();
+    let of = "shows everything: the file has no camera".to_owned();
     eye.as_vec3()
         .is_finite()
         .then_some(View { camera, screen, of })

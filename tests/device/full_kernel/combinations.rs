@@ -94,7 +94,7 @@ fn a_combination_that_does_not_compile_is_named() {
     for part in [
         "boxes",
         "<light>",
-        "It was to hold shapes: sphere; ",
+        "Its features: shapes: sphere; ",
         "lights: sphere, box",
     ] {
         assert!(error.contains(part), "{part}: {error}");

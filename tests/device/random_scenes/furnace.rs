@@ -75,7 +75,7 @@ fn nothing_is_brighter(case: &Case, by: By) -> TestCaseResult {
     let prepared = case.prepared();
     // In glass all radiance is n² times as large. Glass that overlaps glass is outside the model, and what an eye on its surface
     // sees is left to rounding: both warned of.
-    let warnings = ["overlap", "the eye stands on the surface"];
+    let warnings = ["overlap", "the eye is on the surface"];
     let warned = prepared
         .warnings
         .iter()

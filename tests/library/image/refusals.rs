@@ -44,7 +44,7 @@ fn what_is_no_picture() {
         told.expect("the file's name first").to_owned()
     };
     assert_eq!(told(&path("empty.exr")), "is empty");
-    let no_picture = "is no picture that vkpt reads: EXR, HDR or PNG";
+    let no_picture = "is not a picture in a supported format: EXR, HDR or PNG";
     assert_eq!(told(&path("scene.exr")), no_picture);
     assert_eq!(told(folder.path()), "is a folder");
     let missing = std::io::Error::from_raw_os_error(2).to_string();
@@ -61,24 +61,27 @@ fn exr_without_a_picture_to_compare() {
     let expected = [
         (
             "only-y",
-            "has no channels R, G and B; those that it has are A, Y",
+            "has no channels R, G and B; its channels are A, Y",
         ),
         (
             "layers-two",
-            "has R, G and B in several layers, and vkpt can't know which is meant: diffuse, specular",
+            "has R, G and B in several layers, which is ambiguous: diffuse, specular",
         ),
-        ("uint", "has whole numbers (UINT) for radiance in channel R"),
+        (
+            "uint",
+            "has integers (UINT) in channel R, but radiance needs floats",
+        ),
         (
             "deep",
-            "vkpt can't read that: deep data, which has several values a pixel",
+            "not supported: deep data, which has several values per pixel",
         ),
         (
             "smooth-htj2k32",
-            "vkpt can't read that: yet unimplemented compression method: ht j2k 32 compression",
+            "not supported: yet unimplemented compression method: ht j2k 32 compression",
         ),
         (
             "aces",
-            "its colours are not sRGB: its `chromaticities` are others; convert them first",
+            "its colours are not sRGB: its `chromaticities` differ; convert them first",
         ),
         // Rows and columns of the full picture: the data window begins at 2,−1 of it.
         (
@@ -94,10 +97,13 @@ fn exr_without_a_picture_to_compare() {
 #[test]
 fn png_that_is_not_srgb() {
     let expected = [
-        ("gamma-linear", "its gAMA chunk names another transfer"),
+        (
+            "gamma-linear",
+            "its gAMA chunk names another transfer function",
+        ),
         ("primaries-p3", "its cHRM chunk names other primaries"),
-        ("cicp-pq", "its cICP chunk names others"),
-        ("profile", "it has a profile of its own (iCCP chunk)"),
+        ("cicp-pq", "its cICP chunk names other colours"),
+        ("profile", "it has a colour profile (iCCP chunk)"),
     ];
     for (name, why) in expected {
         assert_eq!(
@@ -117,28 +123,28 @@ fn hdr_of_other_colours_sizes_and_orders() {
         ),
         (
             header("PRIMARIES=.7 .3 .2 .7 .1 .1 .33 .33", "-Y 1 +X 1"),
-            "its colours are not sRGB: its PRIMARIES are others; convert them first",
+            "its colours are not sRGB: its PRIMARIES differ; convert them first",
         ),
         (
             header("PRIMARIES=1 2", "-Y 1 +X 1"),
-            "is broken: primaries of 1 2",
+            "is damaged: primaries of 1 2",
         ),
         (
             header("EXPOSURE=0", "-Y 1 +X 1"),
-            "is broken: an exposure of 0",
+            "is damaged: an exposure of 0",
         ),
-        (header("EXPOSURE=1", "-Y 0 +X 5"), "holds no pixels"),
+        (header("EXPOSURE=1", "-Y 0 +X 5"), "has no pixels"),
         (
             header("EXPOSURE=1", "-Y 16385 +X 16384"),
-            "16384×16385 pixels are too many: vkpt reads up to 2²⁸",
+            "16384×16385 pixels are too many: the limit is 2²⁸",
         ),
         (
             header("EXPOSURE=1", "-Y 16384 +X 16384"),
-            "is broken: 45 bytes can't hold 16384×16384 pixels",
+            "is damaged: 45 bytes cannot contain 16384×16384 pixels",
         ),
         (
             header("EXPOSURE=1", "-Y 2 +X 1"),
-            "is broken: it ends too early",
+            "is damaged: it is truncated",
         ),
     ];
     for (file, text) in expected {
@@ -149,7 +155,7 @@ fn hdr_of_other_colours_sizes_and_orders() {
         header("EXPOSURE=1", "+Y 1 +X 1"),
     ] {
         let text = of_bytes(unsupported.as_bytes());
-        assert!(text.starts_with("vkpt can't read that: "), "{text}");
+        assert!(text.starts_with("not supported: "), "{text}");
     }
 }
 
@@ -159,7 +165,7 @@ fn an_exr_or_png_cut_short() {
         let bytes = encoded(&film(), format, 0.0);
         for length in [bytes.len() / 4, bytes.len() / 2, bytes.len() - 1] {
             let text = of_bytes(&bytes[..length]);
-            assert!(text.starts_with("is broken: "), "{text}");
+            assert!(text.starts_with("is damaged: "), "{text}");
         }
     }
 }
@@ -181,7 +187,7 @@ fn an_exr_with_a_block_twice() {
     file.copy_within(table + 8..table + 16, table + 16);
     assert_eq!(
         of_bytes(&file),
-        "is broken: blocks other than its header tells of"
+        "is damaged: its blocks do not match its header"
     );
 }
 
@@ -193,7 +199,7 @@ fn an_exr_whose_block_claims_too_much() {
     file[counter + 5] = 1;
     assert_eq!(
         of_bytes(&file),
-        "is broken: a chunk claims more than its block holds"
+        "is damaged: a chunk declares more than its block contains"
     );
 }
 

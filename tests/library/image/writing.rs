@@ -148,7 +148,7 @@ fn a_film_of_the_wrong_size_is_refused() {
         let error = encode(&frame, format, &labels, &mut out).expect_err("must be refused");
         assert_eq!(
             error.to_string(),
-            "the picture is 2×2 pixels, but its film holds 3"
+            "the picture is 2×2 pixels, but its film has 3"
         );
         assert!(out.into_inner().is_empty());
     }

@@ -244,5 +244,5 @@ fn a_black_picture_is_no_light() {
     let text = format!("screen 4 3\ncamera 0 0 0 1\n{}", background(&picture, ""));
     let prepared = prepared(&text, &Settings::default());
     assert!(prepared.lights.is_empty() && prepared.surroundings.is_none());
-    assert!(prepared.warnings[0].contains("nothing in the scene shines"));
+    assert!(prepared.warnings[0].contains("the scene has no lights"));
 }

@@ -95,15 +95,15 @@ fn what_it_refuses() {
     };
     assert_eq!(
         refusal(&exact(&good), &exact(&small)),
-        "the first picture has 30×30 pixels, the second picture 29×30"
+        "the first picture has 30×30 pixels, but the second picture 29×30"
     );
     assert_eq!(
         refusal(&exact(&good), &measured(&good, &small)),
-        "the second picture has 30×30 pixels, the second picture's standard errors 29×30"
+        "the second picture has 30×30 pixels, but the second picture's standard errors 29×30"
     );
     assert_eq!(
         refusal(&measured(&good, &negative), &exact(&good)),
-        "the first picture's standard errors holds -0.001 at column 1, row 1, channel B"
+        "invalid value -0.001 in the first picture's standard errors at column 1, row 1, channel B"
     );
     let lossy = Estimate {
         precision: Precision::Lossy,
@@ -111,7 +111,7 @@ fn what_it_refuses() {
     };
     assert_eq!(
         refusal(&exact(&good), &lossy),
-        "the second picture was compressed with losses that nothing bounds"
+        "the second picture was compressed with losses that have no bound"
     );
     for alpha in [0.0, 1.0, -1.0, f64::NAN] {
         assert!(z_test(&exact(&good), &exact(&good), alpha).is_err());

@@ -99,12 +99,12 @@ fn what_is_no_picture_is_refused() {
         (
             &good,
             &constant(2, 3, [0.0; 3]),
-            "3×2 pixels, the half difference 2×3",
+            "3×2 pixels, but the half difference 2×3",
         ),
         (
             &constant(3, 2, [f32::NAN; 3]),
             &good,
-            "the picture holds NaN",
+            "invalid value NaN in the picture",
         ),
         (
             &good,

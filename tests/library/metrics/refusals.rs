@@ -16,7 +16,7 @@ fn sizes_that_differ() {
     let (a, b) = (constant(4, 3, [1.0; 3]), constant(3, 4, [1.0; 3]));
     assert_eq!(
         refusal(&a, &b),
-        "the test picture has 4×3 pixels, the reference 3×4"
+        "the test picture has 4×3 pixels, but the reference 3×4"
     );
 }
 
@@ -29,7 +29,7 @@ fn films_that_are_none() {
     short.rgb.pop();
     assert_eq!(
         refusal(&good, &short),
-        "the reference is 4×3 pixels, but its film holds 11"
+        "the reference is 4×3 pixels, but its film has 11"
     );
 }
 
@@ -41,7 +41,7 @@ fn values_that_are_not_finite() {
         bad.rgb[6][1] = value;
         assert_eq!(
             refusal(&bad, &good),
-            format!("the test picture holds {text} at column 2, row 1, channel G")
+            format!("invalid value {text} in the test picture at column 2, row 1, channel G")
         );
         assert!(Pair::new(&good, &bad).is_err());
     }

@@ -69,8 +69,8 @@ const ONE: &[(&str, &str, usize, &str)] = &[
     ("box 0 0 0 1 0 1", "E", 13, "a side of the box is zero"),
     ("cylinder 0 0 0 0 0 0 1", "E", 16, "the axis of the cylinder is zero"),
     ("cylinder 0 0 0 0 0 1 0", "E", 22, "the radius must be above 0"),
-    ("light 1 -1 1", "E", 9, "a radiance must not be negative"),
-    ("background 1 1 -1", "E", 16, "a radiance must not be negative"),
+    ("light 1 -1 1", "E", 9, "radiance must not be negative"),
+    ("background 1 1 -1", "E", 16, "radiance must not be negative"),
     ("brdf -.1 1 1 0 0 0 1", "E", 6, "Kd must not be negative"),
     ("brdf 1 1 1 0 0 -1 1", "E", 16, "Ks must not be negative"),
     ("brdf 0 0 0 0 0 0 1 0 0 -1 1", "E", 24, "Kt must not be negative"),
@@ -82,9 +82,9 @@ const ONE: &[(&str, &str, usize, &str)] = &[
     ("brdf 0 0 0 0 0 0 1 1 1 3 1", "W", 24, "Kt is above 1"),
     ("brdf 0 .1 0 0 0 0 1 .1 0 0 1", "W", 1, "Kd and Kt are both above 0"),
     ("lens -1 4", "E", 6, "the radius of the lens must not be negative"),
-    ("lens 1 0", "E", 8, "the distance of what is sharp must be above 0"),
-    ("lens 1 -4", "E", 8, "the distance of what is sharp must be above 0"),
-    ("lens 1 1e-60", "E", 8, "the distance of what is sharp is zero in single precision"),
+    ("lens 1 0", "E", 8, "the focal distance must be above 0"),
+    ("lens 1 -4", "E", 8, "the focal distance must be above 0"),
+    ("lens 1 1e-60", "E", 8, "the focal distance is zero in single precision"),
     ("lens 1e39 4", "E", 6, "`1e39` is beyond the range of single precision"),
     ("lens 1 inf", "E", 8, "`inf` is not a finite number"),
     ("lens wide 4", "E", 6, "`wide` is not a number"),
@@ -94,17 +94,17 @@ const ONE: &[(&str, &str, usize, &str)] = &[
     // Unknown commands and words.
     ("sphre 0 0 0 1", "W", 1, "unknown command `sphre`"),
     ("frobnicate 1 2", "W", 1, "unknown command `frobnicate`"),
-    ("distribution gxg", "E", 14, "`distribution` is never `gxg`"),
+    ("distribution gxg", "E", 14, "`distribution` cannot be `gxg`"),
     ("distribution", "E", 13, "`distribution` has too few arguments"),
-    ("fresnel exactly", "E", 9, "`fresnel` is never `exactly`"),
+    ("fresnel exactly", "E", 9, "`fresnel` cannot be `exactly`"),
     ("fresnel exact 1", "W", 15, "`fresnel` has more arguments than it takes"),
     // Twice.
-    ("screen 5 5", "W", 1, "`screen` stands here once more"),
-    ("camera 0 0 0 1", "W", 1, "`camera` stands here once more"),
+    ("screen 5 5", "W", 1, "`screen` is given more than once"),
+    ("camera 0 0 0 1", "W", 1, "`camera` is given more than once"),
     // Meshes.
-    ("mesh dwarf.x 0 0 0 1", "E", 6, "dir/dwarf.x: its format is not read; these are: PLY (.ply), OBJ (.obj), glTF (.gltf, .glb)"),
-    ("mesh dwarf 0 0 0 1", "E", 6, "dir/dwarf: its format is not read; these are: PLY (.ply), OBJ (.obj), glTF (.gltf, .glb)"),
-    ("mesh none.ply 0 0 0 1", "E", 6, "dir/none.ply: there is no such file"),
+    ("mesh dwarf.x 0 0 0 1", "E", 6, "dir/dwarf.x: unsupported format; the supported formats are PLY (.ply), OBJ (.obj), glTF (.gltf, .glb)"),
+    ("mesh dwarf 0 0 0 1", "E", 6, "dir/dwarf: unsupported format; the supported formats are PLY (.ply), OBJ (.obj), glTF (.gltf, .glb)"),
+    ("mesh none.ply 0 0 0 1", "E", 6, "dir/none.ply: no such file"),
 ];
 
 #[test]
@@ -174,7 +174,7 @@ fn views_are_checked_too() {
         ),
         (
             "lens 1 2\nscreen 4 3\ncamera 0 0 0 1\nlens 3 4",
-            &[("W", 4, 1, "`lens` stands here once more")],
+            &[("W", 4, 1, "`lens` is given more than once")],
         ),
         (
             "screen 4 3\ncamera 0 0 0 1 x",
@@ -184,12 +184,12 @@ fn views_are_checked_too() {
             "screen 4 3\ncamera 0 0 0 1 x y 9",
             &[
                 ("E", 2, 18, "`y` is not a number"),
-                ("W", 2, 20, "`9` begins no rotation"),
+                ("W", 2, 20, "`9` is not a rotation"),
             ],
         ),
         (
             "screen 4 3\ncamera 0 0 0 1 w 9",
-            &[("W", 2, 16, "`w` begins no rotation")],
+            &[("W", 2, 16, "`w` is not a rotation")],
         ),
         (
             "screen 4 3\ncamera 0 0 0 1 q 0 0 0 0",
@@ -224,7 +224,7 @@ fn all_mistakes_of_a_line_and_of_a_file_are_told_at_once() {
         ("E", 3, 15, "`x` is not a number"),
         ("W", 3, 21, "Kt is above 1"),
         ("E", 3, 27, "the index of refraction must be above 0"),
-        ("E", 5, 6, "dir/none.ply: there is no such file"),
+        ("E", 5, 6, "dir/none.ply: no such file"),
         ("E", 5, 15, "`x` is not a number"),
         ("E", 5, 21, "the scale must be above 0"),
     ];
@@ -331,7 +331,7 @@ fn files_that_are_no_text_are_refused() {
     let errors = vkpt::scene::read(&path, false).expect_err("a picture");
     assert_eq!(
         said(&errors.diagnostics)[0].3,
-        format!("{} is not text: it holds a zero byte", path.display())
+        format!("{} is not text: it contains a zero byte", path.display())
     );
     let text = "screen 4 3\ncamera 0 0 0 1\n";
     let big = text.encode_utf16().flat_map(u16::to_be_bytes);

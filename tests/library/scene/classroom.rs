@@ -62,7 +62,10 @@ fn trailing_junk_is_one_warning_and_glass_has_none() {
     let strict = read(&path, true).expect_err("a warning is an error");
     assert_eq!(
         strict.to_string(),
-        format!("{}: 1 error, of them 1 warning by --strict", path.display())
+        format!(
+            "{}: 1 error, including 1 warning by --strict",
+            path.display()
+        )
     );
 }
 

@@ -29,7 +29,7 @@ const TURN: &str = "0.7071068 0 0.7071068 0";
 
 #[test]
 fn cameras_of_other_programs() {
-    const OTHER: &str = "`camera` is written as another program has it: ";
+    const OTHER: &str = "the arguments of `camera` are in the order of another program: ";
     let rows = [
         // The course's own.
         (format!("camera 1 2 3  .4  q {TURN}"), vec![]),
@@ -37,29 +37,29 @@ fn cameras_of_other_programs() {
         // Aperture and focus before or after the orientation.
         (
             "camera 1 2 3  .4  0 0  y 90".into(),
-            vec!["`0` begins no rotation: left unread".to_owned()],
+            vec!["`0` is not a rotation: ignored".to_owned()],
         ),
         (
             format!("camera 1 2 3  .4  0.02 5  q {TURN}"),
-            vec!["`0.02` begins no rotation: left unread".into()],
+            vec!["`0.02` is not a rotation: ignored".into()],
         ),
         (
             format!("camera 1 2 3  .4  q {TURN}  0.02 5"),
-            vec!["`0.02` begins no rotation: left unread".into()],
+            vec!["`0.02` is not a rotation: ignored".into()],
         ),
         (
             format!("camera 1 2 3  .4  q {TURN}  5"),
-            vec!["`5` begins no rotation: left unread".into()],
+            vec!["`5` is not a rotation: ignored".into()],
         ),
         // Words within the orientation, each by itself.
         (
             "camera 1 2 3  .4  x 0 up y 90".into(),
-            vec!["`up` begins no rotation: left unread".into()],
+            vec!["`up` is not a rotation: ignored".into()],
         ),
         (
             "camera 1 2 3  .4  pinhole y 45 and y 45 # look".into(),
             ["pinhole", "and", "#"]
-                .map(|word| format!("`{word}` begins no rotation: left unread"))
+                .map(|word| format!("`{word}` is not a rotation: ignored"))
                 .to_vec(),
         ),
         // The quaternion first.
@@ -92,7 +92,7 @@ fn cameras_of_other_programs() {
             format!("camera 1 2 3  {TURN}  .4  0.1 7"),
             vec![
                 format!("{OTHER}read as the orientation, then ry"),
-                "`0.1` begins no rotation: left unread".into(),
+                "`0.1` is not a rotation: ignored".into(),
             ],
         ),
     ];
@@ -134,7 +134,7 @@ fn cameras_that_could_be_mistaken_are_refused() {
     for line in rows {
         let error = camera(line).expect_err(line);
         assert_eq!(
-            error, "`camera` is written as another program has it",
+            error, "the arguments of `camera` are in the order of another program",
             "{line}"
         );
     }
@@ -173,15 +173,12 @@ fn commands_of_other_programs_say_what_the_picture_lacks() {
         ),
         (
             "passes 512",
-            "the number of samples is no part of the scene",
+            "the number of samples is not part of the scene",
         ),
         ("lighttex a.png", "the picture lacks this texture"),
         ("torus 0 0 0 1 .2", "the picture lacks this shape"),
         ("SDF 1", "the picture lacks this shape"),
-        (
-            "aperture .1",
-            "without a `lens` all of the picture is sharp",
-        ),
+        ("aperture .1", "without a `lens` the whole picture is sharp"),
         ("fog .1", "the picture lacks this medium"),
         ("pointlight 0 0 9 1 1 1", "the picture lacks this light"),
     ];
@@ -189,7 +186,7 @@ fn commands_of_other_programs_say_what_the_picture_lacks() {
         let read = read_lines(&format!("{line}\nsphere 0 0 0 1")).expect(line);
         let told: Vec<_> = read.warnings.iter().map(ToString::to_string).collect();
         let word = line.split(' ').next().unwrap_or_default();
-        assert_eq!(told, [format!("`{word}` is not known here: {lacking}")]);
+        assert_eq!(told, [format!("`{word}` is not supported: {lacking}")]);
         assert_eq!(read.scene.shapes.len(), 1);
     }
 }
@@ -269,20 +266,20 @@ fn meshes_that_are_missing_are_named() {
     let rows = [
         (
             "models/Buny.obj",
-            "/models/Buny.obj: there is no such file (did you mean `Bunny.obj`?)",
+            "/models/Buny.obj: no such file (did you mean `Bunny.obj`?)",
         ),
         (
             "C:\\meshes\\two.obj",
-            "/C:\\meshes\\two.obj: there is no such file (did you mean `two.obj`?)",
+            "/C:\\meshes\\two.obj: no such file (did you mean `two.obj`?)",
         ),
         // Both `two.obj` and `TWO.obj` are there.
         (
             "Two.obj",
-            "/Two.obj: there is no such file (did you mean `two.obj`?)",
+            "/Two.obj: no such file (did you mean `two.obj`?)",
         ),
         (
             "\"lost chair.obj\"",
-            "/lost chair.obj: there is no such file (a mesh is looked for beside the scene file, then in the working directory)",
+            "/lost chair.obj: no such file (a mesh is searched next to the scene file, then in the working directory)",
         ),
     ];
     for (name, said) in rows {

@@ -15,7 +15,7 @@ fn files_of_other_kinds_are_told_by_name() {
         (b"", "it is empty"),
         (
             b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n",
-            "it is a pointer of Git LFS and not the file itself: fetch that with `git lfs pull`",
+            "it is a Git LFS pointer, not the file itself: fetch the file with `git lfs pull`",
         ),
         (b"<!DOCTYPE html>\n<html lang=\"en\">", page),
         (b"\xef\xbb\xbf \r\n<!doctype HTML>", page),

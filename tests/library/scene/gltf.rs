@@ -165,7 +165,7 @@ fn corners_that_are_too_few_for_a_triangle_are_left_out() {
         buffer.scalars(U8, few);
     }
     let list = |indices: usize| json!({"attributes": {"POSITION": 0}, "indices": indices});
-    let one_face = "1 face of fewer than three corners is left out";
+    let one_face = "1 face with fewer than three corners is skipped";
     for indices in [3, 4] {
         let mesh = read(&one(&buffer, list(indices)), &buffer.bytes).expect("a mesh");
         assert_eq!(mesh.triangles, [[0, 1, 2]]);
@@ -183,7 +183,7 @@ fn corners_that_are_too_few_for_a_triangle_are_left_out() {
         assert_eq!(mesh.triangles.len(), 3);
         assert_eq!(
             mesh.warnings,
-            ["3 faces of fewer than three corners are left out"]
+            ["3 faces with fewer than three corners are skipped"]
         );
     }
 }
@@ -240,7 +240,7 @@ fn what_is_not_done_is_warned_of() {
     primitives(&mut document)[0]["targets"] = json!([{"POSITION": 2}]);
     let mesh = read(&document, &bin).expect("a mesh");
     assert_eq!(mesh.positions, vectors(&CORNERS));
-    assert_eq!(mesh.warnings, ["morph targets are left out"]);
+    assert_eq!(mesh.warnings, ["morph targets are skipped"]);
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("morphed.glb");
     std::fs::write(&path, glb(&document, &bin)).expect("a file");
@@ -248,7 +248,7 @@ fn what_is_not_done_is_warned_of() {
     let said: Vec<_> = read.warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
         said,
-        [format!("{}: morph targets are left out", path.display())]
+        [format!("{}: morph targets are skipped", path.display())]
     );
     assert_eq!(read.warnings[0].place.map(|place| place.line), Some(3));
 }

@@ -11,25 +11,17 @@ use crate::common::gltf_writer::{Buffer, F32, U8, glb};
 
 /// A pointer into the document, what is put there, and what is said.
 const FAULTS: [(&str, &str, &str); 37] = [
-    ("/scene", "7", "its default scene is not there"),
-    ("/scenes/0/nodes/0", "7", "there is no node 7"),
-    (
-        "/nodes/0/children",
-        "[0]",
-        "node 0 stands in its scene twice",
-    ),
-    (
-        "/scenes/0/nodes",
-        "[0,0]",
-        "node 0 stands in its scene twice",
-    ),
+    ("/scene", "7", "its default scene does not exist"),
+    ("/scenes/0/nodes/0", "7", "node 7 does not exist"),
+    ("/nodes/0/children", "[0]", "node 0 is in its scene twice"),
+    ("/scenes/0/nodes", "[0,0]", "node 0 is in its scene twice"),
     ("/scenes/0/nodes", "[]", "it has no triangles"),
-    ("/nodes/0/mesh", "7", "there is no mesh 7"),
-    ("/nodes/0/mesh", "-1", "its JSON is not understood"),
+    ("/nodes/0/mesh", "7", "mesh 7 does not exist"),
+    ("/nodes/0/mesh", "-1", "cannot read its JSON"),
     (
         "/nodes/0/matrix",
         "[1,0,0,1,0,1,0,0,0,0,1,0,0,0,0,1]",
-        "the matrix of node 0 has another last row than 0 0 0 1",
+        "the matrix of node 0 has a last row other than 0 0 0 1",
     ),
     (
         "/nodes/0/scale",
@@ -45,7 +37,7 @@ const FAULTS: [(&str, &str, &str); 37] = [
     (
         "/meshes/0/primitives/0/mode",
         "9",
-        "mesh 0, primitive 0: its mode 9 is not known",
+        "mesh 0, primitive 0: its mode 9 is unknown",
     ),
     (
         "/meshes/0/primitives/0/attributes",
@@ -75,23 +67,23 @@ const FAULTS: [(&str, &str, &str); 37] = [
     (
         "/accessors/1/componentType",
         "5126",
-        "mesh 0, primitive 0: accessor 1: its numbers are no indices",
+        "mesh 0, primitive 0: accessor 1: its numbers are not indices",
     ),
     (
         "/accessors/1/componentType",
         "5122",
-        "mesh 0, primitive 0: accessor 1: its numbers are no indices",
+        "mesh 0, primitive 0: accessor 1: its numbers are not indices",
     ),
     (
         "/accessors/1/componentType",
         "77",
-        "mesh 0, primitive 0: accessor 1: its component type 77 is not known",
+        "mesh 0, primitive 0: accessor 1: its component type 77 is unknown",
     ),
     ("/accessors/1/count", "0", "it has no triangles"),
     (
         "/accessors/0/count",
         "3",
-        "mesh 0, primitive 0: it refers to vertex 3, and there are 3",
+        "mesh 0, primitive 0: it refers to vertex 3, but there are 3",
     ),
     (
         "/accessors/0/count",
@@ -101,12 +93,12 @@ const FAULTS: [(&str, &str, &str); 37] = [
     (
         "/accessors/0/count",
         "18446744073709551615",
-        "its nodes together ask for more than 67108864 vertices or corners",
+        "its nodes together have more than 67108864 vertices or corners",
     ),
     (
         "/accessors/0/count",
         "1000000",
-        "mesh 0, primitive 0: accessor 0: it claims 1000000 elements, and there are 144 bytes",
+        "mesh 0, primitive 0: accessor 0: it declares 1000000 elements, but there are only 144 bytes",
     ),
     (
         "/accessors/0/byteOffset",
@@ -121,7 +113,7 @@ const FAULTS: [(&str, &str, &str); 37] = [
     (
         "/accessors/0/bufferView",
         "9",
-        "mesh 0, primitive 0: accessor 0: there is no buffer view 9",
+        "mesh 0, primitive 0: accessor 0: buffer view 9 does not exist",
     ),
     (
         "/accessors/0/bufferView",
@@ -131,7 +123,7 @@ const FAULTS: [(&str, &str, &str); 37] = [
     (
         "/bufferViews/0/buffer",
         "9",
-        "mesh 0, primitive 0: accessor 0: there is no buffer 9",
+        "mesh 0, primitive 0: accessor 0: buffer 9 does not exist",
     ),
     (
         "/bufferViews/0/byteLength",
@@ -156,10 +148,10 @@ const FAULTS: [(&str, &str, &str); 37] = [
     (
         "/buffers/0/byteLength",
         "1000000000000",
-        "its buffer 0 is truncated: it claims 1000000000000 bytes, and has 144",
+        "its buffer 0 is truncated: it declares 1000000000000 bytes, but has 144",
     ),
-    ("/asset", "7", "its JSON is not understood"),
-    ("/scenes/0/nodes", "7", "its JSON is not understood"),
+    ("/asset", "7", "cannot read its JSON"),
+    ("/scenes/0/nodes", "7", "cannot read its JSON"),
 ];
 
 #[test]
@@ -184,8 +176,8 @@ fn what_is_wrong_is_said() {
             Err(error) => error.to_string(),
         };
         // The rest is the JSON reader's.
-        let said = said.split(" understood: ").next().unwrap_or_default();
-        let message = message.trim_end_matches(" understood");
+        let said = said.split(" its JSON: ").next().unwrap_or_default();
+        let message = message.trim_end_matches(" its JSON");
         assert_eq!(said, message, "{pointer}");
     }
 }
@@ -196,31 +188,37 @@ fn addresses_that_lead_nowhere() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     std::fs::write(folder.path().join("short.bin"), &bin[..9]).expect("a file");
     let rows = [
-        ("none.bin", "cannot be read: there is no file `none.bin`"),
-        ("short.bin", "is truncated: it claims 108 bytes, and has 9"),
+        (
+            "none.bin",
+            "cannot be read: the file `none.bin` does not exist",
+        ),
+        (
+            "short.bin",
+            "is truncated: it declares 108 bytes, but has 9",
+        ),
         (
             "Short.BIN",
-            "cannot be read: there is no file `Short.BIN`, but there is `short.bin`: rename one of them",
+            "cannot be read: the file `Short.BIN` does not exist, but `short.bin` does: rename one of them",
         ),
-        ("/dev/zero", "cannot be read: `/dev/zero`: it is no file"),
-        (".", "cannot be read: `.`: it is no file"),
+        ("/dev/zero", "cannot be read: `/dev/zero`: it is not a file"),
+        (".", "cannot be read: `.`: it is not a file"),
         (
             "https://example.org/a.bin",
-            "cannot be read: `https://example.org/a.bin` is no file beside it",
+            "cannot be read: `https://example.org/a.bin` is not a file next to it",
         ),
-        (
-            "data:,text",
-            "cannot be read: `data:,text` is not in base64",
-        ),
+        ("data:,text", "cannot be read: `data:,text` is not base64"),
         (
             "data:;base64,AA",
-            "is truncated: it claims 108 bytes, and has 1",
+            "is truncated: it declares 108 bytes, but has 1",
         ),
         (
             "data:;base64,A*",
             "cannot be read: Invalid symbol 42, offset 1.",
         ),
-        ("%ff\u{7}", "cannot be read: there is no file `%ff\u{fffd}`"),
+        (
+            "%ff\u{7}",
+            "cannot be read: the file `%ff\u{fffd}` does not exist",
+        ),
     ];
     for (uri, message) in rows {
         document["buffers"][0]["uri"] = json!(uri);
@@ -245,7 +243,7 @@ fn small_files_cannot_ask_for_large_meshes() {
     let doubling = (0..40).map(|i| json!({"children": [i + 1, i + 1]}));
     document["nodes"] = doubling.chain([json!({"mesh": 0})]).collect();
     let said = read(&document, &bin).expect_err("too many").to_string();
-    assert_eq!(said, "node 1 is a child twice");
+    assert_eq!(said, "node 1 is listed as a child twice");
     let mut buffer = Buffer::default();
     buffer.vectors(F32, &CORNERS[..3]);
     buffer.scalars(U8, &[0, 1, 2].repeat(10_000));
@@ -260,7 +258,7 @@ fn small_files_cannot_ask_for_large_meshes() {
         .to_string();
     assert_eq!(
         said,
-        "its nodes together ask for more than 67108864 vertices or corners"
+        "its nodes together have more than 67108864 vertices or corners"
     );
 }
 

@@ -89,7 +89,7 @@ fn chunks_are_known_by_their_kinds() {
     let rows = [
         (
             chunks(&[bin, json]),
-            "its first chunk is no JSON".to_owned(),
+            "its first chunk is not JSON".to_owned(),
         ),
         (
             chunks(&[json]),
@@ -98,13 +98,13 @@ fn chunks_are_known_by_their_kinds() {
         (
             with(8, length as u32 + 1),
             format!(
-                "it is truncated: it claims {} bytes, and has {length}",
+                "it is truncated: it declares {} bytes, but has {length}",
                 length + 1
             ),
         ),
         (
             with(8, 3),
-            format!("it is truncated: it claims 3 bytes, and has {length}"),
+            format!("it is truncated: it declares 3 bytes, but has {length}"),
         ),
         (
             with(8, 14),
@@ -112,19 +112,19 @@ fn chunks_are_known_by_their_kinds() {
         ),
         (
             with(12, u32::MAX),
-            format!("it is truncated: a chunk claims 4294967295 bytes, and {after} follow"),
+            format!("it is truncated: a chunk declares 4294967295 bytes, but {after} follow"),
         ),
         (
             with(20 + of_json, 109),
-            "it is truncated: a chunk claims 109 bytes, and 108 follow".into(),
+            "it is truncated: a chunk declares 109 bytes, but 108 follow".into(),
         ),
         (
             with(4, 1),
-            "it is glTF 1.0, and only 2.0 is read: convert it".into(),
+            "it is glTF 1.0, but only 2.0 is supported: convert it".into(),
         ),
         (
             with(4, 3),
-            "it is glTF 3.0, and only 2.0 is read: convert it".into(),
+            "it is glTF 3.0, but only 2.0 is supported: convert it".into(),
         ),
     ];
     for (bytes, message) in rows {
@@ -136,8 +136,7 @@ fn chunks_are_known_by_their_kinds() {
 #[test]
 fn other_versions_are_refused_by_name() {
     let mut document = alone();
-    let no_version =
-        "it has no `asset.version`, which says of a glTF file that it is one of glTF 2.0";
+    let no_version = "it has no `asset.version`, which glTF 2.0 requires";
     let rows = [
         (json!({"version": "2.0"}), ""),
         (json!({"version": "2.1", "minVersion": "2.0"}), ""),
@@ -146,23 +145,23 @@ fn other_versions_are_refused_by_name() {
         (json!({"version": 2}), ""),
         (
             json!({"version": "1.0"}),
-            "it is glTF 1.0, and only 2.0 is read: convert it",
+            "it is glTF 1.0, but only 2.0 is supported: convert it",
         ),
         (
             json!({"version": "1.1"}),
-            "it is glTF 1.1, and only 2.0 is read: convert it",
+            "it is glTF 1.1, but only 2.0 is supported: convert it",
         ),
         (
             json!({"version": "3.0"}),
-            "it is glTF 3.0, and only 2.0 is read: convert it",
+            "it is glTF 3.0, but only 2.0 is supported: convert it",
         ),
         (
             json!({"version": "20.0"}),
-            "it is glTF 20.0, and only 2.0 is read: convert it",
+            "it is glTF 20.0, but only 2.0 is supported: convert it",
         ),
         (
             json!({"version": "2.1", "minVersion": "2.1"}),
-            "it needs glTF 2.1 or later, and only 2.0 is read: export it as that",
+            "it needs glTF 2.1 or later, but only 2.0 is supported: export it as glTF 2.0",
         ),
         (json!({"generator": "x"}), no_version),
         (Value::Null, no_version),
@@ -180,7 +179,7 @@ fn other_versions_are_refused_by_name() {
     let said = parse(first.to_string().as_bytes()).expect_err("no mesh");
     assert_eq!(
         said.to_string(),
-        "it is glTF 1.0, and only 2.0 is read: convert it"
+        "it is glTF 1.0, but only 2.0 is supported: convert it"
     );
 }
 
@@ -217,7 +216,7 @@ fn extensions_that_change_what_is_read_must_be_known() {
         let names = names.join("`, `");
         assert_eq!(
             said,
-            format!("it requires the {extensions} `{names}`, which {are} not read{why}")
+            format!("it requires the {extensions} `{names}`, which {are} not supported{why}")
         );
     }
 }

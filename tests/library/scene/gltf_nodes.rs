@@ -104,7 +104,7 @@ fn a_scene_without_triangles_gives_way_to_one_that_has_some() {
             json!([{}, {"nodes": [1]}]),
             json!(0),
             2.0,
-            "scene 0 has no triangles: scene 1 is read",
+            "scene 0 has no triangles: scene 1 is read instead",
         ),
         (
             json!([{"nodes": []}, {"nodes": [3]}, {"nodes": [1]}]),
@@ -200,7 +200,7 @@ fn transforms_that_place_nothing_are_refused_by_node() {
         (
             json!({"matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,2]}),
             "matrix",
-            "has another last row than 0 0 0 1",
+            "has a last row other than 0 0 0 1",
         ),
     ];
     let (mut document, bin) = plain();
@@ -260,11 +260,11 @@ fn what_is_scaled_to_nothing_is_left_out() {
     let hidden = "the scale of node 0 (\"Hidden\") is zero: its mesh";
     assert_eq!(
         mesh.warnings,
-        [format!("{hidden} and 1 more like it are left out")]
+        [format!("{hidden} and 1 more like it are skipped")]
     );
     document["scenes"][0]["nodes"] = json!([0]);
     let said = read(&document, &bin).expect_err("nothing").to_string();
-    assert_eq!(said, format!("it has no triangles: {hidden} is left out"));
+    assert_eq!(said, format!("it has no triangles: {hidden} is skipped"));
 }
 
 /// Each instance would be a mesh of its own.
@@ -275,6 +275,6 @@ fn instances_are_missed_with_a_warning() {
     document["nodes"][0]["extensions"] =
         json!({"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 0}}});
     let mesh = read(&document, &bin).expect("a mesh");
-    let said = "of instances (EXT_mesh_gpu_instancing) only the first stands, at its node";
+    let said = "only the first instance (EXT_mesh_gpu_instancing) is read, at its node";
     assert_eq!(mesh.warnings, [said]);
 }

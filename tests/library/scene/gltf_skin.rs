@@ -187,11 +187,11 @@ fn damaged_skins_never_panic() {
 
 /// A pointer into the document, what is put there, and what is said.
 const FAULTS: [(&str, &str, &str); 13] = [
-    ("/nodes/0/skin", "7", "there is no skin 7"),
+    ("/nodes/0/skin", "7", "skin 7 does not exist"),
     (
         "/skins/0/joints",
         "[1, 9]",
-        "skin 0 (\"Rig\"): there is no node 9",
+        "skin 0 (\"Rig\"): node 9 does not exist",
     ),
     (
         "/skins/0/joints",
@@ -201,12 +201,12 @@ const FAULTS: [(&str, &str, &str); 13] = [
     (
         "/skins/0/joints",
         "[1]",
-        "mesh 0, primitive 0: its vertex 1 is bound to joint 1, and skin 0 (\"Rig\") has 1",
+        "mesh 0, primitive 0: its vertex 1 is bound to joint 1, but skin 0 (\"Rig\") has 1",
     ),
     (
         "/skins/0/joints",
         "[]",
-        "mesh 0, primitive 0: its vertex 0 is bound to joint 0, and skin 0 (\"Rig\") has 0",
+        "mesh 0, primitive 0: its vertex 0 is bound to joint 0, but skin 0 (\"Rig\") has 0",
     ),
     (
         "/skins/0/inverseBindMatrices",
@@ -226,17 +226,17 @@ const FAULTS: [(&str, &str, &str); 13] = [
     (
         "/meshes/0/primitives/0/attributes",
         "{\"POSITION\": 0}",
-        "mesh 0, primitive 0: skin 0 (\"Rig\") moves it, and it has no JOINTS_0",
+        "mesh 0, primitive 0: skin 0 (\"Rig\") moves it, but it has no JOINTS_0",
     ),
     (
         "/meshes/0/primitives/0/attributes",
         "{\"POSITION\": 0, \"JOINTS_0\": 1}",
-        "mesh 0, primitive 0: skin 0 (\"Rig\") moves it, and it has no WEIGHTS_0",
+        "mesh 0, primitive 0: skin 0 (\"Rig\") moves it, but it has no WEIGHTS_0",
     ),
     (
         "/meshes/0/primitives/0/attributes/JOINTS_1",
         "1",
-        "mesh 0, primitive 0: skin 0 (\"Rig\") moves it, and it has no WEIGHTS_1",
+        "mesh 0, primitive 0: skin 0 (\"Rig\") moves it, but it has no WEIGHTS_1",
     ),
     (
         "/meshes/0/primitives/0/attributes/WEIGHTS_0",
@@ -246,7 +246,7 @@ const FAULTS: [(&str, &str, &str); 13] = [
     (
         "/accessors/2/count",
         "2",
-        "mesh 0, primitive 0: it has weights for 2 vertices, and there are 3",
+        "mesh 0, primitive 0: it has weights for 2 vertices, but there are 3",
     ),
 ];
 

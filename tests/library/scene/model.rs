@@ -128,19 +128,19 @@ fn thin_walls_and_parts_of_transmission_are_told() {
             0.75,
             0.0,
             true,
-            "it transmits a part of the light: taken as all",
+            "it transmits part of the light: taken as all",
         ),
         (
             0.25,
             0.0,
             false,
-            "it transmits a part of the light: taken as none",
+            "it transmits part of the light: taken as none",
         ),
         (
             1.0,
             0.75,
             false,
-            "it transmits a part of the light: taken as none",
+            "it transmits part of the light: taken as none",
         ),
     ] {
         let mut partly = glass([1.0; 3], 1.0);
@@ -173,7 +173,7 @@ fn what_emits_is_a_light() {
     let radiance = MaterialKind::Light(DVec3::new(8.0, 4.0, 2.0));
     assert_eq!(kind(shining.clone()), (radiance.clone(), vec![]));
     shining["pbrMetallicRoughness"]["baseColorFactor"] = json!([1, 1, 1, 1]);
-    let told = "material 0: it shines and reflects nothing: a light is black here";
+    let told = "material 0: it emits light and reflects nothing: lights are black in vkpt";
     assert_eq!(kind(shining), (radiance, vec![told.to_owned()]));
 }
 
@@ -186,7 +186,8 @@ fn an_open_light_shines_to_both_sides() {
         let mut model = Model::seen_from([0.0, 0.0, 5.0], 0.5);
         let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         model.mesh(&corners, &[0, 1, 2], shining);
-        let told = "material 0: it shines to both sides, as lights do here, and is not closed";
+        let told =
+            "material 0: it is not closed, and emits light to both sides, as all lights in vkpt do";
         let expected = if both { vec![] } else { vec![told] };
         assert_eq!(said(&read(&model), Severity::Warning), expected);
     }
@@ -236,8 +237,8 @@ fn other_lights_are_told_by_name() {
     let read = read(&model);
     assert_eq!(read.scene.shapes.len(), 2);
     let expected = [
-        "light 0 (\"Stage\"): the picture lacks it, as all spot lights: give the file a mesh that shines, or a point",
-        "light 1: the picture lacks it, as all directional lights: give the file a mesh that shines, or a point",
+        "light 0 (\"Stage\"): spot lights are not supported, so the picture lacks it: use an emissive mesh or a point light",
+        "light 1: directional lights are not supported, so the picture lacks it: use an emissive mesh or a point light",
     ];
     assert_eq!(said(&read, Severity::Warning), expected);
 }
@@ -248,10 +249,10 @@ fn without_a_light_all_around_is_white() {
     model.cuboid([-1.0; 3], [1.0; 3], matte([0.5; 3]));
     let dark = read(&model);
     assert_eq!(dark.scene.background, DVec3::ONE);
-    let told = "nothing in it shines: its background is white, of radiance 1";
+    let told = "it has no lights: the background is white, with radiance 1";
     assert_eq!(said(&dark, Severity::Advice), [told]);
     let line = dark.text.lines().nth(dark.scene.background_line - 1);
-    assert_eq!(line, Some("background 1 1 1  # nothing in the file shines"));
+    assert_eq!(line, Some("background 1 1 1  # the file has no lights"));
     let lit = read(&block(matte([0.5; 3])));
     assert_eq!(
         (lit.scene.background, lit.scene.background_line),
@@ -325,9 +326,9 @@ fn what_is_not_read_is_told_once_by_name() {
     expected.extend(
         [
             "the file: KHR_texture_transform is not read",
-            "the file: its animations are not read: nodes and joints stand as they are at rest",
+            "the file: its animations are not read: nodes and joints are in their rest pose",
             "mesh 0: its vertex colours are not read",
-            "morph targets are left out",
+            "morph targets are skipped",
         ]
         .map(str::to_owned),
     );

@@ -100,7 +100,7 @@ fn all_that_is_wrong_is_told_in_one_go() {
 fn what_is_not_there_is_told() {
     let mut model = block(lamp(1.0));
     model.document["meshes"][0]["primitives"][0]["material"] = json!(9);
-    assert_eq!(errors(&model), ["m.glb: material 9: it is not there"]);
+    assert_eq!(errors(&model), ["m.glb: material 9: it does not exist"]);
     let mut model = block(lamp(1.0));
     model.add_node(json!({"extensions": {"KHR_lights_punctual": {"light": 3}}}));
     assert_eq!(errors(&model), ["m.glb: node 2: there is no light 3"]);
@@ -128,7 +128,7 @@ fn json_of_another_kind_is_refused() {
             panic!("{errors:?}")
         };
         assert!(
-            error.starts_with("m.glb: its JSON is not understood: "),
+            error.starts_with("m.glb: cannot read its JSON: "),
             "{error}"
         );
     }
@@ -147,7 +147,7 @@ fn broken_files_are_refused_whole() {
     let path = folder.path().join("m.glb");
     std::fs::write(&path, "screen 4 3\ncamera 0 0 5 1\n").expect("a file");
     let error = read(&path, false).expect_err("no glTF").diagnostics[0].to_string();
-    assert!(error.contains("its JSON is not understood"), "{error}");
+    assert!(error.contains("cannot read its JSON"), "{error}");
     let error = read(&folder.path().join("none.gltf"), false).expect_err("no file");
     assert!(error.diagnostics[0].to_string().contains("cannot read"));
 }
@@ -161,7 +161,11 @@ fn a_scene_file_has_no_cameras_by_name() {
     assert!(read_seen(&path, false, Some("Eye")).is_ok());
     std::fs::write(&path, "screen 4 3\ncamera 0 0 5 1\n").expect("a file");
     let error = read_seen(&path, false, Some("Eye")).expect_err("a scene file");
-    assert!(error.diagnostics[0].to_string().contains("is no glTF file"));
+    assert!(
+        error.diagnostics[0]
+            .to_string()
+            .contains("is not a glTF file")
+    );
 }
 
 /// The places of all values in a document.

@@ -102,10 +102,13 @@ fn a_camera_is_found_by_its_nodes_name_its_own_or_its_number() {
     assert_eq!(z(Some("Front")), Ok(2.0));
     assert_eq!(z(Some("Lens")), Ok(2.0));
     assert_eq!(z(Some("0")), Ok(1.0));
-    let unknown = "m.glb: there is no camera `Back`: there is `0`, `Front`, `Lens`";
+    let unknown = "m.glb: camera `Back` does not exist; its cameras are `0`, `Front`, `Lens`";
     assert_eq!(z(Some("Back")), Err(unknown.to_owned()));
     let none = read(&block(), Some("Back")).expect_err("no camera");
-    assert_eq!(none, "m.glb: there is no camera `Back`: its scene has none");
+    assert_eq!(
+        none,
+        "m.glb: camera `Back` does not exist: its scene has no cameras"
+    );
 }
 
 #[test]
@@ -116,7 +119,7 @@ fn cameras_that_are_none_are_refused_by_name() {
         (
             orthographic,
             json!({}),
-            "camera 0 (\"Plan\"): it is not perspective: give the file a perspective camera",
+            "camera 0 (\"Plan\"): it is not perspective: use a perspective camera",
         ),
         (
             perspective(4.0, 1.0),
@@ -145,7 +148,7 @@ fn cameras_that_are_none_are_refused_by_name() {
         assert!(error.starts_with(&format!("m.glb: {message}")), "{error}");
     }
     let error = read(&seen(json!([]), &[json!({"camera": 7})]), None).expect_err("no camera");
-    assert_eq!(error, "m.glb: node 1: there is no camera 7");
+    assert_eq!(error, "m.glb: node 1: camera 7 does not exist");
 }
 
 /// All corners are in the picture, and fill more than half its height.
@@ -161,7 +164,7 @@ fn without_a_camera_all_is_seen() {
         let read = read(&model, None).expect("a scene");
         let said = read.warnings[0].to_string();
         assert!(
-            said.contains("it has no camera: it is seen from before"),
+            said.contains("it has no camera: the view is from the front"),
             "{said}"
         );
         let Camera { eye, ry, .. } = read.scene.camera;

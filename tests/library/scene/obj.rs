@@ -102,49 +102,49 @@ fn what_is_wrong_is_said_with_its_line() {
     let rows = [
         (
             "f 1 2 5",
-            "its line 5 refers to vertex 5, and there are 4: `f 1 2 5`",
+            "its line 5 refers to vertex 5, but there are 4: `f 1 2 5`",
         ),
         (
             "f 1 2 0",
-            "its line 5 refers to vertex 0, and there are 4: `f 1 2 0`",
+            "its line 5 refers to vertex 0, but there are 4: `f 1 2 0`",
         ),
         (
             "f -1 -2 -5\nv 0 0 0",
-            "its line 5 refers to vertex -5, and there are 4: `f -1 -2 -5`",
+            "its line 5 refers to vertex -5, but there are 4: `f -1 -2 -5`",
         ),
         (
             "f 1 2 9223372036854775807",
-            "its line 5 refers to vertex 9223372036854775807, and there are 4: `f 1 2 9223372036854775807`",
+            "its line 5 refers to vertex 9223372036854775807, but there are 4: `f 1 2 9223372036854775807`",
         ),
         (
             "f 1 2 -9223372036854775808",
-            "its line 5 refers to vertex -9223372036854775808, and there are 4: `f 1 2 -9223372036854775808`",
+            "its line 5 refers to vertex -9223372036854775808, but there are 4: `f 1 2 -9223372036854775808`",
         ),
-        ("f 1 2 3.5", "its line 5 is not understood: `f 1 2 3.5`"),
+        ("f 1 2 3.5", "its line 5 cannot be read: `f 1 2 3.5`"),
         (
             "f 1 2 99999999999999999999",
-            "its line 5 is not understood: `f 1 2 99999999999999999999`",
+            "its line 5 cannot be read: `f 1 2 99999999999999999999`",
         ),
-        ("f /1 /2 /3", "its line 5 is not understood: `f /1 /2 /3`"),
+        ("f /1 /2 /3", "its line 5 cannot be read: `f /1 /2 /3`"),
         (
             "f 1/x 2/x 3/x",
-            "its line 5 is not understood: `f 1/x 2/x 3/x`",
+            "its line 5 cannot be read: `f 1/x 2/x 3/x`",
         ),
         (
             "vn 0 0 1\nf 1/1/1/1 2 3",
-            "its line 6 is not understood: `f 1/1/1/1 2 3`",
+            "its line 6 cannot be read: `f 1/1/1/1 2 3`",
         ),
-        ("v 1 2\nf 1 2 3", "its line 5 is not understood: `v 1 2`"),
+        ("v 1 2\nf 1 2 3", "its line 5 cannot be read: `v 1 2`"),
         (
             "v 1 2 3 0\nf 1 2 3",
-            "its line 5 is not understood: `v 1 2 3 0`",
+            "its line 5 cannot be read: `v 1 2 3 0`",
         ),
         (
             "v 1 2 3 .5 .5",
-            "its line 5 is not understood: `v 1 2 3 .5 .5`",
+            "its line 5 cannot be read: `v 1 2 3 .5 .5`",
         ),
-        ("v 1 2 x", "its line 5 is not understood: `v 1 2 x`"),
-        ("vn 1 2", "its line 5 is not understood: `vn 1 2`"),
+        ("v 1 2 x", "its line 5 cannot be read: `v 1 2 x`"),
+        ("vn 1 2", "its line 5 cannot be read: `vn 1 2`"),
         (
             "v nan 0 0\nf 1 2 5",
             "its line 6 has a vertex that is not finite in single precision: `f 1 2 5`",
@@ -163,7 +163,7 @@ fn what_is_wrong_is_said_with_its_line() {
         ),
         (
             "f 1 2",
-            "it has no faces: 1 face of fewer than three corners is left out",
+            "it has no faces: 1 face with fewer than three corners is skipped",
         ),
         ("l 1 2 3", "it has no faces"),
         ("", "it has no faces"),
@@ -180,9 +180,7 @@ fn what_is_wrong_is_said_with_its_line() {
         }
     }
     let unknown = |word: &str| {
-        format!(
-            "it has no faces: its line 1 begins with `{word}`, which is not known, and is left out"
-        )
+        format!("it has no faces: line 1 begins with the unknown word `{word}` and is skipped")
     };
     let rows = [
         (&b"\n"[..], "it has no faces".to_owned()),
@@ -203,17 +201,17 @@ fn of_several_faults_the_first_is_told() {
     let rows = [
         (
             "f 1/x 2 0",
-            "its line 5 refers to vertex 0, and there are 4",
+            "its line 5 refers to vertex 0, but there are 4",
         ),
-        ("f 1 2 9\nv 1 x 1", "its line 6 is not understood"),
+        ("f 1 2 9\nv 1 x 1", "its line 6 cannot be read"),
         ("f 1 2 9\nf 1 2 0", "its line 6 refers to vertex 0"),
         (
             "f 1 2 9\nf 1 2 8",
-            "its line 5 refers to vertex 9, and there are 4",
+            "its line 5 refers to vertex 9, but there are 4",
         ),
         (
             "f 1 2 9\nf 1 2 9\nv 0 0 0",
-            "its line 6 refers to vertex 9, and there are 5",
+            "its line 6 refers to vertex 9, but there are 5",
         ),
         ("f 1 2 9\nf 1 3 2 4", "its line 5 refers to vertex 9"),
         (
@@ -223,13 +221,13 @@ fn of_several_faults_the_first_is_told() {
         ("f 1 2 4294967297", "its line 5 refers to vertex 4294967297"),
         (
             "\nf 1 2 \\\n0\nf 1",
-            "its line 6 refers to vertex 0, and there are 4: `f 1 2 \\`",
+            "its line 6 refers to vertex 0, but there are 4: `f 1 2 \\`",
         ),
-        ("vn 0x1 0 0", "its line 5 is not understood"),
-        ("v 1,5 0 0", "its line 5 is not understood"),
-        ("v 1_0 0 0", "its line 5 is not understood"),
-        ("v - 0 0", "its line 5 is not understood"),
-        ("v 1 1 1 x", "its line 5 is not understood"),
+        ("vn 0x1 0 0", "its line 5 cannot be read"),
+        ("v 1,5 0 0", "its line 5 cannot be read"),
+        ("v 1_0 0 0", "its line 5 cannot be read"),
+        ("v - 0 0", "its line 5 cannot be read"),
+        ("v 1 1 1 x", "its line 5 cannot be read"),
     ];
     for (row, message) in rows {
         let error = read(&format!("{CORNERS}{row}")).expect_err(row);

@@ -114,12 +114,12 @@ fn lines_end_in_lf_cr_lf_or_cr() {
         let error = read(wrong.as_bytes(), "a.obj")
             .expect_err("not understood")
             .to_string();
-        assert_eq!(error, "its line 8 is not understood: `f 1 2 x`");
+        assert_eq!(error, "its line 8 cannot be read: `f 1 2 x`");
         let wrong = PLY.replace("2 2 0", "2 x 0").replace('\n', ending);
         let error = read(wrong.as_bytes(), "a.ply")
             .expect_err("not understood")
             .to_string();
-        assert_eq!(error, "its line 13 is not understood: `2 x 0`");
+        assert_eq!(error, "its line 13 cannot be read: `2 x 0`");
     }
 }
 
@@ -181,8 +181,8 @@ fn numbers_of_an_element_stand_on_any_lines() {
 
 #[test]
 fn faces_of_fewer_than_three_corners_are_left_out() {
-    let one = "1 face of fewer than three corners is left out";
-    let three = "3 faces of fewer than three corners are left out";
+    let one = "1 face with fewer than three corners is skipped";
+    let three = "3 faces with fewer than three corners are skipped";
     for (rows, warning) in [
         ("0\n", one),
         ("1 2\n", one),
@@ -347,13 +347,16 @@ fn triangle_strips() {
         .to_string();
     assert_eq!(
         error,
-        "face 0 (from 0) refers to vertex -2, and there are 5"
+        "face 0 (from 0) refers to vertex -2, but there are 5"
     );
     let short = text
         .replace("10 0 1 3 2 -1", "10 0 1 3 2 -1 0 1 -1")
         .replace("10 0", "13 0");
     let warnings = read(short.as_bytes(), "a.ply").expect("strips").warnings;
-    assert_eq!(warnings, ["1 face of fewer than three corners is left out"]);
+    assert_eq!(
+        warnings,
+        ["1 face with fewer than three corners is skipped"]
+    );
 }
 
 /// What makes no triangles here is told where a person may miss it.
@@ -362,19 +365,19 @@ fn statements_that_are_left_out() {
     let rows = [
         (
             "surf 0 1 0 1 1 2 3 4",
-            "1 curve or surface of free form is left out",
+            "1 free-form curve or surface is skipped",
         ),
         (
             "curv 0 1 1 2\nsurf 0 1 0 1 1 2 3 4",
-            "2 curves and surfaces of free form are left out",
+            "2 free-form curves and surfaces are skipped",
         ),
         (
             "call other.obj 1",
-            "its line 9 begins with `call`, which is not known, and is left out",
+            "line 9 begins with the unknown word `call` and is skipped",
         ),
         (
             "F 1 2 3\nfrob",
-            "2 lines begin with words that are not known and are left out, the first is line 9, `F`",
+            "2 lines begin with unknown words and are skipped; the first is line 9, `F`",
         ),
     ];
     for (row, warning) in rows {

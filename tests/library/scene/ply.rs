@@ -172,17 +172,17 @@ fn what_is_wrong_is_said() {
         };
         assert_eq!(
             message(HEADER, &triangle(0.0, [0, 1, 3])),
-            "face 0 (from 0) refers to vertex 3, and there are 3"
+            "face 0 (from 0) refers to vertex 3, but there are 3"
         );
         assert_eq!(
             message(HEADER, &triangle(0.0, [0, -1, 2])),
-            "face 0 (from 0) refers to vertex -1, and there are 3"
+            "face 0 (from 0) refers to vertex -1, but there are 3"
         );
         let mut line = rows.clone();
         line[3] = vec![U8(2), I32(0), I32(1)];
         assert_eq!(
             message(HEADER, &line),
-            "it has no faces: 1 face of fewer than three corners is left out"
+            "it has no faces: 1 face with fewer than three corners is skipped"
         );
         let none = HEADER.replace("face 1", "face 0");
         assert_eq!(message(&none, &rows[..3]), "it has no faces");
@@ -202,7 +202,7 @@ fn what_is_wrong_is_said() {
         let twice = HEADER.replace("property float y\n", "property float x\nproperty float y\n");
         assert_eq!(
             message(&twice, &rows),
-            "its line 5 has a name that stands above: `property float x`"
+            "its line 5 repeats an earlier name: `property float x`"
         );
         for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
             let said = message(HEADER, &triangle(bad, [0, 1, 2]));
@@ -232,10 +232,7 @@ fn numbers_may_begin_or_end_with_a_point() {
     }
     for text in [".", "-.", "1..5", ".e5", "1.2.3"] {
         let said = read(with(text).as_bytes()).expect_err(text).to_string();
-        assert_eq!(
-            said,
-            format!("its line 10 is not understood: `{text} 1. -.5`")
-        );
+        assert_eq!(said, format!("its line 10 cannot be read: `{text} 1. -.5`"));
     }
 }
 
@@ -247,7 +244,7 @@ fn lines_that_are_not_understood_are_quoted() {
         (
             "\n0 0 0\n",
             "\nabc 0 0\n",
-            "its line 10 is not understood: `abc 0 0`",
+            "its line 10 cannot be read: `abc 0 0`",
         ),
         // A stream of numbers: the first of the face's are taken for a vertex, and two are left.
         (
@@ -258,28 +255,24 @@ fn lines_that_are_not_understood_are_quoted() {
         (
             "3 0 1 2",
             "-3 0 1 2",
-            "its line 13 is not understood: `-3 0 1 2`",
+            "its line 13 cannot be read: `-3 0 1 2`",
         ),
         (
             "3 0 1 2",
             "3 0 1.5 2",
-            "its line 13 is not understood: `3 0 1.5 2`",
+            "its line 13 cannot be read: `3 0 1.5 2`",
         ),
         (
             "float y",
             "flt y",
-            "its line 5 is not understood: `property flt y`",
+            "its line 5 cannot be read: `property flt y`",
         ),
         (
             "float y",
             "flt \u{7}y",
-            "its line 5 is not understood: `property flt \u{fffd}y`",
+            "its line 5 cannot be read: `property flt \u{fffd}y`",
         ),
-        (
-            "ply\n",
-            "",
-            "its line 1 is not understood: `format ascii 1.0`",
-        ),
+        ("ply\n", "", "its line 1 cannot be read: `format ascii 1.0`"),
         (
             "3 0 1 2\n",
             "\n\n\n\n\n\n\n\n\n",
@@ -329,7 +322,7 @@ fn files_are_read_or_refused() {
         assert!(pipe.expect("mkfifo runs").success());
         for name in ["zero.ply", "pipe.obj"] {
             let error = read_mesh(&path(name)).expect_err(name);
-            assert_eq!(error.to_string(), "is no file");
+            assert_eq!(error.to_string(), "is not a regular file");
         }
     }
 }

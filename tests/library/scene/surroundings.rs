@@ -103,7 +103,7 @@ fn the_last_background_counts() {
     assert!(read.scene.surroundings.is_none());
     assert_eq!(read.scene.background, DVec3::new(1.0, 2.0, 3.0));
     let told: Vec<String> = read.warnings.iter().map(ToString::to_string).collect();
-    assert_eq!(told, ["`background` stands here once more"]);
+    assert_eq!(told, ["`background` is given more than once"]);
 }
 
 /// As other programs of the course have it: the sphere about the eye carries the picture, and is no shape here.
@@ -130,12 +130,12 @@ fn the_sphere_that_carries_a_picture_is_no_shape() {
 fn names_are_read_as_meshes_are() {
     let folder = folder();
     for (line, told) in [
-        ("background My Sky.EXR 2", "blanks end a name"),
+        ("background My Sky.EXR 2", "a blank ends a name"),
         (
             "background \"My Sky.EXR\" 2",
-            "there is no file of this very name",
+            "no file has exactly this name",
         ),
-        ("background SKY.exr 2", "there is no file of this very name"),
+        ("background SKY.exr 2", "no file has exactly this name"),
     ] {
         let read = read(folder.path(), line).expect(line);
         assert_eq!(read.scene.surroundings.expect(line).scale, 2.0, "{line}");
@@ -168,16 +168,16 @@ fn what_is_odd_about_a_picture_is_said() {
 fn what_is_no_picture_of_radiances_is_refused() {
     let folder = folder();
     for (line, told) in [
-        ("background gone.exr", "there is no such file"),
-        ("background sky.jpg", "there is no such file"),
+        ("background gone.exr", "no such file"),
+        ("background sky.jpg", "no such file"),
         ("ibl", "`ibl` has too few arguments"),
         (
             "background low.png",
-            "a PNG holds no radiances: surroundings are read from EXR (.exr) and HDR (.hdr)",
+            "a PNG has no radiances: use an EXR (.exr) or HDR (.hdr) for surroundings",
         ),
         (
             "background text.hdr",
-            "is no picture that vkpt reads: EXR, HDR or PNG",
+            "is not a picture in a supported format: EXR, HDR or PNG",
         ),
         (
             "background nan.exr",

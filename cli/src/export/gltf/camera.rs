@@ -45,7 +45,7 @@ pub fn note(subject: &Subject) -> Option<Remark<String>> {
     let is_kept = width == WIDTH && f64::from(height) == read;
     (!is_kept).then(|| {
         let what = format!(
-            "the size in pixels is not in glTF: render the file with --size {width}x{height}"
+            "glTF does not store the size in pixels: render the file with --size {width}x{height}"
         );
         Remark::new(subject.scene.camera_line, what)
     })

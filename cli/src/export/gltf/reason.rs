@@ -1,54 +1,54 @@
-//! Features without an equivalent in glTF 2.0 as vkpt reads it.
+//! Features without an equivalent in glTF 2.0, as vkpt reads it.
 
 use vkpt::settings::{Absorption, Model};
 
 /// The reason for a refusal.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Reason {
-    #[error("Kd beside Kt: glTF's surfaces scatter or transmit")]
+    #[error("Kd with Kt: glTF's surfaces either scatter or transmit")]
     Sum,
-    #[error("the Phong distribution: glTF has GGX alone")]
+    #[error("the Phong distribution: glTF has only GGX")]
     Phong,
-    #[error("the Beckmann distribution: glTF has GGX alone")]
+    #[error("the Beckmann distribution: glTF has only GGX")]
     Beckmann,
     #[error(
-        "glass with the exact reflectance: glTF's is Schlick's, as vkpt's is by --fresnel schlick"
+        "glass with the exact reflectance: glTF's is Schlick's, as vkpt's with --fresnel schlick"
     )]
     ExactGlass,
     #[error("an index of refraction below 1: glTF has none")]
     ThinIndex,
-    #[error("a sphere: glTF has triangles alone")]
+    #[error("a sphere: glTF has only triangles")]
     Sphere,
-    #[error("a cylinder: glTF has triangles alone")]
+    #[error("a cylinder: glTF has only triangles")]
     Cylinder,
     #[error("a vertex normal without a direction: glTF's are of length 1")]
     NoNormal,
     #[error("a lens: glTF's cameras are pinholes")]
     Lens,
     #[error(
-        "a background: glTF has no surroundings, and vkpt's reader takes white of radiance 1 where nothing shines, else black"
+        "a background: glTF has no surroundings; vkpt's reader uses white of radiance 1 if the file has no lights, else black"
     )]
     Background,
-    #[error("nothing shines: vkpt's reader would light it by a white background")]
+    #[error("no lights: vkpt's reader would use a white background")]
     Dark,
-    #[error("nothing is to be seen: a glTF file needs a triangle")]
+    #[error("no shapes: a glTF file needs a triangle")]
     Nothing,
-    #[error("all meshes together are larger than a GLB may be: write to a name that ends in .gltf")]
+    #[error("all meshes together exceed the limit of a GLB: write to a name that ends in .gltf")]
     Large,
 }
 
 /// The flag whose value has no equivalent in glTF, and why.
 pub fn setting(model: &Model, crop: Option<[u32; 4]>) -> Option<&'static str> {
     if model.absorption == Absorption::Term {
-        Some("--absorption term: glTF's volumes absorb along every stretch")
+        Some("--absorption term: glTF's volumes absorb along every segment")
     } else if !model.radiance_scaling {
         Some(
-            "--radiance-scaling off: glTF says nothing of it; give the flag where the file is rendered",
+            "--radiance-scaling off: glTF cannot express it; give the flag when rendering the file",
         )
     } else if model.max_depth.is_some() {
-        Some("--max-depth: glTF says nothing of it; give the flag where the file is rendered")
+        Some("--max-depth: glTF cannot express it; give the flag when rendering the file")
     } else if crop.is_some() {
-        Some("--crop: glTF's cameras see whole pictures; give the flag where the file is rendered")
+        Some("--crop: glTF's cameras show whole pictures; give the flag when rendering the file")
     } else {
         None
     }

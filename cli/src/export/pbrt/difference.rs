@@ -1,4 +1,4 @@
-//! Features that pbrt-v4 models differently: the picture is nearly the same.
+//! Features for which pbrt-v4 uses another model: the picture is nearly the same, but not equal.
 
 use glam::DVec3;
 
@@ -11,7 +11,7 @@ use vkpt::prepared::{Material, MaterialKind};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Difference {
     #[error(
-        "a colour: pbrt makes a smooth spectrum of it, and the product of two is not that of their RGB; what is grey is the same"
+        "a colour: pbrt converts it to a smooth spectrum, and products of spectra differ from those of RGB; grey is the same"
     )]
     Colour,
     #[error(

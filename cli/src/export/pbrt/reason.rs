@@ -5,39 +5,39 @@ use vkpt::settings::{Absorption, Model};
 /// The reason for a refusal.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Reason {
-    #[error("Kd beside Ks or Kt: pbrt has layers of surfaces, but adds none to another")]
+    #[error("Kd with Ks or Kt: pbrt can layer surfaces, but not add them")]
     Sum,
-    #[error("the Phong distribution: of vkpt's, pbrt has GGX alone")]
+    #[error("the Phong distribution: pbrt has only GGX")]
     Phong,
-    #[error("the Beckmann distribution: of vkpt's, pbrt has GGX alone")]
+    #[error("the Beckmann distribution: pbrt has only GGX")]
     Beckmann,
     #[error(
-        "glass with Schlick's reflectance: pbrt's is exact, as vkpt's is by `fresnel exact` in the scene or --fresnel exact"
+        "glass with Schlick's reflectance: pbrt's is exact, as vkpt's with `fresnel exact` in the scene or --fresnel exact"
     )]
     SchlickGlass,
     #[error(
-        "Ks below 1 on what is opaque: pbrt's metals have the reflectance of a complex index, not Schlick's"
+        "Ks below 1 on an opaque surface: pbrt's metals have the reflectance of a complex index, not Schlick's"
     )]
     SchlickMetal,
-    #[error("the width {0}: pbrt takes all below 0.001 as smooth")]
+    #[error("the width {0}: pbrt treats widths below 0.001 as smooth")]
     Narrow(f64),
-    #[error("rough glass with an index so near 1: single precision does not resolve it in pbrt")]
+    #[error("rough glass with an index this near 1: single precision does not resolve it in pbrt")]
     WeakGlass,
     #[error(
-        "a Kt that is 0 in one channel alone: pbrt makes a smooth spectrum of it, which lets nothing through"
+        "a Kt that is 0 in only one channel: pbrt converts it to a smooth spectrum, which transmits nothing"
     )]
     OpaqueChannel,
     #[error(
-        "a mesh with shading normals: where they turn away from the eye, pbrt goes by their side of the surface and vkpt by \
-         the triangle's"
+        "a mesh with shading normals: where they face away from the eye, pbrt uses the side of the normal and vkpt the \
+         triangle's"
     )]
     ShadingNormals,
     #[error(
-        "a picture of the surroundings: pbrt's is a square of equal areas, whose texels are not those of latitude and longitude"
+        "a picture of the surroundings: pbrt's is an equal-area square, whose texels are not those of latitude and longitude"
     )]
     Surroundings,
     #[error(
-        "faces of this shape and of that of line {0} are in one place: which of them is seen is left to rounding in pbrt"
+        "faces of this shape coincide with faces of line {0}: in pbrt rounding decides which is visible"
     )]
     Coincident(usize),
 }
@@ -45,7 +45,7 @@ pub enum Reason {
 /// The flag whose value has no equivalent in pbrt, and why.
 pub fn setting(model: &Model) -> Option<&'static str> {
     if model.absorption == Absorption::Term {
-        Some("--absorption term: pbrt absorbs along every stretch in a medium")
+        Some("--absorption term: pbrt absorbs along every segment in a medium")
     } else if !model.radiance_scaling {
         Some("--radiance-scaling off: pbrt scales radiance at each refraction")
     } else {

@@ -31,7 +31,7 @@ pub fn fill(
         let wanted = block.layer == rgb.part && block.level == Vec2(0, 0);
         wanted && awaited.insert(block)
     })?;
-    let stray = || Error::Invalid("blocks other than its header tells of".into());
+    let stray = || Error::Invalid("its blocks do not match its header".into());
     for chunk in chunks {
         let chunk = chunk?;
         if chunk.layer_index != rgb.part {

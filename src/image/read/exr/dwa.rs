@@ -37,7 +37,7 @@ pub fn check(chunk: &Chunk, header: &Header) -> Result<(), Error> {
         .any(|claim| claim > most)
     {
         return Err(Error::Invalid(
-            "a chunk claims more than its block holds".into(),
+            "a chunk declares more than its block contains".into(),
         ));
     }
     Ok(())

@@ -26,7 +26,7 @@ impl Accessors<'_> {
     pub(super) fn indices<const N: usize>(&self, index: usize) -> Result<Vec<[u32; N]>, String> {
         let (accessor, kind) = self.get::<N>(index)?;
         if !kind.is_index() {
-            return Err(within(index, "its numbers are no indices"));
+            return Err(within(index, "its numbers are not indices"));
         }
         self.elements(accessor, kind, |bytes| kind.whole(bytes))
             .map_err(|what| within(index, &what))
@@ -41,7 +41,7 @@ impl Accessors<'_> {
     /// An accessor of vectors of N, and the type of their components.
     fn get<const N: usize>(&self, index: usize) -> Result<(&Accessor, Component), String> {
         let accessor = self.document.accessors.get(index);
-        let accessor = accessor.ok_or_else(|| within(index, "there is none"))?;
+        let accessor = accessor.ok_or_else(|| within(index, "it does not exist"))?;
         let asked = match N {
             1 => "SCALAR",
             3 => "VEC3",
@@ -49,7 +49,7 @@ impl Accessors<'_> {
             _ => "MAT4",
         };
         if accessor.kind != asked {
-            return Err(within(index, &format!("its elements are no {asked}")));
+            return Err(within(index, &format!("its elements are not {asked}")));
         }
         let kind = Component::of(accessor.component_type).map_err(|what| within(index, &what))?;
         Ok((accessor, kind))
@@ -94,7 +94,7 @@ impl Accessors<'_> {
         let kind = Component::of(at.component_type)
             .ok()
             .filter(|kind| kind.is_index());
-        let kind = kind.ok_or("its sparse indices are of no type of indices")?;
+        let kind = kind.ok_or("its sparse indices are not of an index type")?;
         let places = self.rows(at.buffer_view, at.byte_offset, count, kind.size())?;
         let rows = self.rows(with.buffer_view, with.byte_offset, count, size)?;
         Ok(places
@@ -111,7 +111,7 @@ impl Accessors<'_> {
         size: usize,
     ) -> Result<impl Iterator<Item = &[u8]> + use<'_>, String> {
         let view = self.document.buffer_views.get(index);
-        let view = view.ok_or_else(|| format!("there is no buffer view {index}"))?;
+        let view = view.ok_or_else(|| format!("buffer view {index} does not exist"))?;
         let buffer = self.buffers.get(view.buffer)?;
         // Some exporters write a stride of 0 for packed elements.
         let stride = view
@@ -152,7 +152,7 @@ impl Accessors<'_> {
         match usize::try_from(count) {
             Ok(count) if count <= bytes => Ok(count),
             _ => Err(format!(
-                "it claims {count} elements, and there are {bytes} bytes"
+                "it declares {count} elements, but there are only {bytes} bytes"
             )),
         }
     }

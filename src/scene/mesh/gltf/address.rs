@@ -26,11 +26,11 @@ pub(super) fn bytes_at(
     let quoted = quote(uri);
     match uri.split_once(':') {
         Some((scheme, data)) if scheme.eq_ignore_ascii_case("data") => {
-            let bytes = decode(data).ok_or_else(|| format!("`{quoted}` is not in base64"))?;
+            let bytes = decode(data).ok_or_else(|| format!("`{quoted}` is not base64"))?;
             Ok((bytes.map_err(|error| error.to_string())?, None))
         }
-        // A colon must be encoded in a relative reference, so this is a scheme.
-        Some(_) => Err(format!("`{quoted}` is no file beside it")),
+        // A colon in a relative reference must be encoded: this is a scheme.
+        Some(_) => Err(format!("`{quoted}` is not a file next to it")),
         None => {
             let path = find(uri, folder)?;
             let bytes = read(&path, length).map_err(|reason| format!("`{quoted}`: {reason}"))?;
@@ -55,13 +55,10 @@ fn find(uri: &str, folder: &Path) -> Result<PathBuf, String> {
     if let Some(path) = spellings.iter().find(|path| path.exists()) {
         return Ok(path.clone());
     }
-    let missing = format!("there is no file `{}`", quote(uri));
+    let missing = format!("the file `{}` does not exist", quote(uri));
     Err(
         match spellings.iter().find_map(|path| in_other_case(path)) {
-            Some(name) => format!(
-                "{missing}, but there is `{}`: rename one of them",
-                quote(&name)
-            ),
+            Some(name) => format!("{missing}, but `{}` does: rename one of them", quote(&name)),
             None => missing,
         },
     )
@@ -79,7 +76,7 @@ fn in_other_case(path: &Path) -> Option<String> {
 /// The first `length` bytes of a file; refuses devices, which may never end.
 fn read(path: &Path, length: u64) -> io::Result<Vec<u8>> {
     if !path.metadata()?.is_file() {
-        return Err(io::Error::other("it is no file"));
+        return Err(io::Error::other("it is not a file"));
     }
     let mut bytes = Vec::new();
     File::open(path)?.take(length).read_to_end(&mut bytes)?;

@@ -61,8 +61,8 @@ impl Assembly {
         };
         self.instanced |= node.extensions.contains_key("EXT_mesh_gpu_instancing");
         let mesh = document.meshes.get(index);
-        let mesh = mesh.ok_or_else(|| format!("there is no mesh {index}"))?;
-        // A skinned mesh is placed by its joints, not by its node (glTF 2.0, section 3.7.3.3).
+        let mesh = mesh.ok_or_else(|| format!("mesh {index} does not exist"))?;
+        // A skinned mesh is placed by its joints and not by its node (glTF 2.0, section 3.7.3.3).
         let skin = node
             .skin
             .map(|skin| Skin::read(skin, document, accessors, nodes));
@@ -158,12 +158,11 @@ impl Assembly {
         warnings.extend(left_out);
         if self.instanced {
             warnings.push(
-                "of instances (EXT_mesh_gpu_instancing) only the first stands, at its node"
-                    .to_owned(),
+                "only the first instance (EXT_mesh_gpu_instancing) is read, at its node".to_owned(),
             );
         }
         if self.morphed {
-            warnings.push("morph targets are left out".to_owned());
+            warnings.push("morph targets are skipped".to_owned());
         }
         Ok(MeshFile {
             files,
@@ -178,8 +177,8 @@ impl Assembly {
     fn flat_warning(&self) -> Option<String> {
         let (first, more) = self.flat.split_first()?;
         let more = match more.len() {
-            0 => "is left out".to_owned(),
-            more => format!("and {more} more like it are left out"),
+            0 => "is skipped".to_owned(),
+            more => format!("and {more} more like it are skipped"),
         };
         Some(format!("the scale of {first} is zero: its mesh {more}"))
     }

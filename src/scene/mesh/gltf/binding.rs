@@ -35,7 +35,7 @@ impl<'a> Binding<'a> {
                 (joints, _) => {
                     let missing = &names[usize::from(joints.is_some())];
                     return Some(Err(format!(
-                        "{} moves it, and it has no {missing}",
+                        "{} moves it, but it has no {missing}",
                         skin.label
                     )));
                 }
@@ -76,7 +76,7 @@ impl<'a> Binding<'a> {
             Some((joint, _)) => {
                 let skin = &self.skin.label;
                 Err(format!(
-                    "is bound to joint {joint}, and {skin} has {joints}"
+                    "is bound to joint {joint}, but {skin} has {joints}"
                 ))
             }
             None => Ok(()),
@@ -112,7 +112,7 @@ impl Set {
         let counts = [("joints", set.joints.len()), ("weights", set.weights.len())];
         match counts.iter().find(|(_, count)| *count != vertices) {
             Some((what, count)) => Err(format!(
-                "it has {what} for {count} vertices, and there are {vertices}"
+                "it has {what} for {count} vertices, but there are {vertices}"
             )),
             None => Ok(set),
         }

@@ -62,7 +62,7 @@ impl<'a> Buffers<'a> {
         };
         match bytes.len() {
             has if (has as u64) < claimed => Err(format!(
-                "is truncated: it claims {claimed} bytes, and has {has}"
+                "is truncated: it declares {claimed} bytes, but has {has}"
             )),
             _ => Ok(bytes),
         }
@@ -73,7 +73,7 @@ impl<'a> Buffers<'a> {
         let bytes = self.bytes.get(number);
         bytes
             .map(AsRef::as_ref)
-            .ok_or_else(|| format!("there is no buffer {number}"))
+            .ok_or_else(|| format!("buffer {number} does not exist"))
     }
 
     /// Total number of bytes.

@@ -21,7 +21,7 @@ impl Component {
             5123 => Ok(Self::U16),
             5125 => Ok(Self::U32),
             5126 => Ok(Self::F32),
-            _ => Err(format!("its component type {code} is not known")),
+            _ => Err(format!("its component type {code} is unknown")),
         }
     }
 

@@ -36,16 +36,16 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
     let [version, claimed] = [4, 8].map(|at| word(at).map_or(0, u32::from_le_bytes));
     if bytes.len() >= 12 && version != 2 {
         return Err(format!(
-            "it is glTF {version}.0, and only 2.0 is read: convert it"
+            "it is glTF {version}.0, but only 2.0 is supported: convert it"
         ));
     }
     let body = bytes.get(12..claimed as usize).ok_or_else(|| {
         let has = bytes.len();
-        format!("it is truncated: it claims {claimed} bytes, and has {has}")
+        format!("it is truncated: it declares {claimed} bytes, but has {has}")
     })?;
     let json = chunk(body)?;
     if json.kind != b"JSON" {
-        return Err("its first chunk is no JSON".into());
+        return Err("its first chunk is not JSON".into());
     }
     let mut rest = json.rest;
     while !rest.is_empty() {
@@ -74,7 +74,7 @@ fn chunk(bytes: &[u8]) -> Result<Chunk<'_>, String> {
     let split = rest.split_at_checked(claimed as usize);
     let (content, rest) = split.ok_or_else(|| {
         let has = rest.len();
-        format!("it is truncated: a chunk claims {claimed} bytes, and {has} follow")
+        format!("it is truncated: a chunk declares {claimed} bytes, but {has} follow")
     })?;
     Ok(Chunk {
         kind,

@@ -121,7 +121,7 @@ fn assembled<'d>(document: &'d Document, buffers: &Buffers) -> Result<Together<'
         .map(|node| primitive::asked(&document.nodes[*node], document));
     if asked.fold(0, u64::saturating_add) > MOST {
         return Err(format!(
-            "its nodes together ask for more than {MOST} vertices or corners"
+            "its nodes together have more than {MOST} vertices or corners"
         ));
     }
     let mut assembly = Assembly::default();

@@ -21,10 +21,10 @@ impl<'a> Nodes<'a> {
         for (parent, node) in all.iter().enumerate() {
             for child in node.children.iter().flatten() {
                 let of_child = parents.get_mut(*child);
-                let of_child = of_child.ok_or_else(|| format!("there is no node {child}"))?;
+                let of_child = of_child.ok_or_else(|| format!("node {child} does not exist"))?;
                 if of_child.replace(parent).is_some() {
                     let child = label(all, *child);
-                    return Err(format!("{child} is a child twice"));
+                    return Err(format!("{child} is listed as a child twice"));
                 }
             }
         }
@@ -44,7 +44,7 @@ impl<'a> Nodes<'a> {
     /// A node; an error if it does not exist.
     pub(super) fn get(&self, number: usize) -> Result<&'a Node, String> {
         let node = self.all.get(number);
-        node.ok_or_else(|| format!("there is no node {number}"))
+        node.ok_or_else(|| format!("node {number} does not exist"))
     }
 
     /// The nodes that have no parent.
@@ -102,7 +102,7 @@ fn local(node: &Node) -> Result<DAffine3, (&'static str, &'static str)> {
         let matrix = DMat4::from_cols_array(&finite("matrix", matrix)?);
         return match matrix.row(3).to_array() {
             [0.0, 0.0, 0.0, 1.0] => Ok(DAffine3::from_mat4(matrix)),
-            _ => Err(("matrix", "has another last row than 0 0 0 1")),
+            _ => Err(("matrix", "has a last row other than 0 0 0 1")),
         };
     }
     let rotation = finite("rotation", &node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]))?;

@@ -89,7 +89,7 @@ fn corners(
     }
     match indices.iter().find(|i| **i as usize >= vertices) {
         Some(bad) => Err(format!(
-            "it refers to vertex {bad}, and there are {vertices}"
+            "it refers to vertex {bad}, but there are {vertices}"
         )),
         None => Ok(indices),
     }

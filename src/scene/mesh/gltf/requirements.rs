@@ -46,23 +46,20 @@ pub(super) fn version(json: &str) -> Result<(), String> {
     let head: Head = serde_json::from_str(json).map_err(|error| not_understood(&error))?;
     let asset = head.asset.as_ref();
     let Some(version) = asset.and_then(|asset| asset.version.as_ref()) else {
-        return Err(
-            "it has no `asset.version`, which says of a glTF file that it is one of glTF 2.0"
-                .into(),
-        );
+        return Err("it has no `asset.version`, which glTF 2.0 requires".into());
     };
     let least = asset.and_then(|asset| asset.min_version.as_ref());
     let (version, least) = (text(version), least.map(text));
     if version.split('.').next() != Some("2") {
         let version = quote(&version);
         return Err(format!(
-            "it is glTF {version}, and only 2.0 is read: convert it"
+            "it is glTF {version}, but only 2.0 is supported: convert it"
         ));
     }
     let above = |least: &String| least.parse().is_ok_and(|least: f64| least > 2.0);
     match least.filter(above) {
         Some(least) => Err(format!(
-            "it needs glTF {} or later, and only 2.0 is read: export it as that",
+            "it needs glTF {} or later, but only 2.0 is supported: export it as glTF 2.0",
             quote(&least)
         )),
         None => Ok(()),
@@ -71,7 +68,7 @@ pub(super) fn version(json: &str) -> Result<(), String> {
 
 /// The message for JSON that is not glTF.
 pub(in crate::scene) fn not_understood(error: &serde_json::Error) -> String {
-    format!("its JSON is not understood: {error}")
+    format!("cannot read its JSON: {error}")
 }
 
 fn text(value: &Value) -> String {
@@ -102,7 +99,7 @@ pub(super) fn extensions(required: &[String]) -> Result<(), String> {
     };
     let names = names.join(", ");
     Err(format!(
-        "it requires the {extensions} {names}, which {are} not read{remedy}"
+        "it requires the {extensions} {names}, which {are} not supported{remedy}"
     ))
 }
 

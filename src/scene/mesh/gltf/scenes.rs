@@ -15,7 +15,7 @@ pub(super) fn shown(
     let scenes = &document.scenes;
     let first = document.scene.unwrap_or(0);
     if document.scene.is_some() && first >= scenes.len() {
-        return Err("its default scene is not there".into());
+        return Err("its default scene does not exist".into());
     }
     if scenes.is_empty() {
         return Ok((below(nodes.roots(), nodes)?, None));
@@ -28,7 +28,7 @@ pub(super) fn shown(
             let warning = || {
                 let [first, read] = [first, number]
                     .map(|scene| called("scene", scene, scenes[scene].name.as_deref()));
-                format!("{first} has no triangles: {read} is read")
+                format!("{first} has no triangles: {read} is read instead")
             };
             return Ok((shown, (number != first).then(warning)));
         }
@@ -48,7 +48,7 @@ fn below(tops: impl Iterator<Item = usize>, nodes: &Nodes) -> Result<Vec<usize>,
         let node = nodes.get(number)?;
         if !seen.insert(number) {
             let node = nodes.label(number);
-            return Err(format!("{node} stands in its scene twice"));
+            return Err(format!("{node} is in its scene twice"));
         }
         found.push(number);
         to_visit.extend(node.children.iter().flatten().rev());

@@ -23,7 +23,7 @@ impl Skin {
         nodes: &mut Nodes,
     ) -> Result<Self, String> {
         let skin = document.skins.get(number);
-        let skin = skin.ok_or_else(|| format!("there is no skin {number}"))?;
+        let skin = skin.ok_or_else(|| format!("skin {number} does not exist"))?;
         let label = called("skin", number, skin.name.as_deref());
         let within = |what| format!("{label}: {what}");
         let inverse = match skin.inverse_bind_matrices {

@@ -18,7 +18,7 @@ impl Mode {
             4 => Ok(Some(Self::List)),
             5 => Ok(Some(Self::Strip)),
             6 => Ok(Some(Self::Fan)),
-            _ => Err(format!("its mode {code} is not known")),
+            _ => Err(format!("its mode {code} is unknown")),
         }
     }
 

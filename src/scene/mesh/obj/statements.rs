@@ -180,9 +180,9 @@ fn number(text: &str) -> Result<i64, Fault> {
 }
 
 fn not_understood() -> Fault {
-    "is not understood".into()
+    "cannot be read".into()
 }
 
 fn out_of_range(index: i64, count: usize) -> Fault {
-    format!("refers to vertex {index}, and there are {count}")
+    format!("refers to vertex {index}, but there are {count}")
 }

@@ -77,7 +77,7 @@ fn is_comment(line: &[u8]) -> bool {
 /// An error message about a line.
 type Fault = &'static str;
 
-const NOT_UNDERSTOOD: Fault = "is not understood";
+const NOT_UNDERSTOOD: Fault = "cannot be read";
 
 /// `element NAME COUNT`
 fn element(elements: &mut Vec<Element>, name: &str, count: &str) -> Result<(), Fault> {
@@ -113,7 +113,7 @@ fn property(elements: &mut [Element], words: &[&str]) -> Result<(), Fault> {
 /// Refuses repeated names, which are ambiguous.
 fn unique<'a>(mut names: impl Iterator<Item = &'a str>, name: &str) -> Result<(), Fault> {
     match names.any(|other| other == name) {
-        true => Err("has a name that stands above"),
+        true => Err("repeats an earlier name"),
         false => Ok(()),
     }
 }

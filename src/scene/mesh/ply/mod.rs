@@ -110,7 +110,7 @@ fn read_body(source: &mut impl Source, header: &Header, file: &[u8]) -> Result<R
                 "row {} (from 0) of its element `{}` has a list of negative length",
                 rows.read, element.name
             )),
-            Fault::Line(line) => at_line(file, line, "is not understood"),
+            Fault::Line(line) => at_line(file, line, "cannot be read"),
             Fault::End => MeshError::Malformed(format!(
                 "it ends in row {} of the {} of its element `{}`",
                 rows.read + 1,
