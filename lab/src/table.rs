@@ -3,7 +3,7 @@
 /// Characters of the widest line.
 pub const WIDTH: usize = 100;
 
-/// Rows with two blanks before each column, each as wide as its widest cell; to the right where `right` says so.
+/// Rows with two blanks before each column, each as wide as its widest cell; right-aligned where `right` is set.
 pub fn columns<const N: usize>(rows: &[[String; N]], right: [bool; N]) -> String {
     let width = |k: usize| rows.iter().map(|r| r[k].chars().count()).max().unwrap_or(0);
     let widths: [usize; N] = std::array::from_fn(width);
@@ -21,7 +21,7 @@ pub fn columns<const N: usize>(rows: &[[String; N]], right: [bool; N]) -> String
     rows.iter().map(line).collect()
 }
 
-/// `before` and `text`, which goes on below itself where a line would be wider than [`WIDTH`].
+/// `before` and `text`, which wraps with a hanging indent where a line would be wider than [`WIDTH`].
 pub fn hanging(before: &str, text: &str) -> String {
     let indent = before.chars().count();
     let (mut all, mut line) = (String::new(), before.to_owned());

@@ -1,4 +1,4 @@
-//! What tells one picture's values from another's.
+//! A digest that identifies a picture's values.
 
 use crate::film::Film;
 

@@ -1,4 +1,4 @@
-//! The line that ends a rendering: what its seconds bought.
+//! The last line of a rendering: samples, time, rate and error.
 
 use super::human::{count, duration};
 use super::{ErrorAt, Record};

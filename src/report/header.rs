@@ -1,4 +1,4 @@
-//! What a picture's header tells: all that the picture depends on, and nothing else.
+//! The notes in a picture's header: everything that the picture depends on, and nothing else.
 
 use super::digest::digest;
 use super::names::Named;
@@ -29,26 +29,26 @@ pub fn notes(job: &Job, device: &str) -> Vec<(&'static str, String)> {
     notes
 }
 
-/// Of a picture with layers: they are means over its first `samples`.
+/// The note of a picture with layers: they are means over its first `samples`.
 pub fn layer_note(samples: u32) -> (&'static str, String) {
     ("layers", format!("means over the first {samples} samples"))
 }
 
-/// Of a picture whose light is split by classes of paths.
+/// The note of a picture whose light is split by classes of paths.
 pub fn light_note(job: &Job) -> (&'static str, String) {
     let what = format!("of classes of paths, means over all {} samples", job.spp);
     ("light", what)
 }
 
-/// The notes of a denoised picture, after a line that says that it is none of samples alone.
+/// The notes of a denoised picture, after a line that says that it is denoised.
 pub fn denoised_notes(denoised: &Denoised, job: &Job, device: &str) -> Vec<(&'static str, String)> {
     let mut all = vec![("denoised", format!("by {}", denoised.by))];
     all.extend(notes(job, device));
     all
 }
 
-/// The notes of standard errors, after lines that say what the values are, with how many degrees of freedom, and of which
-/// picture: one has the same name, settings and seed after its scene was changed.
+/// The notes of standard errors, after lines with the meaning of the values, their degrees of freedom, and the digest of
+/// the picture: after a change of the scene, another picture may have the same name, settings and seed.
 pub fn stderr_notes(
     freedom: f64,
     picture: &Film,
@@ -75,12 +75,12 @@ pub fn stderr_notes(
 const FREEDOM: &str = "degrees of freedom";
 const PICTURE: &str = "digest of the picture";
 
-/// The [`digest`] of the picture that standard errors with these notes were made with, as a file has it.
+/// The [`digest`] of the picture to which standard errors with these notes belong.
 pub fn noted_digest(notes: &str) -> Option<&str> {
     noted(notes, PICTURE)
 }
 
-/// The degrees of freedom that standard errors with these notes have, as a file has them; `None` where they do not say.
+/// The degrees of freedom of standard errors with these notes; `None` if not noted.
 pub fn noted_freedom(notes: &str) -> Option<f64> {
     let freedom = noted(notes, FREEDOM)?.parse().ok();
     freedom.filter(|&freedom: &f64| freedom > 0.0)
@@ -93,13 +93,12 @@ const NAMES: [&str; 8] = [
 
 const SETTINGS: &str = "settings";
 
-/// Whether a file notes what it was made from.
+/// Whether a file notes how it was made.
 pub fn is_noted(notes: &str) -> bool {
     NAMES.iter().any(|name| noted(notes, name).is_some())
 }
 
-/// What one file was made from and another was not, such as `spp is 16 there and 64 here`; `None` where one of them does not
-/// note what it was made from.
+/// Differences in how two files were made, such as `spp is 16 there and 64 here`; `None` if one of them has no notes.
 pub fn differences(there: &str, here: &str) -> Option<Vec<String>> {
     if !is_noted(there) || !is_noted(here) {
         return None;
@@ -115,7 +114,7 @@ pub fn differences(there: &str, here: &str) -> Option<Vec<String>> {
     Some(NAMES.iter().filter_map(difference).collect())
 }
 
-/// The words of one text that another has not; the rest are many.
+/// The words of one text that another lacks.
 fn others(of: &str, than: &str) -> String {
     let known: Vec<&str> = than.split(' ').collect();
     let words: Vec<&str> = of.split(' ').filter(|w| !known.contains(w)).collect();

@@ -4,7 +4,7 @@
 pub fn count(n: f64) -> String {
     let mut scaled = n;
     for unit in ["", " k", " M", " G", " T"] {
-        // 999.5 would round to a fourth digit: the next unit has it.
+        // 999.5 would round to a fourth digit: use the next unit.
         if scaled < 999.5 {
             let digits = if unit.is_empty() { 0 } else { decimals(scaled) };
             return format!("{scaled:.digits$}{unit}");
@@ -60,7 +60,7 @@ pub fn thousands(n: u64) -> String {
 pub fn bytes(n: u64) -> String {
     let mut scaled = n as f64;
     for unit in ["B", "KiB", "MiB", "GiB"] {
-        // 999.5 would round to a fourth digit: the next unit has it.
+        // 999.5 would round to a fourth digit: use the next unit.
         if scaled < 999.5 {
             let digits = if unit == "B" { 0 } else { decimals(scaled) };
             return format!("{scaled:.digits$} {unit}");

@@ -7,9 +7,9 @@ use crate::settings::{
     Absorption, Connect, Distribution, Fresnel, Integrator, Lights, LobeChoice, Normals, Sampler,
 };
 
-/// A choice among few, each with a name.
+/// A choice among a few named values.
 pub trait Named: Copy + PartialEq + Send + Sync + 'static {
-    /// All of them with their names, in the order in which they are told.
+    /// All of them with their names, in the order of listing.
     const ALL: &'static [(Self, &'static str)];
 
     /// The name.

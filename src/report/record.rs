@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::SettingsRecord;
 
-/// A rendering: what was asked, where it ran, what it took.
+/// A rendering: the request, the machine, and the cost.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Record {
     pub version: Cow<'static, str>,
@@ -17,12 +17,12 @@ pub struct Record {
     pub seconds: Seconds,
     #[serde(flatten)]
     pub work: Work,
-    /// The sample with the brightest channel; `None` where all are black.
+    /// The sample with the brightest channel; `None` if all are black.
     pub largest: Option<Largest>,
-    /// After 1, 2, 4 … samples a pixel, and after the last.
+    /// After 1, 2, 4 … samples per pixel, and after the last.
     pub error: Vec<ErrorAt>,
     pub files: Vec<String>,
-    /// The denoised picture beside it.
+    /// The denoised picture next to it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub denoised: Option<Denoised>,
     pub warnings: Vec<String>,
@@ -31,11 +31,11 @@ pub struct Record {
 /// A denoised picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Denoised {
-    /// By what.
+    /// The denoiser.
     pub by: String,
     /// Seconds that it took.
     pub seconds: f64,
-    /// Samples in every pixel of the half that is denoised and held against quarters of the other.
+    /// Samples in every pixel of the half that is denoised and compared with quarters of the other.
     pub half_spp: u32,
     /// An unbiased estimate of that denoised half's relMSE, relative to itself; may be below 0.
     pub half_rel_mse: f64,
@@ -44,7 +44,7 @@ pub struct Denoised {
     pub files: Vec<String>,
 }
 
-/// All that the picture depends on, beside the device.
+/// Everything that the picture depends on, except the device.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Job {
     /// The scene file's path as it was given.
@@ -56,12 +56,12 @@ pub struct Job {
     pub size: [u32; 2],
     /// Left, top, right, bottom in pixels of the full picture, right and bottom excluded.
     pub crop: Option<[u32; 4]>,
-    /// Of a part of a picture, the first index of its samples and the one after the last.
+    /// For a part of a picture, the first index of its samples and the one after the last.
     pub range: Option<[u32; 2]>,
     /// Samples in every pixel: fewer than `spp_asked` if something else ended the rendering.
     pub spp: u32,
     pub spp_asked: u32,
-    /// Why there are not more: `complete`, `interrupted`, `time` or `target-error`.
+    /// Why the rendering ended: `complete`, `interrupted`, `time` or `target-error`.
     pub ended: Cow<'static, str>,
     /// `--time`, seconds of rendering.
     pub time: Option<f64>,
@@ -73,11 +73,11 @@ pub struct Job {
     pub auto: Option<Cow<'static, str>>,
 }
 
-/// Where it ran.
+/// The machine.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Machine {
     pub device: String,
-    /// Why it was chosen, as words after its name, where nobody said which and there is no GPU.
+    /// Why it was chosen, as words after its name, if none was requested and there is no GPU.
     pub device_auto: Option<Cow<'static, str>>,
     pub driver: String,
     /// `None` for the reference, which has none.
@@ -85,12 +85,12 @@ pub struct Machine {
     pub memory: Memory,
 }
 
-/// The kernel that rendered.
+/// The rendering kernel.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Kernel {
     /// `composed` or `full`.
     pub choice: Cow<'static, str>,
-    /// What it holds.
+    /// Its parts.
     pub features: Vec<String>,
     pub spirv_bytes: u64,
 }
@@ -100,7 +100,7 @@ pub struct Kernel {
 pub struct Memory {
     /// All buffers on the device.
     pub device: u64,
-    /// The most that the process has held at once, where the system tells.
+    /// The peak memory of the process, if the system reports it.
     pub peak: Option<u64>,
 }
 
@@ -128,28 +128,28 @@ pub struct Seconds {
     pub write: f64,
 }
 
-/// What is known of the picture's error at one time.
+/// The picture's error estimate at one time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ErrorAt {
     pub spp: u32,
-    /// Of rendering so far, compiling apart.
+    /// Of rendering so far, without compiling.
     pub seconds: f64,
-    /// Estimate of the relMSE; `None` of one sample a pixel.
+    /// Estimate of the relMSE; `None` for one sample per pixel.
     pub rel_mse: Option<f64>,
-    /// Its 95 % interval; `None` where no honest one is to be had.
+    /// Its 95 % interval; `None` where none is reliable.
     pub low: Option<f64>,
     pub high: Option<f64>,
-    /// Where there is none: how few pixels make half of the error, and column and row of the worst.
+    /// If there is none: the number of pixels that make half of the error, and column and row of the worst.
     pub half_in_pixels: Option<usize>,
     pub worst_pixel: Option<[u32; 2]>,
 }
 
-/// A sample, and what it weighs.
+/// A sample and its weight.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Largest {
     /// Its brightest channel, W·sr⁻¹·m⁻².
     pub radiance: f64,
-    /// That over the mean of the picture, all channels together. Of samples that are alike it is about 1.
+    /// That over the mean of the picture, all channels together. For similar samples it is about 1.
     pub weight: f64,
     /// Column and row in the full picture.
     pub pixel: [u32; 2],
@@ -157,22 +157,22 @@ pub struct Largest {
     pub sample: u32,
 }
 
-/// What was done.
+/// The work done.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Work {
     pub samples: u64,
     pub rays: u64,
-    /// Per second of all dispatches, the first included; `None` where no time was measured.
+    /// Per second of all dispatches, the first included; `None` if no time was measured.
     pub samples_per_s: Option<f64>,
     pub rays_per_s: Option<f64>,
     pub dropped: Dropped,
-    /// Paths of a thousand bounces or more, where roulette sets in for good.
+    /// Paths of a thousand bounces or more, where roulette becomes unconditional.
     pub long_paths: u64,
-    /// Paths that ended because scattering or absorption left less of their throughput than f32 holds, 2⁻¹²⁶.
+    /// Paths that ended because scattering or absorption reduced their throughput below the range of f32, 2⁻¹²⁶.
     pub underflows: u64,
 }
 
-/// Samples that count as 0 because their value is none, by cause.
+/// Samples that count as 0 because their value is invalid, by cause.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Dropped {
     pub nan: u64,

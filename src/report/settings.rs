@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 use super::names::Named;
 use crate::settings::{DistributionRule, Integrator, Roulette, Settings};
 
-/// Every setting (model.md, "Settings"), by the name and in the words of its flag.
+/// Every setting (model.md, "Settings"), with the name and value of its flag.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SettingsRecord {
-    /// `scene`: each material as the scene says, `schlick` where it is silent.
+    /// `scene`: each material as in the scene, `schlick` by default.
     pub fresnel: String,
-    /// `scene`: each material as the scene says, `auto` where it is silent.
+    /// `scene`: each material as in the scene, `auto` by default.
     pub distribution: String,
     pub absorption: String,
     pub radiance_scaling: bool,
@@ -81,7 +81,7 @@ impl fmt::Display for SettingsRecord {
             "fresnel={fresnel} distribution={distribution} absorption={absorption} "
         )?;
         write!(f, "radiance-scaling={scaling} max-depth={depth} ")?;
-        // Pictures keep their words from before there was a second integrator.
+        // Pictures made before there was a second integrator keep their notes.
         if *integrator != Integrator::Path.name() {
             write!(f, "integrator={integrator} ")?;
         }

@@ -4,7 +4,7 @@ use super::error::bought;
 use super::human::{count, duration, plural};
 use super::{Denoised, Dropped, Job, Record};
 
-/// What was rendered, where, how long it took and what was written: a few short lines.
+/// The rendering, the device, the time and the files: a few short lines.
 pub fn summary(record: &Record) -> String {
     let [width, height] = record.job.size;
     let crop = record.job.crop.map_or(String::new(), |[x0, y0, x1, y1]| {
@@ -34,10 +34,10 @@ pub fn summary(record: &Record) -> String {
     lines.join("\n")
 }
 
-/// What the denoised picture is, and what is known of its error: it is that of half the samples which can be told.
+/// The denoised picture, and a bound of the error of the same picture from half of the samples, which can be estimated.
 fn denoised(of: &Denoised) -> Vec<String> {
     let bound = format!(
-        "the same made from half of the samples has a relMSE of at most {:.1e} (95 %), of that denoised picture, not of the noisy one",
+        "the picture denoised from half of the samples has a relMSE of at most {:.1e} (95 %); this is not the error of the noisy picture",
         of.half_rel_mse_upper
     );
     vec![
@@ -91,7 +91,7 @@ fn work(record: &Record) -> String {
         |what: Option<f64>| what.map_or(String::new(), |per_s| format!(" ({}/s)", count(per_s)));
     let underflows = match work.underflows {
         0 => String::new(),
-        n => format!(", {} to nothing", plural(n, "path")),
+        n => format!(", {} underflowed", plural(n, "path")),
     };
     format!(
         "{} samples{}, {} rays{}{underflows}",
@@ -102,7 +102,7 @@ fn work(record: &Record) -> String {
     )
 }
 
-/// What a signal or a lost device has left of the samples. Where it came after the last one, nothing is missing.
+/// The samples done at a signal or a lost device; `None` if all were done.
 fn early_end(job: &Job) -> Option<String> {
     let why = match &*job.ended {
         "interrupted" => "interrupted",
@@ -113,14 +113,14 @@ fn early_end(job: &Job) -> Option<String> {
     let what = match job.range {
         _ if spp == asked => return None,
         Some([begin, end]) => format!("the part ends before sample {end}, not {}", begin + asked),
-        // By --time or --target-error nobody asks for a number.
+        // With --time or --target-error no number is requested.
         None if asked == u32::MAX => format!("the picture is that of --spp {spp}"),
         None => format!("the picture is that of --spp {spp}, not {asked}"),
     };
     Some(format!("{why}: {what}"))
 }
 
-/// What the user should worry about, a sentence each: an early end, samples that count as 0, endless paths.
+/// Warnings, a sentence each: an early end, samples that count as 0, endless paths.
 pub fn concerns(record: &Record) -> Vec<String> {
     let (job, work) = (&record.job, &record.work);
     let mut sentences = Vec::new();
@@ -143,7 +143,7 @@ pub fn concerns(record: &Record) -> Vec<String> {
     }
     if work.long_paths > 0 {
         sentences.push(format!(
-            "{} went past a thousand bounces",
+            "{} exceeded a thousand bounces",
             plural(work.long_paths, "path")
         ));
     }

@@ -39,7 +39,7 @@ pub fn run() -> Check {
         Held::new("NaN", 0.0, 0.0, "none"),
     ];
     let bad = vec![
-        Held::new("weight", 4.5, 1.0, "no path may bring more"),
+        Held::new("weight", 4.5, 1.0, "no path may contribute more"),
         Held::new("NaN", 2.0, 0.0, "none"),
     ];
     let cases = vec![

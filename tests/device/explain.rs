@@ -161,7 +161,7 @@ fn the_word_the_alpha_or_the_flag_is_named() {
         "--max-depth 7"
     );
     assert_eq!(
-        why(TABLE, flags, "light found", "by connections"),
+        why(TABLE, flags, "light sampling", "by connections"),
         "--connect light"
     );
     assert_eq!(why(TABLE, flags, "roulette", "throughput"), "the default");
@@ -200,9 +200,9 @@ fn what_a_scene_lacks_is_left_out_and_the_reason_told() {
         ("normals", "of meshes", "no mesh"),
         ("micronormals", "visible", "rough"),
         ("lobe choice", "fresnel", "two lobes"),
-        ("light found", "by connections", "no light"),
+        ("light sampling", "by connections", "no light"),
         ("longest path", "capped", "--max-depth"),
-        ("beside film", "spread of samples", "--aov"),
+        ("film data", "spread of samples", "--aov"),
     ] {
         let part = find(&parts, group, name);
         assert!(!part.present, "{part:?}");
@@ -278,8 +278,7 @@ fn a_plan_knows_what_is_asked_for_beside_the_picture() {
     );
     // Four times three floats and a word to pad them, for each of 32 × 24 pixels.
     assert_eq!(with.device_bytes() - without.device_bytes(), 32 * 24 * 64);
-    let beside =
-        |job: &Job| find(&explained(job, TABLE), "beside film", "spread of samples").clone();
+    let beside = |job: &Job| find(&explained(job, TABLE), "film data", "spread of samples").clone();
     assert!(beside(&asked).present);
     let of_sobol = Job {
         settings: Settings::default(),

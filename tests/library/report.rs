@@ -243,7 +243,7 @@ fn concerns_name_causes() {
     let expected = [
         "interrupted: the picture is that of --spp 12, not 64",
         "4 of 7680000 samples counted as black: 3 NaN, 1 infinite",
-        "1 path went past a thousand bounces",
+        "1 path exceeded a thousand bounces",
     ];
     assert_eq!(concerns(&record), expected);
     record.work.dropped = Dropped::default();

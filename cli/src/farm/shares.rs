@@ -1,4 +1,4 @@
-//! Which samples of every pixel each part renders.
+//! The samples of every pixel that each part renders.
 
 use std::ops::Range;
 
@@ -7,8 +7,8 @@ use vkpt::part::BLOCK;
 /// Samples of every pixel, by their indices.
 pub type Share = Range<u32>;
 
-/// All of `samples` in `tasks` shares, or in as many as there are samples. They are about the same, and whole blocks where there is
-/// one for each: of a part that begins within a block, each sample of that block is kept by itself.
+/// All of `samples` in `tasks` shares, or in as many as there are samples. They are about equal, and whole blocks if there is one for
+/// each: a part that starts within a block stores each sample of that block separately.
 pub fn shares(samples: Share, tasks: u32) -> Vec<Share> {
     let count = samples.len() as u64;
     let tasks = u64::from(tasks).min(count);
@@ -27,7 +27,7 @@ pub fn shares(samples: Share, tasks: u32) -> Vec<Share> {
         .collect()
 }
 
-/// Rounds of up to `tasks` shares each: the first has a block a task, each later one as many samples as all before it together,
+/// Rounds of up to `tasks` shares each: the first has a block for each task, each later one as many samples as all before it together,
 /// until there are `spp`.
 pub fn rounds(spp: u32, tasks: u32) -> Vec<Vec<Share>> {
     let ends = std::iter::successors(Some(tasks.saturating_mul(BLOCK)), |end| {

@@ -1,4 +1,4 @@
-//! What a request is answered.
+//! The answers to requests.
 
 use http_body_util::Full;
 use hyper::body::Bytes;
@@ -10,10 +10,10 @@ use super::gate::{Route, admit};
 use super::page::Page;
 use super::snapshot::Pixels;
 
-/// An answer, whole.
+/// A complete answer.
 pub type Answer = Response<Full<Bytes>>;
 
-/// The number of the snapshot that a picture is.
+/// The number of a picture's snapshot.
 const NUMBER: HeaderName = HeaderName::from_static("vkpt-number");
 
 /// Answers a request to the server at `port`.
@@ -66,7 +66,7 @@ fn of_type(kind: &'static str, body: Bytes) -> Answer {
     answer
 }
 
-/// With what keeps other sites from reading or framing it, and the page from loading anything.
+/// Adds headers that keep other sites from reading or framing it, and the page from loading anything.
 fn guarded(mut answer: Answer, page: &Page) -> Answer {
     let headers = answer.headers_mut();
     let rules = [

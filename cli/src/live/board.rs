@@ -1,4 +1,4 @@
-//! The board between the rendering, which writes on it and goes on, and the server, whose tabs read it.
+//! The board between the rendering, which writes to it and continues, and the server, whose tabs read it.
 
 use std::hash::{BuildHasher, RandomState};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -12,17 +12,17 @@ use super::state::{ErrorState, Phase, PictureState, State};
 use super::tabs::Tabs;
 use vkpt::render::Progress;
 
-/// No end waits longer for tabs to get the last picture.
+/// The longest wait at the end for tabs to get the last picture.
 const PATIENCE: Duration = Duration::from_millis(1500);
 
-/// What there is to see. Nobody holds its lock for longer than it takes to copy a few words.
+/// The state to show. Its lock is held only while a few words are copied.
 #[derive(Debug)]
 pub struct Board {
-    /// What is rendered.
+    /// The name of the rendering.
     pub title: String,
-    /// Tells this rendering from one that comes after it at the same port.
+    /// Distinguishes this rendering from a later one at the same port.
     run: u32,
-    /// Set once somebody asks the rendering to end early.
+    /// Set once somebody stops the rendering early.
     stop: Arc<AtomicBool>,
     shown: Mutex<Shown>,
     asked: Condvar,
@@ -35,13 +35,13 @@ struct Shown {
     phase: Phase,
     trouble: Option<String>,
     snapshot: Option<Arc<Snapshot>>,
-    /// A tab has the newest snapshot.
+    /// Whether a tab has the newest snapshot and waits for another.
     wanted: bool,
     tabs: Tabs,
 }
 
 impl Board {
-    /// An empty board. Time begins now.
+    /// An empty board. Time starts now.
     pub fn new(title: String, stop: Arc<AtomicBool>) -> Self {
         let shown = Shown {
             began: Instant::now(),
@@ -65,12 +65,12 @@ impl Board {
         self.shown.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// How far the rendering is.
+    /// Reports progress of the rendering.
     pub fn report(&self, progress: Progress) {
         self.shown().clock.report(progress);
     }
 
-    /// What became of a device.
+    /// Reports a failed device.
     pub fn trouble(&self, words: String) {
         self.shown().trouble = Some(words);
     }
@@ -87,20 +87,20 @@ impl Board {
         shown.wanted = false;
     }
 
-    /// The rendering goes on to this.
+    /// Enters a phase of the rendering.
     pub fn enter(&self, phase: Phase) {
         self.shown().phase = phase;
     }
 
-    /// Waits until every tab that is there has all, but not for long.
+    /// Waits briefly until every open tab has everything.
     pub fn wait_for_tabs(&self) {
-        // However this ends, the program does next.
+        // The program ends next, whatever the result.
         let _ = self
             .asked
             .wait_timeout_while(self.shown(), PATIENCE, |shown| shown.tabs.wait());
     }
 
-    /// Asks the rendering to end early.
+    /// Stops the rendering early.
     pub fn stop(&self) {
         self.stop.store(true, Ordering::Relaxed);
     }
@@ -110,14 +110,14 @@ impl Board {
         self.shown().snapshot.clone()
     }
 
-    /// What a tab is told that asks.
+    /// The answer to a tab's question.
     pub fn tell(&self, asked: Asked) -> State {
         let mut shown = self.shown();
         let newest = shown.snapshot.as_ref().map_or(0, |s| s.number);
         let is_up_to_date = asked.has == newest;
         shown.wanted |= is_up_to_date;
         if let Some(tab) = asked.tab {
-            // What it is told now may be lost with the program's end: it must say that it was told.
+            // This answer may be lost when the program ends: the tab must confirm it.
             let has_all = is_up_to_date && asked.knows_end && shown.phase.is_last();
             shown.tabs.asks(tab, has_all);
         }
@@ -180,7 +180,7 @@ mod tests {
     #[test]
     fn a_snapshot_is_wanted_by_a_tab_that_has_the_newest() {
         let board = board();
-        assert!(!board.is_wanted(), "nobody looks on");
+        assert!(!board.is_wanted(), "no tab is open");
         board.tell(asked(0));
         assert!(board.is_wanted());
         board.show(snapshot(1));

@@ -1,19 +1,19 @@
-//! How long a rendering will yet take.
+//! The remaining time of a rendering.
 
 use std::time::Instant;
 
 use vkpt::render::Progress;
 
-/// What was reported of the progress.
+/// The reports of progress.
 #[derive(Debug, Default)]
 pub struct Clock {
-    /// The first report: of a rendering that is gone on from, much is done by then.
+    /// The first report: for a resumed rendering, much is already done.
     first: Option<(Instant, f64)>,
     last: Option<(Instant, Progress)>,
 }
 
 impl Clock {
-    /// A report comes now.
+    /// Records a report.
     pub fn report(&mut self, progress: Progress) {
         let now = Instant::now();
         self.first.get_or_insert((now, progress.fraction));
@@ -25,7 +25,7 @@ impl Clock {
         self.last.map(|(_, progress)| progress)
     }
 
-    /// Seconds left from now on, by the pace from the first report to the last.
+    /// Seconds left, by the pace from the first report to the last.
     pub fn seconds_left(&self) -> Option<f64> {
         let ((begun, from), (then, progress)) = self.first.zip(self.last)?;
         let made = progress.fraction - from;

@@ -1,12 +1,12 @@
-//! Who gets in: pages of this server's own, for what it has, and nothing else.
+//! Access control: only this server's own pages, and only its own resources.
 //!
-//! Whatever site a browser shows can have it send requests to this machine. They say where they come from: by `Origin` and
-//! `Sec-Fetch-Site`, or, where the site's own name was made to lead here (DNS rebinding), by that name in `Host`.
+//! Any site in a browser can send requests to this machine. They reveal their origin: by `Origin` and `Sec-Fetch-Site`, or,
+//! if the site's name was made to resolve here (DNS rebinding), by that name in `Host`.
 
 use hyper::header::{HOST, HeaderMap, HeaderName, ORIGIN};
 use hyper::{Method, StatusCode, Uri};
 
-/// What is asked for.
+/// The requested resource.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Route {
     Page,
@@ -15,23 +15,23 @@ pub enum Route {
     Stop,
 }
 
-/// What a tab says of itself where it asks for news.
+/// The state of a tab that asks for news.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Asked {
-    /// Its own number, which it has drawn.
+    /// Its own random number.
     pub tab: Option<u64>,
     /// The number of the snapshot that it has, 0 before the first.
     pub has: u64,
-    /// Whether it was told that nothing more will come.
+    /// Whether it knows that nothing more will come.
     pub knows_end: bool,
 }
 
 const SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 
-/// What a request to the server at `port` is for, or why it is refused.
+/// The route of a request to the server at `port`, or why it is refused.
 ///
 /// # Errors
-/// The status to answer.
+/// The status of the answer.
 pub fn admit(
     method: &Method,
     uri: &Uri,
@@ -51,7 +51,7 @@ pub fn admit(
     if *method != right {
         return Err(StatusCode::METHOD_NOT_ALLOWED);
     }
-    // A link to the page may stand anywhere; what the page asks for, it asks for itself.
+    // Any site may link to the page; only the page itself may make the other requests.
     let follows_link = route == Route::Page;
     let anonymous = route == Route::Stop && !headers.contains_key(ORIGIN);
     match anonymous || !(follows_link || is_same_site(headers)) {
@@ -76,7 +76,7 @@ fn is_to_us(headers: &HeaderMap, port: u16) -> bool {
     host.is_some_and(|host| is_own(host, port)) && hosts.next().is_none()
 }
 
-/// Whether no other site is named as the one that asks.
+/// Whether no other site is named as the origin.
 fn is_from_us(headers: &HeaderMap, port: u16) -> bool {
     headers.get_all(ORIGIN).iter().all(|origin| {
         let own = origin.to_str().ok().and_then(|o| o.strip_prefix("http://"));
@@ -84,13 +84,13 @@ fn is_from_us(headers: &HeaderMap, port: u16) -> bool {
     })
 }
 
-/// Whether the browser, where it says so, saw no other site on the way.
+/// Whether the browser, if it reports it, saw no other site involved.
 fn is_same_site(headers: &HeaderMap) -> bool {
     let mut sites = headers.get_all(SITE).iter();
     sites.all(|site| site == "same-origin" || site == "none")
 }
 
-/// `tab=7&has=3&end=1`; what else there is, is not looked at.
+/// `tab=7&has=3&end=1`; anything else is ignored.
 fn asked(uri: &Uri) -> Asked {
     let mut asked = Asked::default();
     for pair in uri.query().unwrap_or_default().split('&') {

@@ -1,7 +1,7 @@
-//! A rendering under way for those who look on: a page that this machine alone can see, and pictures sent to tev.
+//! The live view of a rendering: a page that only this machine can see, and pictures sent to tev.
 //!
-//! The rendering's own thread makes a snapshot where somebody waits for one, seldom enough not to be felt ([`Onlookers`]), and
-//! leaves it. Threads apart from it hand it on; it never waits for them before its end.
+//! The rendering's own thread makes a snapshot if somebody waits for one, rarely enough to cost little ([`Onlookers`]), and
+//! continues. Separate threads deliver it; the rendering never waits for them before its end.
 
 mod answer;
 mod board;

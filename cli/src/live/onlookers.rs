@@ -1,4 +1,4 @@
-//! Whoever looks on while a rendering grows.
+//! The viewers of a growing picture.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -12,10 +12,10 @@ use super::tev::Tev;
 use vkpt::film::Film;
 use vkpt::render::{ErrorAt, Outcome, Progress};
 
-/// A page, a viewer, both or none. Without any, everything here is nothing.
+/// A page, a viewer, both or none. Without any, all methods do nothing.
 #[derive(Debug, Default)]
 pub struct Onlookers {
-    /// Of the first pixel in the full picture.
+    /// Place of the first pixel in the full picture.
     origin: [u32; 2],
     page: Option<(Arc<Board>, Server)>,
     tev: Option<Tev>,
@@ -25,7 +25,7 @@ pub struct Onlookers {
 }
 
 impl Onlookers {
-    /// Those of a film whose first pixel is `origin` of the full picture.
+    /// The viewers of a film whose first pixel is `origin` of the full picture.
     pub fn new(origin: [u32; 2], page: Option<(Arc<Board>, Server)>, tev: Option<Tev>) -> Self {
         Self {
             origin,
@@ -39,21 +39,21 @@ impl Onlookers {
         self.page.as_ref().map(|(board, _)| &**board)
     }
 
-    /// How far the rendering is.
+    /// Reports progress of the rendering.
     pub fn progress(&self, progress: Progress) {
         if let Some(board) = self.board() {
             board.report(progress);
         }
     }
 
-    /// What became of a device.
+    /// Reports a failed device.
     pub fn trouble(&self, words: &str) {
         if let Some(board) = self.board() {
             board.trouble(words.to_owned());
         }
     }
 
-    /// After a slice of samples: shows what `so_far` makes, if anybody waits for it and there is time.
+    /// After a slice of samples: shows the snapshot of `so_far`, if anybody waits for it and the pace allows.
     pub fn reached(&mut self, so_far: &dyn Fn() -> Outcome) {
         if self.pace.is_due() && self.is_wanted() {
             let start = Instant::now();
@@ -65,7 +65,7 @@ impl Onlookers {
         }
     }
 
-    /// All samples are there; files come next.
+    /// All samples are done; files are written next.
     pub fn rendered(&mut self, outcome: &Outcome) {
         let anybody = self.page.is_some() || self.tev.is_some();
         if anybody && outcome.spp > 0 {
@@ -77,7 +77,7 @@ impl Onlookers {
         }
     }
 
-    /// Nothing more comes, and all files are `written` or not: waits a moment until everybody has the last picture.
+    /// Nothing more will come, and all files are `written` or not: waits briefly until every viewer has the last picture.
     pub fn ended(self, written: bool) {
         if let Some(board) = self.board() {
             board.enter(if written { Phase::Ended } else { Phase::Failed });

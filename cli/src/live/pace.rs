@@ -1,14 +1,14 @@
-//! How often a snapshot is made: so seldom that the rendering does not feel it.
+//! The pace of snapshots: rare enough not to slow the rendering.
 
 use std::time::{Duration, Instant};
 
-/// The least time between two.
+/// The minimum time between two.
 const PAUSE: Duration = Duration::from_secs(1);
 
-/// Making them takes at most this part of the time: the pause is as much longer as need be.
+/// Making them takes at most one part in this many of the time: the pause is extended as needed.
 const SHARE: u32 = 100;
 
-/// When the last one was made, and what it took.
+/// When the last one was made, and its duration.
 #[derive(Debug, Default)]
 pub struct Pace {
     last: Option<(Instant, Duration)>,
@@ -22,7 +22,7 @@ impl Pace {
             .is_none_or(|(end, took)| end.elapsed() >= pause(took))
     }
 
-    /// One was made, begun at `start`.
+    /// Records one that was started at `start`.
     pub fn made(&mut self, start: Instant) {
         self.last = Some((Instant::now(), start.elapsed()));
     }

@@ -1,4 +1,4 @@
-//! The server: one thread for all tabs, apart from the rendering.
+//! The server: one thread for all tabs, separate from the rendering.
 
 use std::convert::Infallible;
 use std::io;
@@ -17,16 +17,16 @@ use super::answer::answer;
 use super::board::Board;
 use super::page::Page;
 
-/// A request's header that takes longer to come is not waited for.
+/// The longest wait for a request's header.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// After an error, such as too many open files.
+/// Pause after an error, such as too many open files.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// Listens on this machine's own address 127.0.0.1, which nobody outside can reach; at a free port for 0.
+/// Listens on this machine's own address 127.0.0.1, which is unreachable from outside; at a free port for 0.
 ///
 /// # Errors
-/// A port that is taken or may not be had.
+/// A port that is taken or not permitted.
 pub fn listen(port: u16) -> io::Result<TcpListener> {
     TcpListener::bind((Ipv4Addr::LOCALHOST, port))
 }
@@ -58,14 +58,14 @@ impl Server {
             .name("view".to_owned())
             .spawn(move || {
                 runtime.spawn(accept(listener, port, board, page));
-                // Nobody sends: the sender's end is what is waited for.
+                // Nobody sends: this waits for the sender to be dropped.
                 let _ = runtime.block_on(ended);
             })?;
         Ok(Self { _end: end })
     }
 }
 
-/// Takes connections without end.
+/// Accepts connections forever.
 async fn accept(listener: Listener, port: u16, board: Arc<Board>, page: Arc<Page>) {
     loop {
         match listener.accept().await {
@@ -88,6 +88,6 @@ async fn talk(stream: TcpStream, port: u16, board: Arc<Board>, page: Arc<Page>) 
     });
     let mut http = http1::Builder::new();
     http.timer(TokioTimer::new()).header_read_timeout(PATIENCE);
-    // What went wrong with a connection concerns its tab alone, which asks anew.
+    // An error of a connection concerns only its tab, which asks again.
     let _ = http.serve_connection(TokioIo::new(stream), service).await;
 }

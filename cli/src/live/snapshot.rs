@@ -5,7 +5,7 @@ use std::sync::Arc;
 use vkpt::film::Film;
 use vkpt::render::ErrorAt;
 
-/// A picture on its way. Whoever looks on shares it.
+/// A picture in progress, shared by all viewers.
 #[derive(Debug)]
 pub struct Snapshot {
     /// 1 is the first.
@@ -15,7 +15,7 @@ pub struct Snapshot {
     pub origin: [u32; 2],
     /// Samples in every pixel.
     pub samples: u32,
-    /// What is known of the error by then.
+    /// The error estimates so far.
     pub errors: Vec<ErrorAt>,
 }
 

@@ -1,21 +1,21 @@
-//! What a tab is told of the rendering, as JSON.
+//! The state of the rendering for a tab, as JSON.
 
 use serde::Serialize;
 
 use super::snapshot::Snapshot;
 use vkpt::render::ErrorAt;
 
-/// How far a rendering is on its way to files.
+/// The phase of a rendering.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Phase {
-    /// Samples are made.
+    /// Samples are rendered.
     Rendering,
-    /// All samples are there; files are made.
+    /// All samples are done; files are written.
     Writing,
     /// The files are written, and nothing more will come.
     Ended,
-    /// Not all files are; the terminal says why.
+    /// Not all files are written; the terminal shows why.
     Failed,
 }
 
@@ -26,24 +26,24 @@ impl Phase {
     }
 }
 
-/// All that can be told at one moment.
+/// The state at one moment.
 #[derive(Debug, Serialize)]
 pub struct State {
-    /// Of another rendering it is another number.
+    /// A number that differs between renderings.
     pub run: u32,
     pub phase: Phase,
-    /// Somebody has asked it to end early.
+    /// Somebody has stopped it early.
     pub stopping: bool,
-    /// Samples that every pixel has.
+    /// Samples in every pixel.
     pub samples: u32,
-    /// The most that it will have; `None` where time or error are to end it alone.
+    /// The maximum; `None` if only time or error end it.
     pub spp: Option<u32>,
-    /// Of all work, in [0, 1].
+    /// The fraction of the work done, in [0, 1].
     pub fraction: f64,
-    /// Since the rendering began, compiling included.
+    /// Since the rendering started, including compiling.
     pub seconds: f64,
     pub seconds_left: Option<f64>,
-    /// What became of devices.
+    /// A message about failed devices.
     pub trouble: Option<String>,
     pub picture: Option<PictureState>,
     pub errors: Vec<ErrorState>,
@@ -60,7 +60,7 @@ pub struct PictureState {
     samples: u32,
 }
 
-/// The error at one time: an estimate of relMSE, and its 95 % interval where there is one.
+/// The error at one time: an estimate of relMSE, and its 95 % interval, if any.
 #[derive(Debug, Serialize)]
 pub struct ErrorState {
     spp: u32,
@@ -83,7 +83,7 @@ impl PictureState {
 }
 
 impl ErrorState {
-    /// `None` where nothing is known of the error.
+    /// `None` if the error is unknown.
     pub fn of(error: &ErrorAt) -> Option<Self> {
         let rel_mse = error.rel_mse?;
         Some(Self {

@@ -1,18 +1,18 @@
-//! The tabs that look on, by the numbers that they have drawn.
+//! The open tabs, by their random numbers.
 
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
-/// A tab that has not asked for so long has gone: browsers let those in the background ask once a second.
+/// A tab that has not asked for this long is closed: browsers let background tabs ask once a second.
 const GONE: Duration = Duration::from_millis(2500);
 
-/// More than anybody opens; a program that draws numbers without end gets no further.
+/// More than anybody opens; limits programs that make up numbers endlessly.
 const MOST: usize = 1000;
 
-/// Who looks on.
+/// The open tabs.
 #[derive(Debug, Default)]
 pub struct Tabs {
-    /// When each asked last, and whether it has all that there will be.
+    /// When each asked last, and whether it has everything.
     all: HashMap<u64, (Instant, bool)>,
 }
 
@@ -25,7 +25,7 @@ impl Tabs {
         }
     }
 
-    /// Whether any that is still there has not got all.
+    /// Whether any open tab does not have everything.
     pub fn wait(&self) -> bool {
         let there = |last: &Instant| last.elapsed() < GONE;
         self.all

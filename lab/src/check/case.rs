@@ -1,4 +1,4 @@
-//! One case: a scene, how it is rendered, what is stiff about it, and what it is held against.
+//! One case: a scene, how it is rendered, what is stiff about it, and its bounds.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -10,42 +10,42 @@ use vkpt::film::Film;
 use vkpt::scene::{self, Errors, Geometry, Mesh, Scene, Surroundings};
 use vkpt::settings::Settings;
 
-/// A small picture at an edge.
+/// A small picture at a limit of f32.
 pub struct Case {
     /// Group, a slash, the place on its axis: `alpha/ggx/1e-3`.
     pub name: String,
-    /// What is stiff about it, in one line.
+    /// A description, in one line: what is stiff about it.
     pub about: String,
-    /// The scene file; [`Case::mesh`] comes after it, in its last material.
+    /// The scene file; [`Case::mesh`] follows it, in its last material.
     pub text: String,
     pub mesh: Option<Mesh>,
-    /// What stands all around in place of the file's background.
+    /// The surroundings, in place of the file's background.
     pub surroundings: Option<Film>,
     pub settings: Settings,
     /// Left, top, right, bottom, as of a rendering.
     pub crop: Option<[u32; 4]>,
     pub spp: u32,
-    /// Left out of a quick run: it takes seconds.
+    /// Skipped in a quick run: it takes seconds.
     pub slow: bool,
     pub stiffness: Stiffness,
-    /// The most that one path may bring, with the reason.
+    /// The largest contribution allowed for one path, with the reason.
     pub weight: Option<(f64, String)>,
     pub expectations: Vec<Expectation>,
 }
 
-/// What bounds the difference to f64.
+/// The numbers that bound the difference to f64.
 pub struct Stiffness {
-    /// Vertices that 99 % of the paths do with.
+    /// Vertices that suffice for 99 % of the paths.
     pub vertices: f64,
-    /// How much an error grows on its way into a decision.
+    /// The growth of an error before it affects a decision.
     pub decisions: f64,
-    /// How much it grows on its way into the light that the path brings.
+    /// Its growth before it affects the path's contribution.
     pub light: f64,
     /// Why these numbers.
     pub why: String,
 }
 
-/// What is known of the picture without rendering it.
+/// Knowledge of the picture without rendering it.
 pub enum Expectation {
     /// Mean radiance over pixels and channels, by a closed form or by quadrature.
     Mean { value: f64, by: String },
@@ -55,12 +55,12 @@ pub enum Expectation {
     SameMean { case: String, why: String },
     /// The same radiance as another case's in every sample, to the bit.
     SameBits { case: String, why: String },
-    /// A warning about the scene that holds these words: the answer to what is beyond f32, or beyond the model.
+    /// A warning about the scene that contains these words: the response to scenes beyond f32, or beyond the model.
     Warning(String),
 }
 
 impl Case {
-    /// A case whose paths are `stiff`, of 16 samples per pixel by the default settings; nothing else is known of it.
+    /// A case whose paths are `stiff`, with 16 samples per pixel, the default settings and no expectations.
     pub fn new(
         name: impl Into<String>,
         about: impl Into<String>,
@@ -144,12 +144,12 @@ impl Case {
         self.name.split('/').next().unwrap_or_default()
     }
 
-    /// The scene, and what there is to warn of.
+    /// The scene, and its warnings.
     ///
     /// # Errors
     /// As reading a scene file.
     pub fn scene(&self) -> Result<(Scene, Vec<String>), Errors> {
-        // A shape for the mesh to stand in the place of: it has the material and a line.
+        // A shape that the mesh replaces: it has the material and a line.
         let place = if self.mesh.is_some() {
             "sphere 0 0 0 1\n"
         } else {
@@ -182,12 +182,12 @@ impl Stiffness {
         }
     }
 
-    /// The largest probability of a path to part from f64's.
+    /// The largest probability of a path to diverge from f64's.
     pub fn parted(&self) -> f64 {
         bound::parted(self.vertices, self.decisions)
     }
 
-    /// The largest relative difference of 99 % of those that stay together.
+    /// The largest relative difference of 99 % of those that do not diverge.
     pub fn close(&self) -> f64 {
         bound::carried(self.vertices, self.light)
     }

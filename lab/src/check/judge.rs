@@ -1,4 +1,4 @@
-//! Holds what was measured against the case's bounds.
+//! Compares measurements with the case's bounds.
 
 use statrs::distribution::{Binomial, ContinuousCDF, DiscreteCDF, Normal};
 
@@ -8,10 +8,10 @@ use super::measure::Measured;
 use crate::check::report::Held;
 use vkpt::metrics::paired::{DARK, Verdict};
 
-/// Probability that a renderer without fault fails a battery.
+/// Probability that a correct renderer fails a battery.
 pub const ALPHA: f64 = 1e-3;
 
-/// What cases are judged by.
+/// The rules by which cases are judged.
 #[derive(Clone, Copy, Debug)]
 pub struct Judge {
     /// The device rounds as the reference does: a CPU driver.
@@ -21,8 +21,8 @@ pub struct Judge {
 }
 
 impl Judge {
-    /// For a battery of `cases`: 1 − (1 − α)^(1/n) for n statements (Šidák 1967): of each case whether as many part as may,
-    /// whether they do so without bias, and what is expected of it.
+    /// For a battery of `cases`: 1 − (1 − α)^(1/n) for n statements (Šidák 1967): for each case, the number of diverged paths,
+    /// their bias, and the case's expectations.
     pub fn new<'a>(cases: impl Iterator<Item = &'a Case>, correctly_rounded: bool) -> Self {
         let statements: usize = cases.map(|case| 2 + case.expectations.len()).sum();
         let level = 1.0 - (1.0 - ALPHA).powf(1.0 / statements.max(1) as f64);
@@ -32,7 +32,7 @@ impl Judge {
         }
     }
 
-    /// Everything that the case is held against; `of` has what other cases came to.
+    /// The case's measurements and bounds; `of` has the measurements of other cases.
     pub fn held<'m>(
         &self,
         case: &Case,
@@ -56,7 +56,7 @@ impl Judge {
                 "weight",
                 m.largest,
                 limit,
-                format!("no path may bring more than {most}: {why}"),
+                format!("no path may contribute more than {most}: {why}"),
             ));
         }
         held.extend(
@@ -70,23 +70,23 @@ impl Judge {
     /// On a CPU driver the device equals cpu-f32.
     fn bits(&self, m: &Measured) -> Option<Held> {
         let unequal = (m.f32.paths - m.f32.equal) as f64;
-        let why = "paths that differ from cpu-f32 in a bit, on a device that rounds as it does";
+        let why = "paths that differ from cpu-f32 in a bit, on a device that rounds like cpu-f32";
         self.correctly_rounded
             .then(|| Held::new("bits", unequal, 0.0, why))
     }
 
-    /// No more paths part than a binomial distribution of the bound lets through.
+    /// No more paths diverge than a binomial distribution with the bound allows.
     fn parted(&self, case: &Case, m: &Measured) -> Option<Held> {
         let share = case.stiffness.parted();
         let limit = most_of(m.f64.paths, share, self.level)?;
         let s = &case.stiffness;
         let why = format!(
-            "paths that part from cpu-f64: {} vertices × 4 decisions × 128 roundings × condition {} × 2⁻²⁴ = {share:.1e} \
-             of them may, {limit} by chance; {}",
+            "paths that diverge from cpu-f64: allowed is a fraction of {} vertices × 4 decisions × 128 roundings × condition {} × 2⁻²⁴ \
+             = {share:.1e}, by chance {limit}; {}",
             s.vertices, s.decisions, s.why
         );
         Some(Held::new(
-            "parted",
+            "diverged",
             (m.f64.paths - m.f64.together) as f64,
             limit as f64,
             why,
@@ -96,7 +96,7 @@ impl Judge {
     fn close(&self, case: &Case, m: &Measured) -> Option<Held> {
         let s = &case.stiffness;
         let why = format!(
-            "relative difference to cpu-f64 that 99 % of the paths stay below: {} vertices × 128 roundings × condition {} \
+            "relative difference to cpu-f64, 99th percentile of the paths: {} vertices × 128 roundings × condition {} \
              × 2⁻²⁴; {}",
             s.vertices, s.light, s.why
         );
@@ -104,14 +104,15 @@ impl Judge {
         Some(Held::new("99 %", p99, s.close(), why))
     }
 
-    /// What paths that part bring has the same mean on both sides.
+    /// The mean contribution of diverged paths is the same on both sides.
     fn bias(&self, m: &Measured) -> Option<Held> {
         let p = match m.f64.parted.verdict() {
             Verdict::TooFew => return None,
             Verdict::Unbiased(p) | Verdict::Biased(p) => p,
         };
-        let why =
-            format!("the mean of what parted paths bring, against cpu-f64's: t-test, p = {p:.1e}");
+        let why = format!(
+            "mean contribution of diverged paths, compared with cpu-f64: t-test, p = {p:.1e}"
+        );
         Some(Held::new("bias", deviation(p), deviation(self.level), why))
     }
 
@@ -124,21 +125,21 @@ impl Judge {
     ) -> Held {
         match e {
             Expectation::Mean { value, by } => {
-                // What f32 may do to every sample alike comes on top of chance; it knows no light below 2⁻⁶⁴.
+                // Systematic errors of f32 are added to chance; f32 has no light below 2⁻⁶⁴.
                 let rounding = case.stiffness.close() * value.abs() + DARK;
                 let error = m.energy.standard_error();
                 let why = format!(
-                    "the mean {:.7} ± {error:.1e} is to be {value:.7}: {by}",
+                    "the mean {:.7} ± {error:.1e} must be {value:.7}: {by}",
                     m.energy.mean
                 );
                 self.mean("energy", m.energy.mean - value, error, rounding, why)
             }
             Expectation::AtMost { value, by } => {
-                // What keeps a mean below a bound are weights that are, each by the form it is computed in: no condition.
+                // The mean is below the bound because each weight is, by the form it is computed in: no condition.
                 let rounding = bound::carried(case.stiffness.vertices, 1.0) * value.abs();
                 let error = m.energy.standard_error();
                 let why = format!(
-                    "the mean {:.7} ± {error:.1e} is to be at most {value}: {by}",
+                    "the mean {:.7} ± {error:.1e} must be at most {value}: {by}",
                     m.energy.mean
                 );
                 let limit = value + rounding + deviation(self.level) * error;
@@ -150,7 +151,7 @@ impl Judge {
                     let error = m.energy.standard_error().hypot(o.energy.standard_error());
                     let rounding = case.stiffness.close() * o.energy.mean.abs() + DARK;
                     let why = format!(
-                        "the mean {:.7} is to be that of {other}, {:.7} (± {error:.1e}): {why}",
+                        "the mean {:.7} must equal that of {other}, {:.7} (± {error:.1e}): {why}",
                         m.energy.mean, o.energy.mean
                     );
                     self.mean("same", m.energy.mean - o.energy.mean, error, rounding, why)
@@ -164,7 +165,7 @@ impl Judge {
                         "same bits",
                         differs,
                         0.0,
-                        format!("every sample is to equal that of {other}: {why}"),
+                        format!("every sample must equal that of {other}: {why}"),
                     )
                 }
             },
@@ -176,13 +177,13 @@ impl Judge {
                     "warning",
                     silent,
                     0.0,
-                    format!("there must be a warning of “{words}”"),
+                    format!("the warnings must contain “{words}”"),
                 )
             }
         }
     }
 
-    /// z-test: no further off than rounding and chance explain. Of thousands of samples Student's t is normal.
+    /// z-test: no larger than rounding and chance explain. For thousands of samples Student's t is normal.
     fn mean(&self, what: &'static str, off: f64, error: f64, rounding: f64, why: String) -> Held {
         Held::new(
             what,
@@ -193,7 +194,7 @@ impl Judge {
     }
 }
 
-/// What there must be none of.
+/// A count that must be zero.
 fn sound(what: &'static str, count: u64) -> Held {
     Held::new(
         what,
@@ -208,7 +209,7 @@ fn missing(case: &str) -> Held {
         "same",
         1.0,
         0.0,
-        format!("there is no case {case} to hold it against"),
+        format!("case {case}, with which it is compared, does not exist"),
     )
 }
 
@@ -217,8 +218,8 @@ fn deviation(p: f64) -> f64 {
     Normal::standard().inverse_cdf(1.0 - p.clamp(f64::MIN_POSITIVE, 1.0) / 2.0)
 }
 
-/// The most of `n` that each happen with probability `share` before chance explains them with less than `level`; `None`
-/// where all may.
+/// The largest number of `n` events of probability `share` that chance explains with at least `level`; `None` if all `n`
+/// are allowed.
 fn most_of(n: u64, share: f64, level: f64) -> Option<u64> {
     let distribution = Binomial::new(share, n).ok().filter(|_| share < 1.0)?;
     // P(X > k) falls with k.

@@ -12,26 +12,26 @@ use vkpt::render::{self, Job, KernelChoice, RenderError, Until};
 use vkpt::sample::PairedSample;
 use vkpt::scene::Errors;
 
-/// Seed of every case: on a CPU driver what is measured is the same in every run.
+/// Seed of every case: on a CPU driver every run measures the same.
 pub const SEED: u32 = 1;
 
-/// Why a case could not be run.
+/// Why a case could not run.
 #[derive(Debug, thiserror::Error)]
 pub enum CheckError {
-    #[error("the scene of {0} is refused: {1}")]
+    #[error("the scene of {0} was refused: {1}")]
     Scene(String, Errors),
-    #[error("the scene of {0} is refused: {1}")]
+    #[error("the scene of {0} was refused: {1}")]
     Prepare(String, PrepareError),
     #[error("{0}: {1}")]
     Render(String, RenderError),
 }
 
-/// What came out of a case.
+/// The measurements of a case.
 #[derive(Clone, Debug, Default)]
 pub struct Measured {
-    /// The device beside cpu-f32.
+    /// The device compared with cpu-f32.
     pub f32: Comparison,
-    /// The device beside cpu-f64.
+    /// The device compared with cpu-f64.
     pub f64: Comparison,
     /// Samples in which one of the three has a NaN.
     pub nan: u64,
@@ -42,7 +42,7 @@ pub struct Measured {
     /// The device's brightest channel of a sample.
     pub largest: f64,
     pub energy: Moments,
-    /// Of the bits of all radiances of the device, in order.
+    /// Hash of the bits of all radiances of the device, in order.
     pub hash: u64,
     pub picture: Picture,
     pub warnings: Vec<String>,
@@ -60,7 +60,7 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Takes in a sample (Welford, Technometrics 4(3), 1962).
+    /// Adds a sample (Welford, Technometrics 4(3), 1962).
     pub fn add(&mut self, x: f64) {
         self.count += 1;
         let before = x - self.mean;
@@ -114,7 +114,7 @@ fn hash(hash: u64, x: f64) -> u64 {
 /// Renders the samples of a case on `device` and by both references.
 ///
 /// # Errors
-/// A scene that is refused, or a device that fails.
+/// A refused scene, or a failing device.
 pub fn measure(
     case: &Case,
     device: &Device,

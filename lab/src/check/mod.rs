@@ -1,8 +1,8 @@
-//! The battery of stiff and extreme cases: small pictures at the edges of what f32 holds, each rendered three times over
-//! the same samples, by a device and by both references, and held against bounds that stand in the case with their reason.
+//! The battery of stiff and extreme cases: small pictures at the limits of f32, each rendered three times with the same
+//! samples, by a device and by both references, and compared with the case's bounds, which have reasons.
 //!
-//! [`battery`] has the cases, a file a group below `cases`; [`measure`](measure::measure) runs one, [`judge`] holds it
-//! against its bounds, [`run`](run::run) does so for many.
+//! [`battery`] has the cases, a file a group below `cases`; [`measure`](measure::measure) runs one, [`judge`] compares
+//! it with its bounds, [`run`](run::run) does so for many.
 
 pub mod both;
 pub mod bound;

@@ -1,4 +1,4 @@
-//! What the samples of each pixel come to, by the device and by cpu-f64: a case's pictures.
+//! A case's pictures: the mean of each pixel's samples, by the device and by cpu-f64.
 
 use vkpt::film::Film;
 use vkpt::metrics::{difference_map, signed_difference};
@@ -13,13 +13,13 @@ pub struct Picture {
     pixels: Vec<Pixel>,
 }
 
-/// Sums over the samples that are finite on both sides: the film drops what is not.
+/// Sums over the samples that are finite on both sides: the film drops others.
 #[derive(Clone, Copy, Debug, Default)]
 struct Pixel {
     device: [f64; 3],
     f64: [f64; 3],
     finite: u32,
-    /// There are others.
+    /// Whether some are not finite.
     broken: bool,
 }
 
@@ -35,7 +35,7 @@ impl Picture {
         }
     }
 
-    /// Takes in a sample of one of its pixels; those of others are not its own.
+    /// Adds a sample if it belongs to one of its pixels.
     pub fn add(&mut self, sample: &PairedSample) {
         let [x, y] = [0, 1].map(|i| sample.address.pixel[i].checked_sub(self.origin[i]));
         let (Some(x), Some(y)) = (x.filter(|x| *x < self.width), y) else {
@@ -57,7 +57,7 @@ impl Picture {
         self.film(|pixel| pixel.mean(pixel.f64))
     }
 
-    /// Where they differ, as [`difference_map`] shows it: of the means in f64, which tell less than an ulp of f32. Black
+    /// Where they differ, as [`difference_map`] shows it: from the means in f64, which resolve less than an ulp of f32. Black
     /// where a sample was not finite.
     pub fn difference(&self) -> Film {
         let differences: Vec<f64> = self.pixels.iter().map(Pixel::difference).collect();
@@ -104,7 +104,7 @@ mod tests {
     use super::*;
     use vkpt::sample::{Address, Path};
 
-    /// A picture of 4 × 3 pixels at (10, 20) of two samples each; `device` changes what the device brings.
+    /// A picture of 4 × 3 pixels at (10, 20) of two samples each; `device` changes the device's radiance.
     fn picture(device: impl Fn(Address) -> f64) -> Picture {
         let mut picture = Picture::new([10, 20, 14, 23]);
         for k in 0..24 {
@@ -152,7 +152,7 @@ mod tests {
         for (factor, brighter) in [(1.0 + 2f64.powi(-22), 1.0), (0.25, -1.0), (f64::NAN, 0.0)] {
             let picture = picture(|a| if planted(a) { factor } else { 1.0 });
             let mut colours = picture.difference().rgb;
-            // Row 1, column 2 of 4; its samples bring 13 and 14.
+            // Row 1, column 2 of 4; its samples are 13 and 14.
             let [red, green, blue] = colours.remove(4 + 2);
             assert_eq!(colours, [colour(0.0); 11]);
             let expected = match factor.is_nan() {
@@ -162,7 +162,7 @@ mod tests {
             assert_eq!([red, green, blue], colour(expected));
             assert_eq!(red > blue, brighter > 0.0, "{red}, {blue}");
             assert_eq!(red < blue, brighter < 0.0, "{red}, {blue}");
-            // What is not finite is left out on both sides.
+            // Samples that are not finite are dropped on both sides.
             assert_eq!(
                 picture.reference().rgb[6][0],
                 if factor.is_nan() { 13.0 } else { 13.5 }

@@ -1,4 +1,4 @@
-//! Runs cases one after the other and puts what they came to on record.
+//! Runs cases one after the other and records the results.
 
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -13,26 +13,26 @@ use vkpt::render::KernelChoice;
 use vkpt::report::SettingsRecord;
 use vkpt::sample::Address;
 
-/// Where and how the battery runs.
+/// The device and options of a run.
 pub struct Bench<'a> {
     pub device: &'a Device,
-    /// Composed of vkpt's own files, but where a fault is planted.
+    /// Composed of vkpt's own files, except where a fault is planted.
     pub kernel: KernelChoice<'a>,
     pub quick: bool,
     pub stop: &'a AtomicBool,
 }
 
-/// What a run left.
+/// The results of a run.
 pub struct Ran {
     pub record: Check,
-    /// What a page has of each of its cases beside the figures.
+    /// The page's data for each case in addition to the figures.
     pub shown: Vec<Shown>,
-    /// Why the other cases did not run, but for a request to stop: a scene that is refused, or what the device fails by.
+    /// Why the remaining cases did not run, other than a request to stop: a refused scene, or a device error.
     pub error: Option<CheckError>,
 }
 
-/// Runs `selected` of `all`, calling `progress` before each with the number of those done; cases that one is held against
-/// run with it. Levels are those of the whole battery, so that a verdict does not depend on the selection.
+/// Runs `selected` of `all`, calling `progress` before each with the number of those done; cases with which one is
+/// compared run with it. Levels are those of the whole battery, so that a verdict does not depend on the selection.
 pub fn run(
     all: &[Case],
     selected: &[&Case],
@@ -81,7 +81,7 @@ pub fn run(
     }
 }
 
-/// A case, after those that it is held against.
+/// A case, after those with which it is compared.
 fn needed<'a>(all: &'a [Case], case: &'a Case) -> Vec<&'a Case> {
     let other = |e: &Expectation| match e {
         Expectation::SameMean { case, .. } | Expectation::SameBits { case, .. } => {

@@ -1,8 +1,8 @@
-//! Which cases a command line means.
+//! The selection of cases by a pattern.
 
 use super::case::Case;
 
-/// Whether `name` is meant by `pattern`: it is that case or one below it, or `*` stands for what is between.
+/// Whether `pattern` matches `name`: it is that case or one below it, or `*` matches the text between.
 pub fn matches(pattern: &str, name: &str) -> bool {
     match pattern.split_once('*') {
         None => name
@@ -17,7 +17,7 @@ pub fn matches(pattern: &str, name: &str) -> bool {
     }
 }
 
-/// Whether some end of `name` is what `pattern` means, to its last letter.
+/// Whether `pattern` matches some suffix of `name`.
 fn ends(pattern: &str, name: &str) -> bool {
     let (before, after) = pattern
         .split_once('*')
@@ -31,7 +31,7 @@ fn ends(pattern: &str, name: &str) -> bool {
     })
 }
 
-/// The cases of a run: those that a pattern means, without the slow ones if it is to be quick.
+/// The cases of a run: those that the pattern matches, without the slow ones if `quick`.
 pub fn select<'a>(all: &'a [Case], pattern: Option<&str>, quick: bool) -> Vec<&'a Case> {
     let meant = |case: &&Case| pattern.is_none_or(|p| matches(p, &case.name));
     all.iter()

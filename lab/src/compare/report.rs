@@ -1,11 +1,11 @@
-//! What a comparison of pictures found, as a table for people.
+//! The results of a comparison of pictures, as a table for people.
 
 use std::fmt::Write;
 
 use vkpt::metrics::blocks::{ALPHA, Block, BlockTest};
 use vkpt::metrics::{Errors, Trimmed};
 
-/// Pictures of one size, each against the same reference.
+/// Pictures of one size, each compared with the same reference.
 #[derive(Clone, Debug)]
 pub struct Comparison {
     /// Name of the reference.
@@ -19,13 +19,13 @@ pub struct Comparison {
     pub tested: Vec<Tested>,
 }
 
-/// One picture against the reference.
+/// One picture compared with the reference.
 #[derive(Clone, Debug)]
 pub struct Tested {
     pub name: String,
     pub errors: Errors,
     pub flip: Trimmed,
-    /// The z-test, or why there is none.
+    /// The z-test, or why it was skipped.
     pub z_test: Result<BlockTest, String>,
 }
 
@@ -33,7 +33,7 @@ pub struct Tested {
 pub fn comparison(comparison: &Comparison) -> String {
     let [width, height] = comparison.size;
     let mut text = format!(
-        "against {}, {width}×{height} pixels\n\n",
+        "compared with {}, {width}×{height} pixels\n\n",
         comparison.reference
     );
     text += &heads(&comparison.tested);
@@ -43,7 +43,7 @@ pub fn comparison(comparison: &Comparison) -> String {
     text += &row("mean R", &comparison.tested, |t| means(&t.errors, 0));
     text += &row("mean G", &comparison.tested, |t| means(&t.errors, 1));
     text += &row("mean B", &comparison.tested, |t| means(&t.errors, 2));
-    // A String can be written to without fail.
+    // Writing to a String cannot fail.
     let _ = write!(
         text,
         "\nFLIP of the PNGs at exposure {}, {:.0} pixels per degree\n",
@@ -56,7 +56,7 @@ pub fn comparison(comparison: &Comparison) -> String {
     text
 }
 
-/// Each metric's name, and where it stands.
+/// Each metric's name, and a function that reads it.
 type Metric = (&'static str, fn(&Tested) -> Trimmed);
 
 const METRICS: [Metric; 5] = [
@@ -67,7 +67,7 @@ const METRICS: [Metric; 5] = [
     ("FLIP", |t| t.flip),
 ];
 
-/// Two columns a picture, under its name.
+/// Two columns for each picture, under its name.
 fn heads(tested: &[Tested]) -> String {
     row("", tested, |t| [t.name.clone(), String::new()])
         + &row("", tested, |_| {
@@ -83,7 +83,7 @@ fn row(name: &str, tested: &[Tested], cells: impl Fn(&Tested) -> [String; 2]) ->
     for t in tested {
         let [a, b] = cells(t);
         let [first, second] = WIDTHS;
-        // A name that is longer than its columns pushes what follows, rather than being cut.
+        // A name that is longer than its columns shifts the following ones instead of being cut.
         let both = format!("{a:<first$}{b}");
         let width = first + second;
         let _ = write!(line, "{both:<width$} ");
@@ -96,7 +96,7 @@ fn pair(value: Trimmed) -> [String; 2] {
     [value.all, value.without_worst].map(number)
 }
 
-/// The picture's mean, and what the reference's is.
+/// The picture's mean, and the reference's.
 fn means(errors: &Errors, channel: usize) -> [String; 2] {
     [
         number(errors.test_mean[channel]),
@@ -117,12 +117,12 @@ fn z_test(tested: &Tested) -> String {
     let name = &tested.name;
     let test = match &tested.z_test {
         Ok(test) => test,
-        Err(why) => return format!("{name}: no z-test: {why}\n"),
+        Err(why) => return format!("{name}: z-test skipped: {why}\n"),
     };
     let (worst, tests) = (test.worst(), test.blocks().len());
     let mut text = match test.rejected() {
         0 => format!("{name}: the z-test passes"),
-        n => format!("{name}: the z-test fails in {n} of {tests}"),
+        n => format!("{name}: the z-test fails in {n} of {tests} tests"),
     };
     let _ = write!(
         text,

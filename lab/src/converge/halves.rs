@@ -1,4 +1,4 @@
-//! A reference of one's own: the scene twice, by independent random numbers.
+//! A reference rendered by vkpt itself: the scene twice, with independent random numbers.
 
 use std::sync::atomic::AtomicBool;
 
@@ -6,16 +6,16 @@ use super::{ConvergeError, Part, Progress};
 use vkpt::film::Film;
 use vkpt::render::{Engine, Job, Replicates};
 
-/// The seeds of the halves. No replicate may have them.
+/// The seeds of the halves. No replicate may use them.
 pub const HALVES: [u32; 2] = [u32::MAX - 1, u32::MAX];
 
-/// Two pictures of the same scene with as many samples each.
+/// Two pictures of the same scene with the same number of samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Halves {
     pub films: [Film; 2],
     /// Samples per pixel of each.
     pub spp: u32,
-    /// What both took.
+    /// Time of both.
     pub seconds: f64,
 }
 
@@ -31,7 +31,7 @@ impl Halves {
         bytes
     }
 
-    /// `None` of anything else.
+    /// `None` for any other bytes.
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
         let (spp, rest) = bytes.split_first_chunk()?;
         let (seconds, rest) = rest.split_first_chunk()?;
@@ -63,8 +63,8 @@ impl Halves {
     }
 }
 
-/// Renders both halves by turns until they took `seconds` together, with `spp` samples each at most; `None` if `stop`
-/// came first. The job's seed and samples are not looked at.
+/// Renders both halves in alternation until they took `seconds` together, with at most `spp` samples each; `None` if
+/// `stop` came first. The job's seed and samples are ignored.
 ///
 /// # Errors
 /// Those of a rendering.
@@ -90,7 +90,7 @@ pub fn halves(
             spent_s: spent,
             seconds,
         });
-        // What fits into the time that is left, at the pace so far; twice as much at most, for a better look at the pace.
+        // The samples that fit into the remaining time at the pace so far; at most twice as many, to measure the pace better.
         let fits = f64::from(spp) * (seconds / spent).min(2.0);
         let next = (fits as u32).min(most);
         if next <= spp {

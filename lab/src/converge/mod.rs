@@ -1,5 +1,5 @@
-//! An experiment: independent replicates of one or several renderings after 1, 2, 4, … samples per pixel, each held
-//! against a reference. What the figures mean is told by `metrics::convergence`.
+//! An experiment: independent replicates of one or several renderings after 1, 2, 4, … samples per pixel, each compared
+//! with a reference. `metrics::convergence` defines the figures.
 
 pub mod command;
 mod halves;
@@ -14,7 +14,7 @@ pub use schedule::{Finish, Measured, Plan, Variant, measure};
 use vkpt::metrics::MetricsError;
 use vkpt::render::RenderError;
 
-/// Why there is no curve.
+/// Why no curve could be measured.
 #[derive(Debug, thiserror::Error)]
 pub enum ConvergeError {
     #[error(transparent)]

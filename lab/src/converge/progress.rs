@@ -1,25 +1,25 @@
-//! How far an experiment is.
+//! The progress of an experiment.
 
-/// Told after each stretch of samples.
+/// Reported after each batch of samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
     pub part: Part,
-    /// Samples per pixel that the part's pictures have, or are to have at this step.
+    /// Samples per pixel of the part's pictures, or their target at this step.
     pub spp: u32,
-    /// Seconds of sampling that the part took so far.
+    /// Seconds of sampling spent on the part so far.
     pub spent_s: f64,
-    /// The most that it may take, but for a first step that takes longer.
+    /// The maximum, except that a first step may take longer.
     pub seconds: f64,
 }
 
-/// What is rendered. All is counted from 1; of a pair, the second is how many there are.
+/// The current work. Numbers count from 1; the second of a pair is the total.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Both halves of the reference.
     Reference,
     Step {
         number: usize,
-        /// The one that was just brought to the step's samples.
+        /// The one that has just reached the step's samples.
         replicate: [usize; 2],
         /// The turn of variants within the replicate.
         variant: [usize; 2],

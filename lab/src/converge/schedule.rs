@@ -1,4 +1,4 @@
-//! Who renders when: all variants by turns, so that a machine that drifts hits all of them alike.
+//! The schedule: variants are interleaved, so that drift of the machine affects all of them alike.
 
 use std::sync::atomic::AtomicBool;
 
@@ -8,43 +8,43 @@ use vkpt::metrics::convergence::{Curve, Reference, Step};
 use vkpt::metrics::flip::Viewing;
 use vkpt::render::{Engine, Job, Replicates, Took};
 
-/// A rendering to measure, and what it is judged by.
+/// A rendering to measure, and its reference.
 #[derive(Clone, Copy)]
 pub struct Variant<'a> {
     pub job: &'a Job<'a>,
     pub reference: &'a Reference,
-    /// What is done to each picture before it is judged.
+    /// Processing of each picture before it is judged.
     pub finish: Option<&'a Finish<'a>>,
 }
 
-/// Makes another picture of a picture and the two halves of its samples, in so many seconds, or says why not.
+/// Makes another picture from a picture and the two halves of its samples, and returns it with the seconds taken, or an error.
 pub type Finish<'a> = dyn Fn(&Film, [&Film; 2]) -> Result<(Film, f64), String> + 'a;
 
-/// How much is rendered.
+/// The amount of rendering.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// One a replicate; the same for all variants.
+    /// One for each replicate; the same for all variants.
     pub seeds: Vec<u32>,
-    /// The most seconds of sampling, of all replicates and variants together. A step that would not fit is not begun:
-    /// as each doubles the samples, up to half of the time may be left. The first is rendered whatever it takes.
+    /// The maximum seconds of sampling, of all replicates and variants together. A step that would not fit is not started:
+    /// as each doubles the samples, up to half of the time may remain. The first is always rendered.
     pub seconds: f64,
-    /// The most samples per pixel.
+    /// Maximum samples per pixel.
     pub spp: u32,
-    /// How FLIP looks at the pictures.
+    /// FLIP's viewing conditions.
     pub viewing: Viewing,
 }
 
-/// A curve a variant, all with the same steps.
+/// A curve for each variant, all with the same steps.
 #[derive(Clone, Debug)]
 pub struct Measured {
     pub curves: Vec<Curve>,
-    /// Seconds of sampling, of all replicates and variants together; of a step that was begun and is not told, too.
+    /// Seconds of sampling, of all replicates and variants together; including an unfinished step.
     pub spent_s: f64,
-    /// Stopped before the plan's end. Steps are whole: what was begun of another is not told.
+    /// Stopped before the plan's end. An unfinished step is not reported.
     pub interrupted: bool,
 }
 
-/// Renders and judges. Compiling, first dispatches and judging count as no one's sampling time.
+/// Renders and judges. Compiling, first dispatches and judging do not count as sampling time.
 ///
 /// # Errors
 /// Those of a rendering; a reference of another size.
@@ -62,7 +62,7 @@ pub fn measure(
             break true;
         }
         bench.judge(spp)?;
-        // The next step has as many samples again as all steps so far.
+        // The next step adds as many samples as all steps so far.
         let next = spp.checked_mul(2).filter(|&next| next <= plan.spp);
         match next {
             Some(next) if 2.0 * bench.spent <= plan.seconds => spp = next,
@@ -76,7 +76,7 @@ pub fn measure(
     })
 }
 
-/// The experiment under way.
+/// The running experiment.
 struct Bench<'a> {
     variants: &'a [Variant<'a>],
     plan: &'a Plan,
@@ -118,8 +118,8 @@ impl<'a> Bench<'a> {
         })
     }
 
-    /// Brings every replicate to `spp` samples; false if `stop` came first. Each replicate is rendered by all variants
-    /// one after the other, there and back by turns, so that a steady drift cancels.
+    /// Brings every replicate to `spp` samples; false if `stop` came first. Each replicate is rendered by all variants one
+    /// after the other, in alternating order, so that a steady drift cancels.
     fn advance(
         &mut self,
         spp: u32,
@@ -156,7 +156,7 @@ impl<'a> Bench<'a> {
         Ok(true)
     }
 
-    /// The pictures of all replicates, and the seconds that finishing took of each.
+    /// The pictures of all replicates, and the seconds of finishing each.
     fn pictures(
         entrant: &Entrant,
         variant: &Variant,
@@ -172,7 +172,7 @@ impl<'a> Bench<'a> {
         (0..entrant.took.len()).map(picture).collect()
     }
 
-    /// Holds every replicate against its variant's reference.
+    /// Compares every replicate with its variant's reference.
     fn judge(&mut self, spp: u32) -> Result<(), ConvergeError> {
         for (entrant, variant) in self.entrants.iter_mut().zip(self.variants) {
             let (pictures, finishing) = Self::pictures(entrant, variant)?;

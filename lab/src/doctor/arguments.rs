@@ -1,8 +1,8 @@
-//! Tables of arguments: random bits of fixed seeds, with what rounding finds hard among them.
+//! Tables of arguments: random bits of fixed seeds, including values that are hard to round.
 
 use vkpt::reference::sampler::pcg4d::pcg4d;
 
-/// Rows of a table: enough that an operation that rounds wrongly once in 10⁵ is found out.
+/// Rows of a table: enough to detect an operation that rounds wrongly once in 10⁵.
 pub const ROWS: u32 = 1 << 20;
 
 /// Zeros, the smallest and largest denormals, the smallest normal numbers, neighbours of 1, the largest, infinities, NaNs.
@@ -94,7 +94,7 @@ mod tests {
         assert!(
             count(&|[x, y, _]| x.is_normal() && y.is_normal() && (x * y).is_subnormal()) > many
         );
-        // y is half of what x is away from its neighbour.
+        // y is half of the distance of x from its neighbour.
         let tie = |[x, y, _]: [f32; 3]| {
             let [below, above] = [x.abs(), x.abs().next_up()].map(f64::from);
             2.0 * f64::from(y).abs() == above - below

@@ -1,4 +1,4 @@
-//! Arithmetic against the host's, bit by bit, in kernels compiled as those are that render.
+//! Arithmetic compared with the host's, bit by bit, in kernels compiled like those that render.
 
 use super::arguments::{cancelling, wide};
 use super::bench::{Bench, Caller, Subject};
@@ -7,7 +7,7 @@ use super::operations::{AS_WRITTEN, FLOATS, WORDS};
 use crate::doctor::report::Operation;
 use vkpt::gpu::GpuError;
 
-/// All of them; a dispatch each.
+/// All operations; a dispatch each.
 pub fn operations(bench: &Bench) -> Result<Vec<Operation>, GpuError> {
     let (wide, cancelling) = (wide(), cancelling());
     let mut all = Vec::new();

@@ -1,4 +1,4 @@
-//! Small kernels, run on the device that is examined.
+//! Small kernels, run on the examined device.
 
 use vkpt::gpu::{Buffer, BufferUse, Device, GpuError, Pipeline};
 use vkpt::kernel::{Composer, OwnFile, Slot, Spirv, compile, unaudited};
@@ -11,7 +11,7 @@ pub struct Bench<'a> {
     pub own: &'a [OwnFile<'a>],
 }
 
-/// What a kernel calls on each row of its arguments.
+/// The function that a kernel calls on each row of its arguments.
 #[derive(Clone, Debug)]
 pub struct Subject {
     glsl: String,
@@ -21,7 +21,7 @@ pub struct Subject {
 /// How a kernel is compiled.
 #[derive(Clone, Copy, Debug)]
 enum Compiled {
-    /// As those that render.
+    /// Like those that render.
     Audited,
     /// With GLSL's own functions.
     Unaudited(unaudited::Arithmetic),
@@ -51,7 +51,7 @@ impl Subject {
         }
     }
 
-    /// The same where GLSL's own functions may be called.
+    /// The same, allowed to call GLSL's own functions.
     pub fn unaudited(mut self, arithmetic: unaudited::Arithmetic) -> Self {
         self.compiled = Compiled::Unaudited(arithmetic);
         self
@@ -64,12 +64,12 @@ impl<'a> Bench<'a> {
         self.own.iter().fold(Composer::new(), add)
     }
 
-    /// A file of `shaders/`, compiled as those are that render.
+    /// A file of `shaders/`, compiled like those that render.
     pub fn file(&self, name: &str) -> Result<Spirv, GpuError> {
         Ok(compile(&self.composer().compose(&[name])?)?)
     }
 
-    /// One of what no kernel that renders does.
+    /// A file that does things that no rendering kernel does.
     pub fn unaudited_file(&self, name: &str) -> Result<Spirv, GpuError> {
         let kernel = self.composer().compose(&[name])?;
         Ok(unaudited::compile(
@@ -88,7 +88,7 @@ impl<'a> Bench<'a> {
         })
     }
 
-    /// A subject made ready for tables of up to `rows` rows.
+    /// A subject prepared for tables of up to `rows` rows.
     pub fn caller(&self, subject: &Subject, rows: usize) -> Result<Caller<'a>, GpuError> {
         Caller::new(
             self.device,
@@ -103,7 +103,7 @@ impl<'a> Bench<'a> {
     }
 }
 
-/// A kernel that makes a word of each row of three, with its buffers.
+/// A kernel that maps each row of three words to a word, with its buffers.
 pub struct Caller<'a> {
     device: &'a Device,
     pipeline: Pipeline,
@@ -123,7 +123,7 @@ impl<'a> Caller<'a> {
         })
     }
 
-    /// One result a row.
+    /// One result for each row.
     pub fn call(&self, table: &[[u32; 3]]) -> Result<Vec<u32>, GpuError> {
         self.arguments.write(bytemuck::cast_slice(table))?;
         let buffers = [&self.arguments, &self.results];

@@ -1,12 +1,12 @@
-//! GLSL's own elementary functions, what they should be, and what Vulkan allows them to be.
+//! GLSL's own elementary functions, their true values, and the errors that Vulkan allows.
 
 use Allowed::{Absolute, Anything, Relative, Ulps};
 use Arguments::{Bits, Even, With};
 
-/// Arguments of each.
+/// Arguments of each function.
 pub const ROWS: u32 = 1 << 18;
 
-/// A function, where it is looked at, and what Vulkan allows.
+/// A function, the range examined, and the error that Vulkan allows.
 pub struct Builtin {
     pub name: &'static str,
     pub expression: &'static str,
@@ -20,7 +20,7 @@ pub struct Builtin {
 pub enum Arguments {
     /// Evenly from one to the other.
     Even(f64, f64),
-    /// Evenly by their bits, which is by their logarithms.
+    /// Evenly by their bits, that is, by their logarithms.
     Bits(u32, u32),
     /// Evenly, with a second argument.
     With(f64, f64, f32),

@@ -1,10 +1,10 @@
-//! A device's results against the host's, bit by bit.
+//! A device's results compared with the host's, bit by bit.
 
 use super::operations::{EXACT, Float, Word};
 use crate::doctor::report::{Operation, Outcome};
 use vkpt::reference::math::ulps;
 
-/// Floats: what differs is sorted by what was in it or came out, and errors are taken over normal numbers alone.
+/// Floats: differences are sorted by the kinds of operands and results, and errors cover only normal numbers.
 pub fn compare_floats(o: &Float, table: &[[u32; 3]], results: &[u32]) -> Operation {
     let mut found = Operation {
         worst_ulps: Some(0.0),
@@ -17,7 +17,7 @@ pub fn compare_floats(o: &Float, table: &[[u32; 3]], results: &[u32]) -> Operati
         let operands = &x[..o.operands];
         let special = !expected.is_finite() || operands.iter().any(|x| !x.is_finite());
         let truth = (o.truth)(x.map(f64::from));
-        // What rounds up to the smallest normal number counts too: a device may flush before it rounds.
+        // Values that round up to the smallest normal number count, too: a device may flush before it rounds.
         let tiny = truth != 0.0 && truth.abs() < f64::from(f32::MIN_POSITIVE);
         let denormal = tiny || operands.iter().any(|x| x.is_subnormal());
         // Outside of this range of divisors any quotient is allowed.
@@ -40,7 +40,7 @@ pub fn compare_floats(o: &Float, table: &[[u32; 3]], results: &[u32]) -> Operati
         }) += 1;
         found
             .example
-            .get_or_insert_with(|| format!("{operands:?} gives {got:e}, on the host {expected:e}"));
+            .get_or_insert_with(|| format!("{operands:?} gives {got:e}; host: {expected:e}"));
     }
     let beyond = found.worst_ulps > found.allowed_ulps;
     // A sum in f64 may itself be rounded: 2⁻²⁹ ulp of f32.
@@ -49,7 +49,7 @@ pub fn compare_floats(o: &Float, table: &[[u32; 3]], results: &[u32]) -> Operati
     found
 }
 
-/// Bits of floats that were only moved, through a choice between the first two of a row.
+/// Bits of floats that were only moved, by a choice between the first two of a row.
 pub fn compare_moved(table: &[[u32; 3]], results: &[u32]) -> Operation {
     let mut found = blank("bits of a moved float", table.len());
     for (i, (row, &got)) in table.iter().zip(results).enumerate() {
@@ -73,7 +73,7 @@ pub fn compare_moved(table: &[[u32; 3]], results: &[u32]) -> Operation {
     found
 }
 
-/// Words, which have no errors but wrong ones.
+/// Words, which are right or wrong.
 pub fn compare_words(o: &Word, table: &[[u32; 3]], results: &[u32]) -> Operation {
     let mut found = blank(o.name, table.len());
     for (row, &got) in table.iter().zip(results) {
@@ -81,7 +81,7 @@ pub fn compare_words(o: &Word, table: &[[u32; 3]], results: &[u32]) -> Operation
         if got != expected {
             found.unequal += 1;
             found.example.get_or_insert_with(|| {
-                format!("{row:x?} gives {got:#010x}, on the host {expected:#010x}")
+                format!("{row:x?} gives {got:#010x}; host: {expected:#010x}")
             });
         }
     }

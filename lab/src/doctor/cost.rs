@@ -1,4 +1,4 @@
-//! What a call of vkpt's own functions takes, beside the driver's way to the same.
+//! The cost of a call of vkpt's own functions, and of the driver's equivalent.
 
 use std::time::Duration;
 
@@ -9,9 +9,9 @@ use vkpt::kernel::unaudited::Arithmetic;
 use vkpt::layout::constants::workgroup::WORKGROUP;
 
 const INVOCATIONS: u32 = 1 << 16;
-/// Calls an invocation, as `shaders/doctor/cost.comp` says.
+/// Calls per invocation, as in `shaders/doctor/cost.comp`.
 const CALLS: u32 = 64;
-/// Rounds, in each of which everything is run once.
+/// Rounds, each of which runs everything once.
 const ROUNDS: usize = 9;
 
 /// Name, file and expression of ours; name and expression of theirs.
@@ -40,7 +40,7 @@ const PAIRS: [[&str; 5]; 4] = [
     ],
 ];
 
-/// Alternating, by the device's clock where it has one; less the loop around the calls.
+/// Alternating, by the device's clock if it has one; minus the loop around the calls.
 pub fn costs(bench: &Bench) -> Result<Vec<Cost>, GpuError> {
     let storage = BufferUse::Storage;
     let results = bench
@@ -68,8 +68,8 @@ pub fn costs(bench: &Bench) -> Result<Vec<Cost>, GpuError> {
     Ok(PAIRS.into_iter().enumerate().map(cost).collect())
 }
 
-/// Seconds of each, its quickest round: what else runs on the machine only adds, and on lavapipe adds much. Not the first
-/// round, in which drivers compile.
+/// Seconds of each, the quickest round: other load on the machine only adds time, and on lavapipe a lot. Excludes the
+/// first round, in which drivers compile.
 fn quickest(bench: &Bench, pipelines: &[Pipeline], results: &Buffer) -> Result<Vec<f64>, GpuError> {
     let groups = [INVOCATIONS / WORKGROUP, 1, 1];
     let run = |p: &Pipeline| bench.device.dispatch(p, &[results], &[], groups);

@@ -1,5 +1,5 @@
-//! GLSL's own elementary functions against f64. No kernel that renders may call one (`kernel::audit`); what they are
-//! like here is the reason. Never a failure.
+//! GLSL's own elementary functions compared with f64. No rendering kernel may call one (`kernel::audit`); their errors
+//! here are the reason. Never a failure.
 
 use super::bench::{Bench, Subject};
 use super::builtins::{Allowed, BUILTINS, Builtin, ROWS};
@@ -8,7 +8,7 @@ use vkpt::gpu::GpuError;
 use vkpt::kernel::unaudited::Arithmetic;
 use vkpt::reference::math::ulps;
 
-/// All of them; a dispatch each.
+/// All functions; a dispatch each.
 pub fn functions(bench: &Bench) -> Result<Vec<DriverFunction>, GpuError> {
     let examine = |b: &Builtin| {
         let subject = Subject::float("", b.expression).unaudited(Arithmetic::AsWritten);

@@ -1,11 +1,11 @@
-//! What the device tells of itself, and what is known of watchdogs.
+//! The device's own description, and known watchdogs.
 
 use crate::doctor::report::{DeviceFacts, FloatControls, Heap};
 use vkpt::gpu::{Device, DeviceKind, GpuError, Options};
 use vkpt::render::DISPATCH_TIME;
 use vkpt::report::human::{duration, thousands};
 
-/// Its own word for everything but the loop limit, which is probed.
+/// As the device reports them, except the loop limit, which is probed.
 pub fn facts(device: &Device) -> Result<DeviceFacts, GpuError> {
     let (info, limits, facts) = (device.info(), device.limits(), device.facts());
     let heap = |h: &vkpt::gpu::Heap| Heap {
@@ -43,19 +43,19 @@ pub fn facts(device: &Device) -> Result<DeviceFacts, GpuError> {
     })
 }
 
-/// What ends work that takes too long, as far as it is documented or was seen.
+/// Limits that end long work, as documented or observed.
 pub fn watchdog(device: &Device) -> Result<Vec<String>, GpuError> {
     let loops = match device.loop_limit()? {
         None => "The driver ended no loop early.".to_owned(),
         Some(limit) => format!(
-            "The driver ends all loops of a subgroup after {} steps, in silence. vkpt's kernels count their steps and \
-             hand unfinished paths over to the next dispatch before that.",
+            "The driver silently ends all loops of a subgroup after {} steps. vkpt's kernels count their steps and \
+             pass unfinished paths to the next dispatch before that.",
             thousands(limit.into())
         ),
     };
     let kind = match device.info().kind {
         DeviceKind::Cpu => {
-            "On drivers that run on the CPU no watchdog was met in dispatches of 40 s."
+            "No watchdog is known for CPU drivers: dispatches of 40 s have completed."
         }
         _ => {
             "Documented watchdogs: Windows resets a GPU after 2 s (TdrDelay), Linux' amdgpu after 10 s, in older \
@@ -63,7 +63,7 @@ pub fn watchdog(device: &Device) -> Result<Vec<String>, GpuError> {
         }
     };
     let ours = format!(
-        "vkpt sizes its dispatches to take {}, and gives a device up after {}.",
+        "vkpt sizes its dispatches to take {}, and treats a device as hung after {}.",
         duration(DISPATCH_TIME.as_secs_f64()),
         duration(Options::default().patience.as_secs_f64())
     );

@@ -1,4 +1,4 @@
-//! What a driver makes of arithmetic that is not marked `NoContraction`: told, because it is why vkpt marks all of its.
+//! How a driver compiles arithmetic that is not marked `NoContraction`: the reason why vkpt marks all of its own.
 
 use super::arguments::cancelling;
 use super::bench::{Bench, Subject};
@@ -59,7 +59,7 @@ pub fn habits(bench: &Bench) -> Result<Vec<Habit>, GpuError> {
 /// A way to compute something, with its name.
 type Way<'a> = (&'a str, &'a dyn Fn([f32; 3]) -> f32);
 
-/// The way that explains all results, or how many each explains that no way before it does.
+/// The way that explains all results, or how many results each explains that no earlier way does.
 fn shares(table: &[[u32; 3]], results: &[f32], ways: &[Way]) -> String {
     let rows = || table.iter().map(|row| row.map(f32::from_bits)).zip(results);
     let explains = |(_, way): &&Way, x: [f32; 3], got: f32| way(x) == got;

@@ -1,8 +1,8 @@
-//! What a device is like: how it rounds, what its own functions are worth, whether vkpt's come out as in the reference,
-//! and whether small kernels that drivers have got wrong come out right.
+//! The properties of a device: how it rounds, how accurate its own functions are, whether vkpt's functions equal the
+//! reference's, and whether small kernels that drivers have miscompiled give the right results.
 //!
-//! Every probe is compiled as the kernels are that render, except those that ask for GLSL's own functions or for
-//! arithmetic that may be rewritten (`kernel::unaudited`).
+//! Every probe is compiled like the rendering kernels, except those that use GLSL's own functions or arithmetic that may
+//! be rewritten (`kernel::unaudited`).
 
 mod arguments;
 mod arithmetic;
@@ -25,12 +25,12 @@ use bench::Bench;
 use vkpt::gpu::{Device, GpuError};
 use vkpt::kernel::OwnFile;
 
-/// How the device is examined.
+/// The options of an examination.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Examiner<'a> {
-    /// vkpt's own functions at every `f32` instead of a million: minutes.
+    /// Checks vkpt's own functions at every `f32` instead of a million: takes minutes.
     pub exhaustive: bool,
-    /// Shader files in place of vkpt's, to plant a mistake.
+    /// Shader files in place of vkpt's, to plant a fault.
     pub own: &'a [OwnFile<'a>],
 }
 
@@ -38,7 +38,7 @@ impl Examiner<'_> {
     /// Runs everything on `device`, one piece after the other.
     ///
     /// # Errors
-    /// Those of the device, such as [`GpuError::Lost`], and of kernels that do not compile.
+    /// Errors of the device, such as [`GpuError::Lost`], and of kernels that do not compile.
     pub fn examine(&self, device: &Device) -> Result<Examination, GpuError> {
         let bench = Bench {
             device,

@@ -1,9 +1,9 @@
-//! What each invocation of the self-tests must leave, by its index; twins of the files of `shaders/doctor/`.
+//! The expected result of each invocation of the self-tests, by its index; twins of the files of `shaders/doctor/`.
 
 use vkpt::layout::constants::workgroup::WORKGROUP;
 use vkpt::reference::sampler::pcg4d::pcg4d;
 
-/// `invocations.comp`, once, on a word that held the index.
+/// `invocations.comp`, once, on a word that contained the index.
 pub fn invocations(i: u32) -> u32 {
     i.wrapping_mul(31).wrapping_add(i)
 }
@@ -116,7 +116,7 @@ pub fn structs(i: u32) -> u32 {
         .wrapping_add(if i & 1 == 0 { after } else { digest(before) })
 }
 
-/// `hand_over.comp`, three times, from the indices on.
+/// `hand_over.comp`, three times, starting from the indices.
 pub fn hand_over(i: u32) -> u32 {
     fn after(dispatches: u32, i: u32) -> u32 {
         if dispatches == 0 {

@@ -1,4 +1,4 @@
-//! The operations that a device has to do as the host does, and how the host does them.
+//! The operations that a device must do like the host, and how the host does them.
 
 /// An operation on floats.
 pub struct Float {
@@ -16,7 +16,7 @@ pub struct Word {
     pub name: &'static str,
     pub expression: &'static str,
     pub host: fn([u32; 3]) -> u32,
-    /// Whether a kernel that renders does it.
+    /// Whether a rendering kernel uses it.
     pub relied_on: bool,
 }
 
@@ -120,7 +120,7 @@ pub const FLOATS: [Float; 7] = [
     ),
 ];
 
-/// What only a compiler that keeps to `NoContraction` gets right.
+/// Operations that only a compiler that respects `NoContraction` gets right.
 pub const AS_WRITTEN: [Float; 2] = [
     float(
         "x·y + z in two roundings",

@@ -1,4 +1,4 @@
-//! vkpt's own elementary functions: against the reference in f32 by bits, against f64 by units of the last place.
+//! vkpt's own elementary functions: compared with the reference in f32 by bits, with f64 by units of the last place.
 
 use rayon::prelude::*;
 
@@ -97,7 +97,7 @@ pub const OWN: [Own; 7] = [
     },
 ];
 
-/// What was found in some of the arguments.
+/// The findings for some of the arguments.
 #[derive(Clone, Copy, Default)]
 struct Found {
     compared: u64,
@@ -121,7 +121,7 @@ impl Found {
     }
 }
 
-/// Every function at about a million arguments all over its range, or at `every` one.
+/// Every function at about a million arguments throughout its range, or at `every` one.
 pub fn functions(
     bench: &Bench,
     operations: &[Operation],
@@ -167,10 +167,10 @@ fn examine(bench: &Bench, own: &Own, rounds: bool, every: bool) -> Result<OwnFun
     })
 }
 
-/// Below this the last place of a result hangs on denormals, which a device may flush.
+/// Below this the last place of a result depends on denormals, which a device may flush.
 const LEAST: f64 = f32::MIN_POSITIVE as f64 * (1 << f32::MANTISSA_DIGITS) as f64;
 
-/// One result. Neither denormals nor what hangs on them have a share in the error.
+/// One result. Denormals, and results that depend on them, do not count for the error.
 fn compare(own: &Own, bits: u32, got: u32) -> Found {
     let (x, got) = (f32::from_bits(bits), f32::from_bits(got));
     let expected = (own.f32)(x);
@@ -185,7 +185,7 @@ fn compare(own: &Own, bits: u32, got: u32) -> Found {
     }
 }
 
-/// Where all arithmetic rounds as the host's, other bits are a mistake of the driver's compiler.
+/// If all arithmetic rounds like the host's, different bits are a fault of the driver's compiler.
 fn outcome(found: &Found, bound: f64, rounds: bool) -> Outcome {
     match found {
         f if f.worst > bound => Outcome::Fails,

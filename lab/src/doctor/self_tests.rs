@@ -1,5 +1,5 @@
-//! Small kernels whose results are known, each of what a driver has got wrong or a path tracer lives by. The files of
-//! `shaders/doctor/` say what was seen where.
+//! Small kernels with known results, for features that a driver has got wrong or a path tracer relies on. The files of
+//! `shaders/doctor/` record which driver failed how.
 
 use super::bench::Bench;
 use super::models;
@@ -11,15 +11,15 @@ use vkpt::layout::constants::workgroup::WORKGROUP;
 struct Test {
     name: &'static str,
     file: &'static str,
-    /// Whether a kernel that renders does the like.
+    /// Whether a rendering kernel does the same.
     relied_on: bool,
-    /// Each reads what the last wrote.
+    /// Each reads the output of the last.
     dispatches: u32,
     result: fn(u32) -> u32,
     stands_for: &'static str,
 }
 
-/// A multiple of [`WORKGROUP`]; `shaders/doctor/hand_over.comp` and its model know it.
+/// A multiple of [`WORKGROUP`]; `shaders/doctor/hand_over.comp` and its model depend on it.
 const INVOCATIONS: u32 = 1 << 16;
 /// Rows of the uniform table: 16 KiB, which every device has to allow.
 const TABLE: u32 = 1024;
@@ -95,7 +95,7 @@ const TESTS: [Test; 10] = [
         relied_on: true,
         dispatches: 3,
         result: models::hand_over,
-        stands_for: "unfinished paths handed over",
+        stands_for: "unfinished paths passed on",
     },
     Test {
         name: "barrier in a workgroup",

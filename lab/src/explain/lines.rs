@@ -1,11 +1,11 @@
-//! Which lines of a scene bring a member in.
+//! The lines of a scene that need a member.
 
 use glam::DVec3;
 
 use vkpt::features::{Member, is_rough, is_specular};
 use vkpt::prepared::{Light, Material, Prepared, Shape, ShapeKind};
 
-/// The lines, rising, each once; 0 is the material that a shape has which follows none.
+/// The lines in ascending order, each once; 0 is the default material of shapes that follow none.
 pub fn lines(prepared: &Prepared, member: Member) -> Vec<usize> {
     let shapes = |of: &dyn Fn(&Shape) -> bool| -> Vec<usize> {
         let shapes = prepared.shapes.iter().filter(|s| of(s));
@@ -28,7 +28,7 @@ pub fn lines(prepared: &Prepared, member: Member) -> Vec<usize> {
     lines
 }
 
-/// The materials of shapes that bring a member in, in the order of their lines.
+/// The materials of shapes that need a member, in the order of their lines.
 pub fn materials(prepared: &Prepared, member: Member) -> impl Iterator<Item = &Material> {
     let mut used: Vec<&Material> = prepared
         .shapes
@@ -61,7 +61,7 @@ fn lights(prepared: &Prepared, of: impl Fn(&Light) -> bool) -> Vec<usize> {
     prepared.lights.iter().filter(|l| of(l)).map(line).collect()
 }
 
-/// The lines of shapes of a kind that have a face which may be covered, and of those that cover it.
+/// The lines of shapes of a kind with a face that may be covered, and of those that cover it.
 fn covered(prepared: &Prepared, kind: ShapeKind) -> Vec<usize> {
     let table = &prepared.primitives.coincident;
     let of_kind = (0..).zip(&prepared.shapes).filter(|(_, s)| s.kind == kind);
@@ -73,7 +73,7 @@ fn covered(prepared: &Prepared, kind: ShapeKind) -> Vec<usize> {
     shapes.map(|i| prepared.shapes[i as usize].line).collect()
 }
 
-/// Whether a mesh file gave normals to any corner.
+/// Whether the mesh file has a normal for any corner.
 fn has_normals(prepared: &Prepared, shape: &Shape) -> bool {
     let (first, count) = (shape.first as usize, shape.count as usize);
     let own = prepared.primitives.normals.get(first..first + count);

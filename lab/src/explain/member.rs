@@ -1,4 +1,4 @@
-//! What the scene decides: each member of the features, with the lines that bring it in.
+//! The scene's decisions: each member of the features, with the lines that need it.
 
 use super::Subject;
 use super::lines::{lines, materials};
@@ -10,7 +10,7 @@ use vkpt::prepared::{LightKind, Material, NONE};
 use vkpt::report::names::Named;
 use vkpt::settings::{Distribution, DistributionRule, Fresnel};
 
-/// The member as a part of the kernel: there, or left out.
+/// The member as a part of the kernel: present or omitted.
 pub fn part(subject: &Subject, member: Member) -> Part {
     let present = subject.plan.features.members().contains(&member);
     let found = lines(subject.job.prepared, member);
@@ -60,7 +60,7 @@ fn name(member: Member) -> (&'static str, String) {
     }
 }
 
-/// What the quoted line does not say by itself.
+/// Information that the quoted line does not give.
 fn remark(subject: &Subject, member: Member) -> String {
     let first = materials(subject.job.prepared, member).next();
     match (member, first) {
@@ -74,12 +74,14 @@ fn remark(subject: &Subject, member: Member) -> String {
             how(pick)
         ),
         (Member::Absorption(_), Some(m)) => absorbing(subject, m),
-        (Member::Covered(_), _) => "where faces coincide the first in the file is there".to_owned(),
+        (Member::Covered(_), _) => {
+            "where faces coincide, the first in the file is visible".to_owned()
+        }
         _ => String::new(),
     }
 }
 
-/// Who chose the distribution of a material: a flag, a word of the scene, or its alpha.
+/// The source of a material's distribution: a flag, a word of the scene, or its alpha.
 fn chosen(subject: &Subject, m: &Material, distribution: Distribution) -> String {
     let kind = match distribution {
         Distribution::Phong => "an exponent",
@@ -97,18 +99,20 @@ fn chosen(subject: &Subject, m: &Material, distribution: Distribution) -> String
     }
 }
 
-/// Who chose the form of Fresnel's reflectance: a flag, a word of the scene, or nobody.
+/// The source of the form of Fresnel's reflectance: a flag, a word of the scene, or the default.
 fn form_of(subject: &Subject, m: &Material, form: Fresnel) -> String {
     use vkpt::prepared::MaterialKind::{Glossy, Mirror};
     match (subject.job.settings.model.fresnel, m.words.fresnel) {
-        _ if matches!(m.kind, Glossy | Mirror) => "opaque: no index for the exact form".to_owned(),
+        _ if matches!(m.kind, Glossy | Mirror) => {
+            "opaque: the exact form needs an index".to_owned()
+        }
         (Some(_), _) => format!("--fresnel {}", form.name()),
         (None, 0) => "the default".to_owned(),
         (None, line) => format!("line {line}: {}", subject.quote(line)),
     }
 }
 
-/// How much a material lets through, and the flag behind the rule of absorption.
+/// The transmittance of a material, and the flag that sets the rule of absorption.
 fn absorbing(subject: &Subject, m: &Material) -> String {
     let kt = m.transmittance(&subject.job.prepared.space);
     let [r, g, b] = kt.to_array().map(shortest);
@@ -132,7 +136,7 @@ fn light(subject: &Subject, kind: LightKind) -> String {
     format!("line {line}: {}", subject.quote(line))
 }
 
-/// The size of the picture all around.
+/// The size of the picture of surroundings.
 fn surroundings(subject: &Subject) -> String {
     let surroundings = subject.job.prepared.surroundings.as_ref();
     surroundings.map_or(String::new(), |s| {
@@ -140,7 +144,7 @@ fn surroundings(subject: &Subject) -> String {
     })
 }
 
-/// Up to six decimals, no zeros behind.
+/// Up to six decimals, without trailing zeros.
 fn shortest(x: f64) -> String {
     let text = format!("{x:.6}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -149,8 +153,8 @@ fn shortest(x: f64) -> String {
 /// How one of several lights is picked for a connection.
 fn how(pick: LightPick) -> &'static str {
     match pick {
-        LightPick::Power => "by power, wherever the vertex is",
-        LightPick::Every => "each has a candidate, one is kept by what it brings",
+        LightPick::Power => "by power, independent of the vertex",
+        LightPick::Every => "a candidate on each light, one kept by its contribution",
         LightPick::Tree => "down a tree, by power, distance and angles",
     }
 }

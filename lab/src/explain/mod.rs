@@ -1,4 +1,4 @@
-//! Why a kernel is what it is: a pure function of the job, its plan and the text of its scene.
+//! The reasons for a kernel's parts: a pure function of the job, its plan and the text of its scene.
 
 pub mod command;
 mod figures;
@@ -15,7 +15,7 @@ use vkpt::kernel::{Composed, Spirv};
 use vkpt::render::{Job, Plan};
 use vkpt::settings::Settings;
 
-/// What is explained.
+/// The rendering to explain.
 #[derive(Clone, Copy)]
 pub struct Subject<'a> {
     pub job: &'a Job<'a>,
@@ -25,24 +25,24 @@ pub struct Subject<'a> {
     /// The scene file, line by line.
     pub text: &'a str,
     pub preset: Preset,
-    /// Why the scene chose its integrator, where it was to choose it.
+    /// Why the scene chose its integrator, if it did.
     pub auto: Option<&'a str>,
-    /// Whose limits the plan keeps.
+    /// The device whose limits the plan respects.
     pub device: &'a str,
 }
 
-/// The settings that hold where no flag says otherwise, and who says so: `the default`, `--model handout`.
+/// The settings that apply without flags, and their source: `the default`, `--model handout`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Preset {
     pub name: &'static str,
     pub settings: Settings,
 }
 
-/// A kernel and what it was compiled to.
+/// A kernel's plan and its compiled code.
 pub type Compiled<'a> = (&'a Plan, &'a [Spirv]);
 
-/// The whole explanation; `full` is the kernel that holds all there is, planned for the same job; `counts` is what a driver
-/// counts of `this`, where it was asked.
+/// The whole explanation; `full` is the kernel with every part, planned for the same job; `counts` are a driver's
+/// statistics of `this`, if requested.
 pub fn explain(
     subject: &Subject,
     this: &[Spirv],
@@ -65,7 +65,7 @@ pub fn explain(
     }
 }
 
-/// All that a kernel of these settings may hold: what the scene decides, then what flags do.
+/// All parts that a kernel of these settings may have: first those that the scene decides, then those of flags.
 pub fn parts(subject: &Subject) -> Vec<Part> {
     let all = Member::all(&subject.job.settings);
     let (shapes, others): (Vec<Member>, Vec<Member>) = all
@@ -80,7 +80,7 @@ pub fn parts(subject: &Subject) -> Vec<Part> {
 }
 
 impl Subject<'_> {
-    /// A line of the scene as it is read, blanks drawn together; nothing for line 0.
+    /// A line of the scene with blanks collapsed; empty for line 0.
     fn quote(&self, line: usize) -> String {
         let text = line.checked_sub(1).and_then(|i| self.text.lines().nth(i));
         let words: Vec<&str> = text.unwrap_or_default().split_whitespace().collect();

@@ -17,8 +17,8 @@ pub fn parts(subject: &Subject) -> [Part; 2] {
         _ => format!("{within}: faster above {WRITTEN_OUT} in all"),
     };
     let absent = match features.shapes.is_empty() {
-        true => "there is no shape".to_owned(),
-        false => format!("up to {WRITTEN_OUT} primitives are found faster one by one"),
+        true => "the scene has no shapes".to_owned(),
+        false => format!("up to {WRITTEN_OUT} primitives are faster one by one"),
     };
     [
         part(
@@ -26,7 +26,7 @@ pub fn parts(subject: &Subject) -> [Part; 2] {
             !tried.is_empty(),
             &format!("{tried}: faster up to {WRITTEN_OUT} in all"),
             match within.is_empty() {
-                true => "there is no shape",
+                true => "the scene has no shapes",
                 false => "all shapes are in the hierarchy",
             },
         ),
@@ -45,7 +45,7 @@ fn part(name: &str, present: bool, why: &str, absent: &str) -> Part {
     }
 }
 
-/// `9 spheres, 7 boxes`; nothing of no kind.
+/// `9 spheres, 7 boxes`; empty for no kinds.
 fn counts(subject: &Subject, kinds: impl Iterator<Item = ShapeKind>) -> String {
     let prepared = subject.job.prepared;
     let all: Vec<String> = kinds

@@ -1,4 +1,4 @@
-//! What settings and flags decide. Whether such a part is there, the kernel's own list of files says.
+//! Parts that settings and flags decide. The kernel's list of files shows whether such a part is present.
 
 use super::Subject;
 use crate::explain::report::Part;
@@ -6,18 +6,18 @@ use vkpt::film::Aov;
 use vkpt::report::SettingsRecord;
 use vkpt::settings::{Connect, Integrator, LobeChoice, Normals, Roulette, Sampler};
 
-/// Why a kernel of light paths looks for no light.
-const FROM_LIGHT: &str = "paths begin at the lights";
+/// Why a kernel of light paths does not search for light.
+const FROM_LIGHT: &str = "paths start at the lights";
 
 /// A part of the kernel that a flag decides on.
 struct Setting {
     group: &'static str,
     name: String,
-    /// Its file of `shaders/`; empty where it is not wanted.
+    /// Its file of `shaders/`; empty if it is switched off.
     file: &'static str,
-    /// Who brings it in.
+    /// The flag or default that selects it.
     by: String,
-    /// Why it may be missing.
+    /// Why it may be absent.
     absent: &'static str,
 }
 
@@ -62,8 +62,8 @@ fn estimator(subject: &Subject) -> [Setting; 9] {
             file: "integrator/path/path_trace.comp",
             by: integrator.clone(),
             absent: match settings.integrator {
-                Integrator::Bidirectional => "paths from both ends find more",
-                _ => "--integrator light: each vertex of a light path is joined to the eye",
+                Integrator::Bidirectional => "paths from both ends find more light",
+                _ => "--integrator light: each vertex of a light path is connected to the eye",
             },
         },
         Setting {
@@ -72,8 +72,8 @@ fn estimator(subject: &Subject) -> [Setting; 9] {
             file: "integrator/light/shade",
             by: integrator.clone(),
             absent: match settings.integrator {
-                Integrator::Bidirectional => "paths from both ends find more",
-                _ => "paths begin at the eye",
+                Integrator::Bidirectional => "paths from both ends find more light",
+                _ => "paths start at the eye",
             },
         },
         Setting {
@@ -81,7 +81,7 @@ fn estimator(subject: &Subject) -> [Setting; 9] {
             name: "bidirectional".to_owned(),
             file: "integrator/bidirectional/eye_trace.comp",
             by: integrator,
-            absent: "paths begin at one end alone",
+            absent: "paths start at one end only",
         },
         Setting {
             group: "micronormals",
@@ -91,7 +91,7 @@ fn estimator(subject: &Subject) -> [Setting; 9] {
                 Normals::Distribution => "bsdf/normals/distribution",
             },
             by: by(subject, "normals", |s| s.normals.to_owned()),
-            absent: "nothing is rough: no micro-normal is drawn",
+            absent: "nothing is rough: no micro-normals are sampled",
         },
         Setting {
             group: "lobe choice",
@@ -104,18 +104,18 @@ fn estimator(subject: &Subject) -> [Setting; 9] {
             absent: "no surface has two lobes",
         },
         Setting {
-            group: "light found",
+            group: "light sampling",
             name: "by connections".to_owned(),
             file: "integrator/path/direct/shadow",
             by: connect.clone(),
             absent: match (settings.integrator, settings.connect) {
                 (Integrator::Light, _) => FROM_LIGHT,
-                (_, Connect::Bsdf) => "--connect bsdf: paths find the light themselves",
-                _ => "there is no light",
+                (_, Connect::Bsdf) => "--connect bsdf: paths find light only by hitting it",
+                _ => "the scene has no light",
             },
         },
         Setting {
-            group: "light found",
+            group: "light sampling",
             name: match settings.integrator {
                 Integrator::Bidirectional => "weights: of all ways".to_owned(),
                 _ => format!("weights: {}", names.connect),
@@ -129,7 +129,7 @@ fn estimator(subject: &Subject) -> [Setting; 9] {
             by: connect,
             absent: match settings.integrator {
                 Integrator::Light => FROM_LIGHT,
-                Integrator::Path | Integrator::Bidirectional => "there is no light",
+                Integrator::Path | Integrator::Bidirectional => "the scene has no light",
             },
         },
         Setting {
@@ -177,7 +177,7 @@ fn model(subject: &Subject) -> [Setting; 2] {
                 subject.plan.features.transmits(),
                 subject.preset.settings.model.radiance_scaling,
             ) {
-                (false, _) => "nothing lets light through, refracted",
+                (false, _) => "nothing refracts light",
                 (true, true) => "--radiance-scaling off",
                 (true, false) => subject.preset.name,
             },
@@ -187,42 +187,42 @@ fn model(subject: &Subject) -> [Setting; 2] {
             name: depth.map_or("capped".to_owned(), |n| format!("{n} bounces")),
             file: "path/depth/capped",
             by: depth.map_or(String::new(), |n| format!("--max-depth {n}")),
-            absent: "no --max-depth is given: roulette alone ends paths",
+            absent: "no --max-depth given: only roulette ends paths",
         },
     ]
 }
 
-/// What is kept beside the picture.
+/// Data in addition to the picture.
 fn beside(subject: &Subject) -> [Setting; 4] {
     [
         Setting {
-            group: "beside film",
+            group: "film data",
             name: "spread of samples".to_owned(),
             file: "film/moments/welford",
-            by: "--aov stderr of independent samples".to_owned(),
+            by: "--aov stderr with independent samples".to_owned(),
             absent: match subject.job.aovs.contains(&Aov::Stderr) {
                 true => {
-                    "--aov stderr comes from the two groups of samples: Sobol's are not independent"
+                    "--aov stderr uses the two groups of samples: Sobol points are not independent"
                 }
-                false => "no --aov stderr is given: a pixel's sum is enough",
+                false => "no --aov stderr given: a pixel's sum suffices",
             },
         },
         Setting {
-            group: "beside film",
+            group: "film data",
             name: "quarters of the samples".to_owned(),
             file: "film/moments/quarters",
             by: "--denoise".to_owned(),
-            absent: "no --denoise is given",
+            absent: "no --denoise given",
         },
         Setting {
-            group: "beside film",
-            name: "events of paths".to_owned(),
+            group: "film data",
+            name: "path events".to_owned(),
             file: "integrator/path/record/on",
             by: "--trace".to_owned(),
-            absent: "only --trace writes them down",
+            absent: "only --trace records them",
         },
         Setting {
-            group: "beside film",
+            group: "film data",
             name: "layers".to_owned(),
             file: "render/layers",
             by: String::new(),
@@ -230,7 +230,7 @@ fn beside(subject: &Subject) -> [Setting; 4] {
                 || !subject.job.classes.is_empty()
             {
                 true => "the reference makes them after the picture",
-                false => "no --aov asks for any",
+                false => "no --aov requests any",
             },
         },
     ]

@@ -1,5 +1,5 @@
-//! What the HTML reports have in common: one self-contained file each, that reads well on a screen, a phone and paper,
-//! in light and dark, with scripts or without.
+//! Common parts of the HTML reports: each is one self-contained file that is readable on a screen, a phone and paper, in
+//! light and dark, with and without scripts.
 
 mod picture;
 
@@ -13,7 +13,7 @@ use vkpt::report::SOFTWARE;
 #[derive(Debug)]
 pub struct Page<'a> {
     pub title: &'a str,
-    /// CSS beside that of all reports.
+    /// CSS in addition to that of all reports.
     pub styles: &'a [&'a str],
     /// JavaScript, if any. The page must be complete without.
     pub script: &'a str,
@@ -23,7 +23,7 @@ pub struct Page<'a> {
 /// The colours of a page, by name, in light and dark.
 pub const COLOURS: &str = include_str!("colours.css");
 
-/// What the page may load: nothing from anywhere. The browser itself sees to it (Content Security Policy Level 3, W3C).
+/// What the page may load: nothing from the network. The browser enforces it (Content Security Policy Level 3, W3C).
 const POLICY: &str = include_str!("policy.txt");
 
 /// The whole file.
@@ -45,7 +45,7 @@ pub fn page(page: &Page) -> String {
             }
             body {
                 (page.body)
-                footer { "Written by " (SOFTWARE) ". One file, which asks no network for anything." }
+                footer { "Written by " (SOFTWARE) ". Self-contained: loads nothing from the network." }
                 @if !page.script.is_empty() { script { (PreEscaped(page.script)) } }
             }
         }
@@ -53,7 +53,7 @@ pub fn page(page: &Page) -> String {
     document.into_string()
 }
 
-/// A command line whose lines end between words, where they must.
+/// A command line that wraps only between words.
 pub fn command_line(text: &str) -> Markup {
     let words = text.split(' ').enumerate();
     html! {

@@ -10,11 +10,11 @@ use vkpt::film::Film;
 use vkpt::image::{EncodeError, Format, Frame, Labels, encode};
 use vkpt::report::SOFTWARE;
 
-/// The film × 2^`exposure` as a PNG (8-bit sRGB), in a `data:` address: about 4 bytes of text for 3 of the PNG, which of a
-/// noisy picture are hardly fewer than its 3 bytes a pixel.
+/// The film × 2^`exposure` as a PNG (8-bit sRGB), in a `data:` address: about 4 bytes of text for 3 of the PNG, which for a
+/// noisy picture is hardly less than 3 bytes per pixel.
 ///
 /// # Errors
-/// A film that holds more or fewer pixels than it says.
+/// A film with more or fewer pixels than its size.
 pub fn data_uri(film: &Film, exposure: f64) -> Result<String, EncodeError> {
     let labels = Labels {
         exposure,
@@ -27,7 +27,7 @@ pub fn data_uri(film: &Film, exposure: f64) -> Result<String, EncodeError> {
     Ok(format!("data:image/png;base64,{text}"))
 }
 
-/// The film as [`data_uri`] has it, with words for those who don't see it.
+/// The film as in [`data_uri`], with alternative text.
 ///
 /// # Errors
 /// As [`data_uri`].

@@ -32,7 +32,7 @@ fn names_are_unique_and_groups_stand_together() {
         for other in others {
             assert!(
                 names.contains(other),
-                "{} is held against {other}, which is no case",
+                "{} is compared with {other}, which is no case",
                 case.name
             );
         }

@@ -81,7 +81,7 @@ fn every_case_is_there_with_its_bounds_and_pictures() {
 fn what_fails_is_told_first_and_stands_open() {
     for page in [both(), written(&run(), &[])] {
         let (findings, groups) = page.split_once("<section id=\"group-").expect("groups");
-        assert!(findings.contains("What fails"));
+        assert!(findings.contains("Failures"));
         assert!(findings.contains("href=\"#furnace/rough-cylinder/2^-17\""));
         assert!(findings.contains("× 4.50") && findings.contains("× ∞"));
         assert!(!findings.contains("alpha/ggx/1e-3"));
@@ -90,7 +90,7 @@ fn what_fails_is_told_first_and_stands_open() {
     }
     let sound = check(vec![case("a/b", vec![Held::new("weight", 0.5, 1.0, "")])]);
     let page = written(&sound, &[shown()]);
-    assert!(page.contains("The only case is within its bounds.") && !page.contains("What fails"));
+    assert!(page.contains("The only case is within its bounds.") && !page.contains("Failures"));
     assert!(!page.contains("<details open>"));
 }
 

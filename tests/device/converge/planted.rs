@@ -31,7 +31,7 @@ fn told(job: &Job, engine: &Engine, reference: &Reference) -> (VariantRecord, St
         name: "",
         settings: &job.settings,
         reference,
-        reference_name: "of two halves",
+        reference_name: "two halves",
     };
     let variant = VariantRecord::new(&subject, &measured.curves[0], None);
     let [device, driver] = engine.name();

@@ -80,12 +80,12 @@ fn it_tells_all_that_the_record_has() {
         "<span class=\"word\">b.scn'</span> <span class=\"word\">--html</span>",
         "# a comment",
         "seeds 0 to 1",
-        "of two halves",
+        "two halves",
         "Interrupted",
-        "converge to different things",
+        "converge to different limits",
         "sampler=sobol",
         "×0.333",
-        "250 ms before the first sample",
+        "250 ms of set-up before the first sample",
         "--trace",
     ] {
         assert!(page.contains(words), "{words}");

@@ -61,7 +61,7 @@ pub fn experiment(scene: &str, variants: &[(&str, &Curve)]) -> Convergence {
             name,
             settings: &settings,
             reference: &reference,
-            reference_name: "of two halves",
+            reference_name: "two halves",
         };
         let first = (i > 0).then(|| variants[0].1);
         VariantRecord::new(&subject, curve, first)

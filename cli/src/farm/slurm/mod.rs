@@ -10,7 +10,7 @@ pub struct Script {
     pub text: String,
 }
 
-/// The texts, in which `@NAME@` stands for what is filled in.
+/// The texts, in which `@NAME@` is replaced by a value.
 const SCRIPTS: [(&str, &str); 4] = [
     ("farm.sh", include_str!("scripts/farm.sh")),
     ("part.sbatch", include_str!("scripts/part.sbatch")),
@@ -21,7 +21,7 @@ const ROUNDS: &str = include_str!("scripts/rounds.sh");
 const ERROR: &str = include_str!("scripts/error.sh");
 const TIME: &str = include_str!("scripts/time.sh");
 
-/// When the first part began, for [`TIME`].
+/// Records when the first part started, for [`TIME`].
 const STARTED: &str = "[ -e started ] || date +%s >started\n";
 
 /// The files of a farm's folder.
@@ -29,7 +29,7 @@ pub fn slurm(farm: &Farm) -> Vec<Script> {
     let texts = SCRIPTS.map(|(name, text)| (name, fill(text, &values(farm))));
     let tables = [
         ("parts.txt", parts(farm)),
-        // The round under way.
+        // The current round.
         ("round", "1\n".to_owned()),
     ];
     let all = texts.into_iter().chain(tables);
@@ -63,7 +63,7 @@ fn values(farm: &Farm) -> Vec<(&'static str, String)> {
     ]
 }
 
-/// What a merge does where more samples may be needed.
+/// The commands of a merge if more samples may be needed.
 fn next_round(farm: &Farm) -> String {
     let by = |text, name, value: Option<f64>| {
         value.map_or_else(String::new, |value| {
@@ -78,12 +78,12 @@ fn next_round(farm: &Farm) -> String {
     }
 }
 
-/// A value of an option as sbatch reads it in a script: in double quotes, with a backslash before what would end them.
+/// A value of an option as sbatch reads it in a script: in double quotes, with a backslash before quotes and backslashes.
 fn option(value: &str) -> String {
     format!("\"{}\"", value.replace('\\', r"\\").replace('"', r#"\""#))
 }
 
-/// The text with every `@NAME@` filled in, in one go: a value may contain such a word itself.
+/// The text with every `@NAME@` filled in, in one pass: a value may itself contain `@NAME@`.
 fn fill(text: &str, values: &[(&str, String)]) -> String {
     let mut words = text.split('@');
     let mut filled = words.next().unwrap_or_default().to_owned();

@@ -1,4 +1,4 @@
-//! The page: all of it in one file, which asks this server alone.
+//! The page: one file, which only contacts this server.
 
 use std::hash::{BuildHasher, RandomState};
 use std::io;
@@ -9,7 +9,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use vkpt_lab::page::COLOURS;
 
-/// Parts of the one script, in the order of their needs.
+/// Parts of the script, in the order of their dependencies.
 const SCRIPTS: [&str; 4] = [
     include_str!("picture.js"),
     include_str!("view.js"),
@@ -17,7 +17,7 @@ const SCRIPTS: [&str; 4] = [
     include_str!("page.js"),
 ];
 
-/// The page as it is served, and what it may do.
+/// The page as served, and its permissions.
 #[derive(Debug)]
 pub struct Page {
     pub html: Bytes,
@@ -29,9 +29,9 @@ impl Page {
     /// The page of a rendering.
     ///
     /// # Errors
-    /// None: the policy is made of what headers may hold.
+    /// None: the policy contains only characters that headers allow.
     pub fn new(title: &str) -> io::Result<Self> {
-        // What was put into the page by others could not know it.
+        // Content injected by others cannot know it.
         let own = format!("{:016x}", RandomState::new().hash_one(title));
         let policy = format!(
             "default-src 'none'; script-src 'nonce-{own}'; style-src 'nonce-{own}'; img-src data:; \
@@ -74,14 +74,14 @@ fn document(title: &str, own: &str) -> Markup {
     }
 }
 
-/// What is rendered, how far it is, and the way to end it.
+/// The name and progress of the rendering, and the button that stops it.
 fn head(title: &str) -> Markup {
     html! {
         header {
             h1 { (title) }
             p #phase role="status" { "Waiting for the first samples" }
             p #numbers {}
-            progress #fraction max="1" value="0" aria-label="Part of all work that is done" {}
+            progress #fraction max="1" value="0" aria-label="Fraction of the work done" {}
             p #trouble .bad hidden {}
             button #stop type="button" aria-keyshortcuts="s" { "Stop and save" }
         }
@@ -103,8 +103,8 @@ fn picture() -> Markup {
                     button #fit type="button" aria-keyshortcuts="f" { "Fit" }
                 }
             }
-            canvas #picture tabindex="0" role="img" aria-label="The picture so far. Arrow keys move the pixel that is read." {}
-            p.readout { output #pixel aria-live="off" { "Point at a pixel, or move to one by the arrow keys" } }
+            canvas #picture tabindex="0" role="img" aria-label="The picture so far. Arrow keys move the selected pixel." {}
+            p.readout { output #pixel aria-live="off" { "Point at a pixel, or select one with the arrow keys" } }
             p.note { (keys()) }
         }
     }
@@ -114,10 +114,10 @@ fn keys() -> Markup {
     let all = [
         ("E", "brighter"),
         ("Shift E", "darker"),
-        ("0", "exposure 0"),
-        ("+ −", "or the wheel: zoom"),
+        ("0", "reset exposure"),
+        ("+ −", "or mouse wheel: zoom"),
         ("F", "fit"),
-        ("← ↑ → ↓", "another pixel, with Shift ten on"),
+        ("← ↑ → ↓", "move by one pixel, with Shift by ten"),
         ("S", "stop and save"),
     ];
     html! {
@@ -131,11 +131,11 @@ fn curve() -> Markup {
         section aria-label="Error over time" {
             figure {
                 svg #plot viewBox="0 0 480 300" role="img" aria-labelledby="latest" {}
-                figcaption { span #latest { "The error is known after two samples" } }
+                figcaption { span #latest { "The error estimate needs two samples per pixel" } }
             }
             p.note {
                 "relMSE of the picture over seconds of rendering, both logarithmic; the band is the 95 % interval. \
-                 A point without a band is an estimate that a few pixels make."
+                 A point without a band is an estimate dominated by a few pixels."
             }
         }
     }
@@ -144,10 +144,10 @@ fn curve() -> Markup {
 fn dialog() -> Markup {
     html! {
         dialog #sure aria-labelledby="question" {
-            p #question { "End the rendering now and write the picture with the samples done so far?" }
+            p #question { "Stop rendering now and save the picture with the samples done so far?" }
             form method="dialog" {
                 button #yes value="stop" autofocus { "Stop and save" }
-                button value="" { "Go on rendering" }
+                button value="" { "Continue rendering" }
             }
         }
     }

@@ -1,4 +1,4 @@
-// News of the rendering, and what keys and buttons do.
+// News of the rendering, and actions of keys and buttons.
 const find = (id) => document.getElementById(id);
 // This tab's own number, by which the server knows whether it has the last picture.
 const tab = crypto.getRandomValues(new BigUint64Array(1))[0];
@@ -16,18 +16,18 @@ function duration(seconds) {
   return minutes < 60 ? `${minutes} min ${two(whole % 60)} s` : `${Math.floor(minutes / 60)} h ${two(minutes % 60)} min`;
 }
 
-// Only what changes is written: readers of the screen would tell it anew.
+// Write only changes: screen readers would announce the text again.
 function write(id, text) {
   if (find(id).textContent !== text) find(id).textContent = text;
 }
 
 const PHASES = {
   rendering: "Rendering",
-  stopping: "Stopping: the samples under way are finished",
-  writing: "Rendered: layers and files are being made",
-  ended: "Ended: the files are written",
-  failed: "Failed: the terminal says why",
-  nothing: "Ended before the first sample: nothing is written",
+  stopping: "Stopping: finishing the current samples",
+  writing: "Rendered: writing layers and files",
+  ended: "Done: the files are written",
+  failed: "Failed: see the terminal",
+  nothing: "Stopped before the first sample: nothing was written",
 };
 
 function phaseOf({ phase, stopping, picture }) {
@@ -61,7 +61,7 @@ async function ask(path, how) {
 
 const stateOf = (end) => ask(`/state?tab=${tab}&has=${has}&end=${end}`);
 
-// Asks once; whether all is told.
+// Asks once; returns whether everything has arrived.
 async function news() {
   const state = await (await stateOf(0)).json();
   if (run !== null && run !== state.run) {
@@ -81,7 +81,7 @@ async function news() {
   }
   pause = phase === "rendering" && !state.stopping && !(state.seconds_left < 3) ? 500 : 80;
   const all = isLast(phase) && has === (picture?.number ?? 0);
-  // The server waits to hear it, and may be gone before it answers.
+  // The server waits for this, and may be gone before it answers.
   if (all) await stateOf(1).catch(() => {});
   return all;
 }
@@ -91,7 +91,7 @@ let timer = 0;
 let ended = false;
 let asking = false;
 async function follow() {
-  // One question at a time: answers could come in another order.
+  // One request at a time: answers could arrive in another order.
   if (asking) return;
   asking = true;
   clearTimeout(timer);
@@ -100,7 +100,7 @@ async function follow() {
   } catch {
     pause = 1000;
     if (!ended) {
-      write("phase", "The rendering has ended or cannot be reached; trying again");
+      write("phase", "The rendering has ended or is unreachable; retrying");
       find("stop").disabled = true;
     }
   }

@@ -1,10 +1,10 @@
-// The picture: linear values as they came, and the same as the screen shows them.
+// The picture: linear values as received, and as shown on the screen.
 const film = { width: 0, height: 0, origin: [0, 0], values: new Float32Array(), bits: new Uint32Array() };
 const developed = document.createElement("canvas");
 let stops = 0;
 
-// Codes of sRGB (IEC 61966-2-1) by the leading 20 bits of a float: its sign, its exponent and 11 bits of 23. What is negative
-// or NaN is black.
+// Codes of sRGB (IEC 61966-2-1) by the leading 20 bits of a float: its sign, its exponent and 11 bits of 23. Negative values
+// and NaN are black.
 const SHIFT = 12;
 const INFINITE = 0x7f800000 >>> SHIFT;
 function codes(exposure) {

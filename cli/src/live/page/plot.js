@@ -14,15 +14,15 @@ function element(name, attributes, text = "") {
 function scale(values, from, to) {
   const logs = values.filter((v) => v > 0).map(Math.log10);
   const [low, high] = [Math.min(...logs), Math.max(...logs)];
-  // Room beside them, and a third of a decade at least.
+  // Some margin, and at least a third of a decade.
   const room = Math.max(0.05 * (high - low), (0.33 - (high - low)) / 2);
   const [least, most] = [low - room, high + room];
   const at = (v) => from + (to - from) * (Math.log10(v) - least) / (most - least);
-  // What lies below the plot, such as an interval's end at 0, stands on its edge.
+  // Values below the plot, such as an interval's end at 0, are drawn on its edge.
   return { at: (v) => (v > 10 ** least ? at(v) : from), ticks: ticks(10 ** least, 10 ** most) };
 }
 
-// 1, 2, 5, 10 … as long as they are few, else the powers of ten, or of them one in some.
+// 1, 2, 5, 10 … if they are few, else the powers of ten, or every nth of them.
 function ticks(low, high) {
   const first = Math.floor(Math.log10(low));
   const last = Math.ceil(Math.log10(high));
@@ -51,7 +51,7 @@ function axes(x, y) {
   plot.append(element("text", { x: 12, y: (top + bottom) / 2, "text-anchor": "middle", transform: `rotate(-90 12 ${(top + bottom) / 2})` }, "relMSE"));
 }
 
-// Errors that have intervals, as long as they follow one another: between others nothing is known.
+// Runs of consecutive errors with intervals.
 function runs(errors) {
   const all = [[]];
   for (const e of errors) {
@@ -61,7 +61,7 @@ function runs(errors) {
   return all.filter((run) => run.length > 1);
 }
 
-// The curve of errors as the server tells them.
+// The curve of errors from the server.
 function drawPlot(errors) {
   const known = errors.filter((e) => e.estimate > 0 && e.seconds > 0);
   if (known.length === 0) return;

@@ -1,7 +1,7 @@
-// What of the picture is seen, and which pixel is read. All places are in CSS pixels of the canvas.
+// The visible part of the picture, and the selected pixel. All places are in CSS pixels of the canvas.
 const canvas = document.querySelector("#picture");
 const view = { fits: true, zoom: 1, left: 0, top: 0 };
-// The pixel that is read, counted in this film.
+// The selected pixel, counted in this film.
 let read = null;
 
 const SMALLEST = 1 / 16;
@@ -52,7 +52,7 @@ function paint() {
   tellPixel();
 }
 
-// A frame around a pixel, at least so many CSS pixels wide: light in dark, to be seen on whatever there is.
+// A frame around a pixel, at least this many CSS pixels wide: light within dark, visible on any background.
 function mark(context, [x, y], side) {
   const left = view.left + (x + 0.5) * view.zoom - side / 2;
   const top = view.top + (y + 0.5) * view.zoom - side / 2;
@@ -70,7 +70,7 @@ function tellPixel() {
     `x ${x + film.origin[0]}, y ${y + film.origin[1]}: R ${red}, G ${green}, B ${blue}`;
 }
 
-// Reads the pixel there, if there is one.
+// Selects the pixel there, if any.
 function readAt(x, y) {
   const at = [(x - view.left) / view.zoom, (y - view.top) / view.zoom].map(Math.floor);
   if (at[0] >= 0 && at[1] >= 0 && at[0] < film.width && at[1] < film.height) {
@@ -79,7 +79,7 @@ function readAt(x, y) {
   }
 }
 
-// Reads a pixel so far from the one read now, and brings it into sight.
+// Moves the selection by an offset, and scrolls it into view.
 function readBy(right, down) {
   const [x, y] = read ?? [(film.width >> 1) - right, (film.height >> 1) - down];
   read = [

@@ -1,12 +1,12 @@
-//! Where tev listens.
+//! The address of tev.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// The port of tev unless it is told another by `--host`.
+/// The port of tev unless its `--host` gives another.
 const PORT: u16 = 14158;
 
-/// A machine and a port.
+/// A host and a port.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Address {
     pub host: String,
@@ -18,8 +18,7 @@ impl FromStr for Address {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let wrong = || {
-            "must be a machine and perhaps a port, such as localhost or 192.168.0.7:14158"
-                .to_owned()
+            "must be a host and an optional port, such as localhost or 192.168.0.7:14158".to_owned()
         };
         // An IPv6 address has colons of its own: [::1]:14158, [::1] or ::1.
         let (host, port) = match text.strip_prefix('[').map(|text| text.split_once(']')) {

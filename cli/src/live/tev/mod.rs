@@ -1,4 +1,4 @@
-//! Pictures sent to tev, a viewer of linear pictures, by a thread of their own.
+//! Sends pictures to tev, a viewer of linear pictures, from a thread of its own.
 
 mod address;
 mod packet;
@@ -12,14 +12,14 @@ use std::time::Duration;
 use super::snapshot::Snapshot;
 pub use address::Address;
 
-/// A viewer that takes nothing for so long is given up; no end waits longer for one.
+/// The timeout for a viewer, and the longest wait for it at the end.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// A viewer, as long as it can be reached.
+/// A viewer, while it is reachable.
 #[derive(Debug)]
 pub struct Tev(Arc<Slot>);
 
-/// Where the next picture lies: a newer one takes the place of one that was not yet sent.
+/// The next picture: a newer one replaces one that was not yet sent.
 #[derive(Debug, Default)]
 struct Slot {
     next: Mutex<Next>,
@@ -29,14 +29,14 @@ struct Slot {
 #[derive(Debug, Default)]
 struct Next {
     snapshot: Option<Arc<Snapshot>>,
-    /// Nothing comes after it.
+    /// Nothing follows it.
     is_last: bool,
     /// Nothing is sent any more.
     has_ended: bool,
 }
 
 impl Tev {
-    /// Sends pictures under that name. Once that fails, `complain` is told why, and nothing more is sent.
+    /// Sends pictures under that name. On failure, `complain` gets the reason, and nothing more is sent.
     ///
     /// # Errors
     /// A thread that the system refuses.
@@ -52,7 +52,7 @@ impl Tev {
             .spawn(move || {
                 if let Err(error) = send(&own, &address, &name) {
                     complain(&format!(
-                        "tev at {address} gets no pictures: {error}; the rendering goes on"
+                        "cannot send pictures to tev at {address}: {error}; the rendering continues"
                     ));
                 }
                 own.next().has_ended = true;
@@ -61,7 +61,7 @@ impl Tev {
         Ok(Self(slot))
     }
 
-    /// Whether it has got all that there was.
+    /// Whether it has received everything so far.
     pub fn is_wanted(&self) -> bool {
         let next = self.0.next();
         next.snapshot.is_none() && !next.has_ended
@@ -73,12 +73,12 @@ impl Tev {
         self.0.news.notify_all();
     }
 
-    /// Waits until the last picture is sent, but not for long.
+    /// Waits briefly until the last picture is sent.
     pub fn finish(self) {
         let mut next = self.0.next();
         next.is_last = true;
         self.0.news.notify_all();
-        // However this ends, the program does next.
+        // The program ends next, whatever the result.
         let waited = self
             .0
             .news
@@ -100,14 +100,14 @@ impl Slot {
     }
 }
 
-/// Sends what comes, to the last.
+/// Sends pictures until the last.
 fn send(slot: &Slot, address: &Address, name: &str) -> io::Result<()> {
     let mut stream = connect(address)?;
     let mut is_open = false;
     while let Some(snapshot) = slot.take() {
         let film = &snapshot.film;
         if !is_open {
-            // Of an earlier rendering, whose picture would be taken for this one's.
+            // Closes the picture of an earlier rendering, which would be mistaken for this one's.
             stream.write_all(&packet::close(name))?;
             stream.write_all(&packet::create(name, film))?;
             is_open = true;

@@ -1,5 +1,5 @@
-//! The packets of tev, little-endian, as tev reads them (<https://github.com/Tom94/tev>, `include/tev/Ipc.h`): the length of all
-//! of it, a byte that says which, and fields one after the other; texts end with 0.
+//! The packets of tev, little-endian, as tev reads them (<https://github.com/Tom94/tev>, `include/tev/Ipc.h`): the total
+//! length, a byte for the kind, and the fields in order; texts end with 0.
 
 use std::ops::Range;
 
@@ -7,16 +7,16 @@ use vkpt::film::Film;
 
 const CLOSE: u8 = 2;
 const CREATE: u8 = 4;
-/// With as many channels as one likes, each with its place in the data.
+/// With any number of channels, each with its place in the data.
 const UPDATE: u8 = 6;
 
 /// In the order of a film's pixels.
 const CHANNELS: [&str; 3] = ["R", "G", "B"];
 
-/// About so many bytes of pixels in a packet.
+/// The approximate number of bytes of pixels in a packet.
 const BAND: usize = 1 << 20;
 
-/// Closes the picture of that name, if there is one.
+/// Closes the picture of that name, if any.
 pub fn close(name: &str) -> Vec<u8> {
     packet(CLOSE, |body| text(body, name))
 }
@@ -42,12 +42,12 @@ pub fn updates(name: &str, film: &Film) -> impl Iterator<Item = Vec<u8>> {
 /// The pixels of some rows.
 fn update(name: &str, film: &Film, rows: Range<u32>) -> Vec<u8> {
     packet(UPDATE, |body| {
-        // Whatever else is looked at stays in front.
+        // Do not bring the picture to the front.
         body.push(u8::from(false));
         text(body, name);
         channels(body);
         whole(body, &[0, rows.start, film.width, rows.end - rows.start]);
-        // Of each channel: where its first value is, and how far it is to the next.
+        // For each channel, the offset of its first value, and the stride to the next.
         let places = [0i64, 1, 2].into_iter().chain([3; 3]);
         body.extend(places.flat_map(i64::to_le_bytes));
         for y in rows {
@@ -114,7 +114,7 @@ mod tests {
             rgb: vec![[0.0; 3]; 200_000],
         };
         let lengths: Vec<_> = updates("a", &film).map(|packet| packet.len()).collect();
-        // 21 rows of 48,000 bytes are about a mebibyte; 82 bytes say what they are.
+        // 21 rows of 48,000 bytes are about a mebibyte; 82 bytes are the header.
         let rows = |rows: usize| rows * 48_000 + 82;
         assert_eq!(lengths, [rows(21), rows(21), rows(8)]);
     }

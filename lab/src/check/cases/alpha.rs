@@ -1,16 +1,16 @@
 //! The width of the micro-normals, from perfectly smooth to rough, on metal in a furnace: a plate seen along its normal
-//! gives back what one integral says (`closed::interface`).
+//! reflects the value of one integral (`closed::interface`).
 
 use crate::check::case::{Case, Stiffness};
 use crate::check::closed::interface::mirror;
 use vkpt::report::names::Named;
 use vkpt::settings::Distribution;
 
-/// Across the limit of what is smooth, 1e-4, with both of its neighbours.
+/// Across the limit of smoothness, 1e-4, with both of its neighbours.
 const WIDTHS: [&str; 13] = [
     "0", "1e-6", "1e-5", "9.9e-5", "1e-4", "1.1e-4", "1e-3", "1e-2", ".05", ".1", ".3", ".6", "1",
 ];
-/// Across the limit of what is smooth, 2e8.
+/// Across the limit of smoothness, 2e8.
 const EXPONENTS: [&str; 9] = [
     "1.001", "2", "10", "100", "1e4", "1e6", "1e8", "1.99e8", "2.01e8",
 ];
@@ -52,7 +52,7 @@ fn case(distribution: Distribution, alpha: &str) -> Case {
         0.0 => "a mirror seen along the normal".to_owned(),
         _ => format!("lobe of width {width:.1e} seen along the normal"),
     };
-    // MIS: what is sampled by the lobe brings at most its weight, what is connected at most half of it, for
+    // MIS: a sample of the lobe contributes at most its weight, a connection at most half of it, because
     // w f/p ≤ f/(2 p_lobe) by the power heuristic.
     let (most, by) = match distribution {
         Distribution::Ggx => (1.5, "1 by the lobe, ½ by the connection"),

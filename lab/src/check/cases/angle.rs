@@ -31,7 +31,7 @@ pub fn cases() -> Vec<Case> {
 
 /// Directions within 1e-3 of one of this cosine.
 fn seen(name: &str, cos: f64, (side, outside): (&str, bool)) -> Case {
-    let why = "an ulp of a direction turns a share of them that lie within 1e-3; all weights are 1";
+    let why = "an ulp of a direction changes a fraction of those within 1e-3; all weights are 1";
     case(
         format!("angle/{name}/{side}"),
         cos,
@@ -58,12 +58,12 @@ fn case(name: String, cos: f64, outside: bool, aperture: f64, stiff: Stiffness) 
     let camera = if outside {
         format!("0 {} {cos} {aperture} x {degrees}", -sin)
     } else {
-        // 50 from the interface, or as deep as the light within lets it be.
+        // 50 from the interface, or as deep as the light inside allows.
         let distance = (0.01 / cos).min(50.0);
         let (y, z) = (-distance * sin, -distance * cos);
         format!("0 {y} {z} {aperture} x {}", 180.0 - degrees)
     };
-    // A black body shines within the glass, below the eye.
+    // A black body is a light inside the glass, below the eye.
     let text = format!(
         "screen 16 16\ncamera {camera}\nbackground 1 1 1\nlight 1 1 1\nbox -90 -90 -1 180 180 .98\nfresnel exact\n\
          brdf 0 0 0 .04 .04 .04 0 1 1 1 {IOR}\nbox -100 -100 -2 200 200 2\n"
@@ -75,6 +75,6 @@ fn case(name: String, cos: f64, outside: bool, aperture: f64, stiff: Stiffness) 
     let about = format!("smooth glass at cos θ = {cos:.7}, seen from {side}side");
     Case::new(name, about, text, stiff)
         .settings(settings)
-        .weight(1.0, "smooth glass only turns light")
+        .weight(1.0, "smooth glass only deflects light")
         .mean(1.0, "R + T = 1")
 }

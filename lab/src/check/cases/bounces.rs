@@ -12,7 +12,7 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// Two mirrors 1 apart; the eye between them sees the sky after `n` bounces, each .01 further on.
+/// Two mirrors 1 apart; the eye between them sees the sky after `n` bounces, each .01 further along.
 fn mirrors(n: u32, ks: f64) -> Case {
     let end = 0.01 * f64::from(n);
     let degrees = 0.01f64.atan().to_degrees();
@@ -27,7 +27,7 @@ fn mirrors(n: u32, ks: f64) -> Case {
         f64::from(n),
         1.0,
         1.0,
-        "flat mirrors turn a direction without rounding",
+        "flat mirrors reflect a direction without rounding",
     );
     let beyond = n.saturating_sub(1000);
     let case = Case::new(
@@ -44,7 +44,7 @@ fn mirrors(n: u32, ks: f64) -> Case {
         .mean(ks.powi(n as i32), "Ks to the power of the bounces")
 }
 
-/// An angle of 54.7° on each face: above the critical one, 41.8°, for ever.
+/// An angle of 54.7° on each face: always above the critical one, 41.8°.
 fn dark() -> Case {
     let text = "screen 8 8\ncamera .25 .125 0 .05 z 45 x 54.735610317245346\nbackground 1 1 1\nfresnel exact\n\
                 brdf 0 0 0 .04 .04 .04 0 1 1 1 1.5\nbox -1 -1 -1 2 2 2\n";
@@ -52,22 +52,22 @@ fn dark() -> Case {
         1020.0,
         1.0,
         1.0,
-        "flat faces turn a direction without rounding",
+        "flat faces reflect a direction without rounding",
     );
     Case::new(
         "bounces/trapped",
-        "light that can't leave a box of glass",
+        "light that cannot leave a box of glass",
         text,
         stiff,
     )
     .spp(4)
     .mean(
         0.0,
-        "no path gets out, and roulette ends them after 1000 bounces",
+        "no path leaves, and roulette ends them after 1000 bounces",
     )
 }
 
-/// The sky of radiance 1 counts as n² = 2.25 within, as much as the light there: whatever a path finds is the same.
+/// The sky of radiance 1 counts as n² = 2.25 within, as much as the light there: every path finds the same.
 fn lit() -> Case {
     let text = "screen 8 8\ncamera .25 .125 0 2\nbackground 1 1 1\nlight 2.25 2.25 2.25\nbox -.9 -.9 -.9 .5 .5 .5\n\
                 fresnel exact\nbrdf 0 0 0 .04 .04 .04 0 1 1 1 1.5\nbox -1 -1 -1 2 2 2\n";
@@ -79,9 +79,9 @@ fn lit() -> Case {
     );
     Case::new(
         "bounces/glass-box",
-        "a light in a box of glass that holds most of its light",
+        "a light in a box of glass that traps most of its light",
         text,
         stiff,
     )
-    .mean(2.25, "n² times the sky, or the light's own radiance")
+    .mean(2.25, "n² times the sky's radiance, or the light's own")
 }

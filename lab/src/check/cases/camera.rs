@@ -16,7 +16,7 @@ pub fn cases() -> Vec<Case> {
         )
         .mean(
             2.25,
-            "n² times the sky's radiance, whichever way the light turns",
+            "n² times the sky's radiance, however the light is deflected",
         ),
         seen(
             "on-ball-out",
@@ -25,7 +25,7 @@ pub fn cases() -> Vec<Case> {
             BLACK,
             "sphere 0 0 0 1",
         )
-        .mean(1.0, "there is nothing before it"),
+        .mean(1.0, "nothing is in front of it"),
         seen(
             "on-ball-in",
             "an eye exactly on a ball of glass, looking in",
@@ -33,7 +33,7 @@ pub fn cases() -> Vec<Case> {
             GLASS,
             "sphere 0 0 0 1",
         )
-        .expect(Expectation::Warning("the eye stands on".into())),
+        .expect(Expectation::Warning("the eye is on".into())),
         seen(
             "on-floor-up",
             "an eye exactly on a black floor, looking up",
@@ -41,7 +41,7 @@ pub fn cases() -> Vec<Case> {
             BLACK,
             "box -8 -8 -1 16 16 1",
         )
-        .mean(1.0, "there is nothing before it"),
+        .mean(1.0, "nothing is in front of it"),
         seen(
             "on-floor-level",
             "an eye exactly on a black floor, looking level",
@@ -67,7 +67,7 @@ pub fn cases() -> Vec<Case> {
             "sphere 0 0 0 1",
         )
         .spp(1)
-        .weight(1.0, "smooth glass only turns light")
+        .weight(1.0, "smooth glass only deflects light")
         .mean(1.0, "smooth glass"),
         seen(
             "8192x8192",
@@ -92,7 +92,7 @@ fn seen(name: &str, about: &str, camera: &str, material: &str, shape: &str) -> C
         4.0,
         64.0,
         1.0,
-        "4 a hit of a curved body, 3 hits; all weights are 1",
+        "4 per hit of a curved body, 3 hits; all weights are 1",
     );
     Case::new(format!("camera/{name}"), about, text, stiff)
 }

@@ -1,4 +1,4 @@
-//! Faces that are in one place: lamps flush with ceilings, lines that stand twice, posters, glass that touches glass.
+//! Faces that are in one place: lamps flush with ceilings, duplicated lines, posters, glass that touches glass.
 
 use std::f64::consts::PI;
 
@@ -28,13 +28,13 @@ pub fn cases() -> Vec<Case> {
         doubled_lamp(),
         lit(
             "twice",
-            "a ball whose line stands twice",
+            "a ball whose line is duplicated",
             "sphere 0 0 0 1\nsphere 0 0 0 1\n",
             None,
         ),
         lit(
             "cylinder-twice",
-            "a cylinder whose line stands twice",
+            "a cylinder whose line is duplicated",
             "cylinder -.1 .2 -1 .1 0 2 2\ncylinder -.1 .2 -1 .1 0 2 2\n",
             None,
         ),
@@ -48,7 +48,7 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// Two cubes of glass that share a face, and one that stands on both.
+/// Two cubes of glass that share a face, and one on top of both.
 fn glass_cubes() -> Case {
     let mut cubes = cube(DVec3::new(-1.0, 0.0, -0.5));
     append(&mut cubes, cube(DVec3::new(1.0, 0.2, -0.5)));
@@ -67,7 +67,7 @@ fn glass_cubes() -> Case {
         stiff,
     )
     .mesh(cubes)
-    .mean(1.0, "smooth glass that absorbs nothing is not to be seen")
+    .mean(1.0, "smooth glass that absorbs nothing is invisible")
 }
 
 const LAMP: &str = "light 6 6 6\nbox -1 -1 3 2 2 .1\n";
@@ -81,7 +81,7 @@ fn lamp_over_floor() -> f64 {
     0.7 / PI * 6.0 * irradiance(&corners, DVec3::Z)
 }
 
-/// The floor below, which only the lamp lights; faces of boxes that are one.
+/// The floor below, lit only by the lamp; faces of boxes that coincide.
 fn flush(name: &str, about: &str, boxes: &[&str], value: f64) -> Case {
     let text = format!("screen 16 16\ncamera 0 0 1 1e-9\n{FLOOR}{}", boxes.concat());
     let stiff = Stiffness::new(2.0, 1.0, 1.0, "flat");
@@ -93,7 +93,7 @@ fn flush(name: &str, about: &str, boxes: &[&str], value: f64) -> Case {
         )
 }
 
-/// A ray finds one surface, so one lamp shines.
+/// A ray finds one surface, so only one lamp contributes.
 fn doubled_lamp() -> Case {
     let mut lamp = square(DQuat::IDENTITY, 1.0, 3.0);
     let twice = lamp.triangles.clone();
@@ -102,7 +102,7 @@ fn doubled_lamp() -> Case {
     let stiff = Stiffness::new(2.0, 1.0, 1.0, "flat");
     Case::new(
         "coincident/doubled-lamp",
-        "a lamp whose faces stand in its file twice",
+        "a lamp whose faces are duplicated in its file",
         text,
         stiff,
     )
@@ -111,21 +111,21 @@ fn doubled_lamp() -> Case {
     .mean(lamp_over_floor(), "Kd/π E by Lambert's formula")
 }
 
-/// A convex or flat surface under a sky of radiance 1 sends back Kd; it fills the picture.
+/// A convex or flat surface under a sky of radiance 1 reflects Kd; it fills the picture.
 fn lit(name: &str, about: &str, shapes: &str, mesh: Option<Mesh>) -> Case {
     let text = format!(
         "screen 16 16\ncamera 0 -6 6 .02 x 45\nbackground 1 1 1\nbrdf .5 .5 .5 0 0 0 1\n{shapes}"
     );
-    let stiff = Stiffness::new(2.0, 4.0, 1.0, "4 for what is curved");
+    let stiff = Stiffness::new(2.0, 4.0, 1.0, "4 for curved shapes");
     let case = Case::new(format!("coincident/{name}"), about, text, stiff);
     let case = match mesh {
         Some(mesh) => case.mesh(mesh),
         None => case,
     };
-    case.mean(0.5, "Kd: what lies on it shades nothing")
+    case.mean(0.5, "Kd: a coincident shape casts no shadow")
 }
 
-/// A small square on a large one, in a plane that no axis is across.
+/// A small square on a large one, in a plane that is perpendicular to no axis.
 fn tilted() -> Case {
     let turn = DQuat::from_rotation_y(0.17);
     let mut squares = square(turn, 9.0, 0.3);
@@ -162,7 +162,7 @@ fn mesh(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Mesh {
     }
 }
 
-/// One mesh more, in the same.
+/// Another mesh, in the same material.
 fn append(to: &mut Mesh, mesh: Mesh) {
     let first = to.positions.len() as u32;
     to.positions.extend(mesh.positions);

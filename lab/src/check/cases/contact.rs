@@ -1,4 +1,4 @@
-//! What touches: thin slabs, balls at a point, faces on one another, glass exactly on a table.
+//! Contact: thin slabs, balls at a point, faces on one another, glass exactly on a table.
 
 use crate::check::case::{Case, Stiffness};
 use vkpt::settings::Settings;
@@ -39,11 +39,11 @@ fn furnace(name: &str, about: &str, camera: &str, shapes: &str) -> Case {
         6.0,
         64.0,
         1.0,
-        "4 a hit of a curved body, 3 hits; all weights are 1",
+        "4 per hit of a curved body, 3 hits; all weights are 1",
     );
     Case::new(format!("contact/{name}"), about, text, stiff)
-        .weight(1.0, "smooth glass only turns light")
-        .mean(1.0, "smooth glass that absorbs nothing is not to be seen")
+        .weight(1.0, "smooth glass only deflects light")
+        .mean(1.0, "smooth glass that absorbs nothing is invisible")
 }
 
 /// Out of one, through air of no thickness, into the other.
@@ -58,16 +58,16 @@ fn boxes() -> Case {
         text,
         stiff,
     )
-    .mean(1.0, "smooth glass that absorbs nothing is not to be seen")
+    .mean(1.0, "smooth glass that absorbs nothing is invisible")
 }
 
-/// Of faces at the same distance the first in the file is hit.
+/// For faces at the same distance, the first in the file is hit.
 fn coplanar() -> Case {
     let text = "screen 16 16\ncamera 0 -4 4 .2 x 45\nlight 1 1 1\nbox -9 -9 -1 18 18 1\nlight 3 3 3\nbox -9 -9 -2 18 18 2\n";
     let stiff = Stiffness::new(1.0, 1.0, 1.0, "one hit of equal numbers");
     Case::new(
         "contact/coplanar",
-        "two lights whose faces are one",
+        "two lights whose faces coincide",
         text,
         stiff,
     )
@@ -89,6 +89,6 @@ fn table() -> Case {
         stiff,
     )
     .settings(settings)
-    .weight(1.0, "smooth glass only turns light")
+    .weight(1.0, "smooth glass only deflects light")
     .mean(1.0, "all light has radiance 1, and nothing is lost")
 }

@@ -1,5 +1,5 @@
-//! Bodies that stay 1e4 from the origin of rendering space, for there is as much on the other side: what f32 leaves of a
-//! place there is 1e-3 of their size.
+//! Bodies that stay 1e4 from the origin of rendering space, because there is as much on the other side: the spacing of f32
+//! there is 1e-3 of their size.
 
 use glam::{DQuat, DVec3};
 
@@ -24,19 +24,19 @@ fn case(shape: &str, (word, material): (&str, &str)) -> Case {
         "cylinder" => format!("cylinder {AWAY} 0 -1 0 0 2 1\n"),
         _ => String::new(),
     };
-    // What is on the other side is black, and before no ray that comes from here.
+    // The body on the other side is black, and hit by no ray from here.
     let other = format!("brdf 0 0 0 0 0 0 1\nsphere {} 0 0 1\n", -AWAY);
     let text =
         format!("screen 16 16\ncamera {AWAY} 0 4 .15\nbackground 1 1 1\n{other}{material}\n{body}");
-    // All pixels see the body, for .15·√2 is less than tan arcsin ¼. A convex one of Kd gives back Kd of the sky, and smooth
-    // glass hides nothing.
+    // All pixels see the body, because .15·√2 is less than tan arcsin ¼. A convex one of Kd reflects Kd of the sky, and smooth
+    // glass is invisible.
     let (value, by) = match word {
         "matte" => (0.5, "Kd: a convex body sees none of itself"),
-        _ => (1.0, "smooth glass that absorbs nothing is not to be seen"),
+        _ => (1.0, "smooth glass that absorbs nothing is invisible"),
     };
     let (most, reason) = match word {
         "matte" => (0.75, "Kd by the lobe, half of it by the connection"),
-        _ => (1.0, "smooth glass only turns light"),
+        _ => (1.0, "smooth glass only deflects light"),
     };
     let why = "places 1e4 times as large as the body; all weights are Kd, or 1";
     let case = Case::new(

@@ -90,8 +90,8 @@ impl Furnace {
     }
 
     fn smooth(&self, case: Case) -> Case {
-        case.weight(1.0, "smooth glass only turns light")
-            .mean(1.0, "smooth glass that absorbs nothing is not to be seen")
+        case.weight(1.0, "smooth glass only deflects light")
+            .mean(1.0, "smooth glass that absorbs nothing is invisible")
     }
 
     fn same(&self, case: Case) -> Case {
@@ -118,15 +118,15 @@ impl Furnace {
         }
     }
 
-    /// Errors of position grow by up to 4 from one hit of a curved body to the next, and of the paths that bring light a
-    /// hundredth meets more than three within.
+    /// Errors of position grow by up to 4 from one hit of a curved body to the next, and one in a hundred of the
+    /// contributing paths has more than three hits inside.
     fn stiffness(&self) -> Stiffness {
         let curved = matches!(self.shape, "sphere" | "cylinder");
         let decisions = if curved { 64.0 } else { 8.0 };
         let why = if curved {
-            "4 a hit of a curved body, 3 hits"
+            "4 per hit of a curved body, 3 hits"
         } else {
-            "2 a hit between flat faces at an angle, 3 hits"
+            "2 per hit between flat faces at an angle, 3 hits"
         };
         // The weights of smooth glass are 1 wherever it is hit.
         Stiffness::new(

@@ -1,4 +1,4 @@
-//! One interface of glass seen along its normal, from both sides: index of refraction and width, each alone and the nasty
+//! One interface of glass seen along its normal, from both sides: index of refraction and width, each alone and in difficult
 //! pairs. Light comes from everywhere, so that the picture is R + T.
 
 use crate::check::case::{Case, Stiffness};
@@ -29,14 +29,14 @@ pub fn cases() -> Vec<Case> {
                 .map(move |(ior, outside)| (d, w, ior, outside))
         })
     });
-    // What is smooth has no distribution.
+    // Smooth surfaces have no distribution.
     all.filter(|(d, w, ..)| *w > 0.0 || *d == Distribution::Ggx)
         .map(|(d, w, ior, outside)| case(d, w, ior, outside))
         .collect()
 }
 
 fn case(distribution: Distribution, width: f64, ior: f64, outside: bool) -> Case {
-    // Within the glass a black body shines; from inside the camera stands between it and the interface.
+    // A black body inside the glass is a light; for the view from inside, the camera is between it and the interface.
     let camera = if outside {
         "0 0 1 1e-6"
     } else {
@@ -76,9 +76,9 @@ fn short(ior: f64) -> String {
         .to_owned()
 }
 
-const WHY: &str = "of what a connection brings: see `condition`";
+const WHY: &str = "that of a connection's contribution: see `condition`";
 
-/// Of what a connection brings, the larger of two.
+/// The condition of a connection's contribution, the larger of two.
 ///
 /// Where light goes nearly straight on, the half vector eta·wo + wi is |n − 1| long: an ulp of wo or wi turns it by
 /// 1/|n − 1|.

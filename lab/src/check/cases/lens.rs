@@ -1,4 +1,4 @@
-//! Lenses as wide as the scene and wider, next to what they see, and focused next to the eye or beyond all that f32 resolves.
+//! Lenses as wide as the scene and wider, next to the objects, and focused next to the eye or beyond the resolution of f32.
 
 use crate::check::case::{Case, Expectation, Stiffness};
 
@@ -6,7 +6,7 @@ const GLASS: &str = "fresnel exact\nbrdf 0 0 0 .04 .04 .04 0 1 1 1 1.5";
 const BLACK: &str = "brdf 0 0 0 0 0 0 1";
 
 pub fn cases() -> Vec<Case> {
-    let clear = "smooth glass only turns light, and whatever turns the ray the sky is 1";
+    let clear = "smooth glass only deflects light, and the sky is 1 in every direction";
     let ball = |name: &str, about: &str, lens: &str| {
         seen(name, about, lens, GLASS, "sphere 0 0 0 1").mean(1.0, clear)
     };
@@ -14,29 +14,29 @@ pub fn cases() -> Vec<Case> {
         ball("narrow", "a lens 1e-20 wide", "1e-20 4"),
         ball(
             "wide",
-            "a lens 1e4 times as wide as the ball that it sees",
+            "a lens 1e4 times as wide as the ball in view",
             "1e4 4",
         )
-        .expect(Expectation::Warning("the plane that is sharp".into())),
+        .expect(Expectation::Warning("the focal plane".into())),
         ball(
             "near-focus",
-            "what is sharp is 1e-6 before the eye: rays run along the lens",
+            "the focal plane is 1e-6 in front of the eye: rays run along the lens",
             "1 1e-6",
         )
-        .expect(Expectation::Warning("the plane that is sharp".into())),
+        .expect(Expectation::Warning("the focal plane".into())),
         ball(
             "far-focus",
-            "what is sharp is 1e30 away: all rays of a point of the picture are parallel",
+            "the focal plane is 1e30 away: all rays of a point of the picture are parallel",
             "1 1e30",
         ),
         ball(
             "in-focus-edge",
-            "the ball's edge is in the plane that is sharp",
+            "the ball's edge is in the focal plane",
             "1 4",
         ),
         seen(
             "reaches-through",
-            "a lens whose middle is in a ball of glass, and whose edge is outside of it",
+            "a lens whose centre is in a ball of glass, and whose edge is outside",
             ".8 4",
             GLASS,
             "sphere 0 0 3.2 1",
@@ -44,19 +44,19 @@ pub fn cases() -> Vec<Case> {
         .expect(Expectation::Warning("reaches through".into())),
         seen(
             "on-floor",
-            "a lens on a black floor, which it looks away from",
+            "a lens on a black floor, facing away from it",
             "2 4",
             BLACK,
             "box -8 -8 4 16 16 1",
         )
-        .mean(1.0, "there is nothing before it"),
-        disc("disc-behind", "a ball of light behind what is sharp", "1"),
-        disc("disc-before", "a ball of light before what is sharp", "1e3"),
+        .mean(1.0, "nothing is in front of it"),
+        disc("disc-behind", "a ball of light behind the focal plane", "1"),
         disc(
-            "disc-sharp",
-            "a ball of light in the plane that is sharp",
-            "4",
+            "disc-before",
+            "a ball of light in front of the focal plane",
+            "1e3",
         ),
+        disc("disc-sharp", "a ball of light in the focal plane", "4"),
     ]
 }
 
@@ -74,7 +74,7 @@ fn seen(name: &str, about: &str, lens: &str, material: &str, shape: &str) -> Cas
         4.0,
         64.0 * wide.max(1.0),
         1.0,
-        "4 a hit of a curved body, 3 hits, from places as large as the lens; all weights are 1",
+        "4 per hit of a curved body, 3 hits, from places as large as the lens; all weights are 1",
     );
     Case::new(format!("lens/{name}"), about, text, stiff)
 }

@@ -1,4 +1,4 @@
-//! Lights that are tiny and bright, that touch what they light, that stand in glass; none at all, and 10,000.
+//! Lights that are tiny and bright, that touch the surface they light, that are inside glass; none at all, and 10,000.
 
 use crate::check::case::{Case, Stiffness};
 use crate::check::closed::interface::fresnel;
@@ -96,7 +96,7 @@ fn no_light() -> Case {
         format!("screen 16 16\ncamera 0 0 1 1\n{FLOOR}"),
         stiff,
     )
-    .mean(0.0, "there is none")
+    .mean(0.0, "there is no light")
 }
 
 fn no_shape() -> Case {

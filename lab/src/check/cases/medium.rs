@@ -1,4 +1,4 @@
-//! Beer's law at its ends: transmittance from 0 to 1, paths from 1e-6 to 1e6, along the normal of a slab; and materials
+//! Beer's law at its limits: transmittance from 0 to 1, paths from 1e-6 to 1e6, along the normal of a slab; and materials
 //! that contradict themselves.
 
 use crate::check::case::{Case, Expectation, Stiffness};
@@ -20,8 +20,8 @@ pub fn cases() -> Vec<Case> {
     });
     let glass = pairs().map(|(kt, t)| {
         let case = seen(&format!("glass-{kt}/{t:e}"), [kt; 3], 1.5, t);
-        // A path of throughput 0.999 would end by roulette once in a thousand times and lose all: of 4096 samples that
-        // may happen to none, and the spread of the others does not show it.
+        // A path of throughput 0.999 would end by roulette once in a thousand times and contribute nothing: that may
+        // happen to none of 4096 samples, and the spread of the others does not show it.
         let mut settings = Settings::default();
         settings.estimator.roulette = Roulette::Off;
         case.spp(64)
@@ -32,7 +32,7 @@ pub fn cases() -> Vec<Case> {
         let case = seen(&format!("one-channel-black/{t:e}"), [0.0, 1.0, 1.0], 1.0, t);
         case.mean(
             2.0 / 3.0,
-            "one channel of three lets nothing through, the others all",
+            "one of three channels transmits nothing, the others everything",
         )
     });
     matched
@@ -89,7 +89,7 @@ fn contradictions() -> Vec<Case> {
         .spp(64)
     };
     let kd = "screen 8 8\ncamera 0 0 4 .3\nbackground 1 1 1\nbrdf .5 .5 .5 .04 .04 .04 .3 .9 .9 .9 1.5\nsphere 0 0 0 1\n";
-    let curved = Stiffness::new(4.0, 64.0, 64.0, "4 a hit of a curved body, 3 hits");
+    let curved = Stiffness::new(4.0, 64.0, 64.0, "4 per hit of a curved body, 3 hits");
     vec![
         with(
             "ks-0",
@@ -98,7 +98,7 @@ fn contradictions() -> Vec<Case> {
         )
         .mean(
             0.5,
-            "Schlick's F is Ks = 0 along the normal: all goes through, Kt^t",
+            "Schlick's F is Ks = 0 along the normal: everything is transmitted, Kt^t",
         ),
         with(
             "ks-1",

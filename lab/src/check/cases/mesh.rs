@@ -1,4 +1,4 @@
-//! Triangles of no area, needles, a mesh of one triangle, a mesh of a million.
+//! Triangles of zero area, needles, a mesh of one triangle, a mesh of a million.
 
 use std::f64::consts::PI;
 
@@ -32,7 +32,7 @@ pub fn cases() -> Vec<Case> {
         ),
         lit(
             "no-area",
-            "a triangle among some of no area",
+            "a triangle among others of zero area",
             "0 0 1 .1",
             1.0,
             mesh(
@@ -49,7 +49,7 @@ pub fn cases() -> Vec<Case> {
         ),
         glowing(
             "no-area-light",
-            "a light of triangles, most of no area",
+            "a light of triangles, most of zero area",
             mesh(
                 &flat,
                 vec![[3, 3, 3], [0, 3, 1], [0, 1, 2], [4, 4, 0], [2, 2, 2]],
@@ -69,7 +69,7 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// A flat, diffuse mesh under a sky of radiance 1 sends back Kd, wherever it is seen.
+/// A flat, diffuse mesh under a sky of radiance 1 reflects Kd, wherever it is seen.
 fn lit(name: &str, about: &str, camera: &str, condition: f64, mesh: Mesh) -> Case {
     let text = format!("screen 16 16\ncamera {camera}\nbackground 1 1 1\nbrdf .5 .5 .5 0 0 0 1\n");
     let stiff = Stiffness::new(
@@ -137,8 +137,8 @@ fn coarse(name: &str, what: &str, brdf: &str) -> Case {
         stiff,
     )
     .mesh(ball(5, 8))
-    .weight(1.0, "smooth surfaces only turn light")
-    .mean(1.0, "a surface that absorbs nothing is not to be seen")
+    .weight(1.0, "smooth surfaces only deflect light")
+    .mean(1.0, "a surface that absorbs nothing is invisible")
 }
 
 /// A ball of radius 1: `rings` circles of `n` corners between two poles, its normals those of the sphere.

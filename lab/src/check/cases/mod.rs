@@ -1,4 +1,4 @@
-//! The cases, a file a group.
+//! The cases, a file for each group.
 
 mod alpha;
 mod angle;
@@ -19,7 +19,7 @@ mod yardstick;
 
 use super::case::Case;
 
-/// All of them, group by group.
+/// All cases, group by group.
 pub fn battery() -> Vec<Case> {
     let groups = [
         alpha::cases(),

@@ -23,7 +23,8 @@ const KD: f64 = 0.5;
 const FLOOR: &str = "brdf .5 .5 .5 0 0 0 1\nbox -100 -100 -1 200 200 1\n";
 
 fn stiff() -> Stiffness {
-    let why = "texels and densities are looked up; what is drawn within one has an ulp or two of its place";
+    let why =
+        "texels and densities are looked up; a position sampled within one is off by an ulp or two";
     Stiffness::new(2.0, 1.0, 1.0, why)
 }
 
@@ -43,7 +44,7 @@ fn floor(name: &str, about: &str, picture: Film) -> Case {
 }
 
 fn constant(width: u32, height: u32) -> Case {
-    let about = format!("{width}×{height} texels that are all the same");
+    let about = format!("{width}×{height} equal texels");
     let name = format!("constant-{width}x{height}");
     floor(&name, &about, picture(width, height, |_, _| 1.0)).mean(KD, "Kd L")
 }
@@ -53,11 +54,11 @@ fn edges(row: u32, height: u32) -> [f64; 2] {
     [row, row + 1].map(|edge| PI * f64::from(edge) / f64::from(height))
 }
 
-/// One row shines: Kd/π ∫ cos θ dω = Kd (sin² θ₁ − sin² θ₀), written without cancellation.
+/// One row emits light: Kd/π ∫ cos θ dω = Kd (sin² θ₁ − sin² θ₀), written without cancellation.
 fn row(name: &str, height: u32, lit: u32) -> Case {
     let [upper, lower] = edges(lit, height);
     let value = KD * (lower - upper).sin() * (lower + upper).sin();
-    let about = format!("row {lit} of {height} shines alone");
+    let about = format!("only row {lit} of {height} emits light");
     let radiance = |_: u32, y: u32| f64::from(u32::from(y == lit));
     floor(name, &about, picture(4, height, radiance)).mean(value, "Kd (sin² θ₁ − sin² θ₀)")
 }
@@ -80,10 +81,10 @@ fn glass() -> Case {
     let stiff = Stiffness::new(12.0, 10.0, 1.0, "a dozen refractions at glancing angles");
     Case::new(
         "surroundings/glass",
-        "clear glass in a picture that is all the same",
+        "clear glass in uniform surroundings",
         text,
         stiff,
     )
     .surroundings(picture(16, 8, |_, _| 1.0))
-    .mean(1.0, "what comes in goes out")
+    .mean(1.0, "all light that enters leaves")
 }

@@ -1,4 +1,4 @@
-//! The furnace that other renderers are known by: a ball of glass, GGX of width .1, and of Beckmann. At a scale of 1e-5
+//! The furnace for which other renderers' results are known: a ball of glass, GGX of width .1, and of Beckmann. At a scale of 1e-5
 //! Mitsuba 3.9 falls from .945 to .480, and refuses an index of 1; at an index of 10 LuxCore 2.11 returns up to 4.5, and
 //! pixels of 213.
 
@@ -46,15 +46,15 @@ pub fn cases() -> Vec<Case> {
     cases
 }
 
-/// Along the rim light is reflected within many times, each at a weight. Normals that are not drawn as they are seen make
-/// those lotteries, which this mean tells: by the GGX of the same width it had 68 times the variance.
+/// Along the rim, light is reflected inside many times, each with a weight. Sampling normals that are not visible makes
+/// these weights vary strongly, which this mean shows: with the GGX normals of the same width it had 68 times the variance.
 ///
 /// The mean is by quadrature over slopes and over the cosine that a chord in a ball keeps, 320 of them, of all
 /// reflections within: .98771 over the disc, which has π/15 of (2 · .28)².
 fn rim() -> Case {
     let text = "screen 64 64\ncamera 0 0 4 .28\nbackground 1 1 1\nfresnel exact\ndistribution beckmann\n\
                 brdf 0 0 0 .04 .04 .04 .1 1 1 1 1.5\nsphere 0 0 0 1\n";
-    let why = "4 a hit of a curved body, 3 hits; n² next to the critical angle";
+    let why = "4 per hit of a curved body, 3 hits; n² next to the critical angle";
     Case::new(
         "yardstick/beckmann-rim",
         "a ball of Beckmann .1, ior 1.5, to its rim",
@@ -65,7 +65,7 @@ fn rim() -> Case {
     .mean(0.99179, "quadrature over slopes, of all reflections within")
 }
 
-/// Where light is found by the BSDF's own directions, a path brings the product of its weights, none of which is above 1.
+/// If light is found by BSDF sampling alone, a path contributes the product of its weights, none of which is above 1.
 fn by_chance() -> Case {
     let mut settings = Settings::default();
     settings.estimator.connect = Connect::Bsdf;
@@ -80,9 +80,9 @@ fn ball(name: String, scale: f64, ior: f64) -> Case {
          brdf 0 0 0 .04 .04 .04 .1 1 1 1 {ior}\nsphere 0 0 0 {scale}\n",
         4.0 * scale
     );
-    // η² of the radicand of refraction, next to the critical angle (`interface`), beside the 4 a hit of a curved body.
+    // η² of the radicand of refraction, next to the critical angle (`interface`), in addition to the 4 per hit of a curved body.
     let condition = 64.0 * ior * ior;
-    let why = "4 a hit of a curved body, 3 hits; n² next to the critical angle";
+    let why = "4 per hit of a curved body, 3 hits; n² next to the critical angle";
     Case::new(
         name,
         format!("a ball of GGX .1, ior {ior}, radius {scale:e}"),

@@ -1,4 +1,4 @@
-//! What one rough interface reflects and transmits of light along its normal.
+//! Reflectance and transmittance of one rough interface for light along its normal.
 
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,9 +1,9 @@
-//! What a polygon of uniform radiance sends to a surface element.
+//! Irradiance at a surface element from a polygon of uniform radiance.
 
 use glam::DVec3;
 
 /// Irradiance at the origin, whose normal is `n`, from a polygon of radiance 1 that lies above its horizon. Its corners
-/// stand in one sense about it; either will do: E = ½ |Σ Θ_i Γ_i·n|, Θ_i the angle that edge i subtends, Γ_i the normal of
+/// are in order, in either sense: E = ½ |Σ Θ_i Γ_i·n|, Θ_i the angle that edge i subtends, Γ_i the normal of
 /// its plane through the origin (Lambert 1760; Baum, Rushmeier & Winget, SIGGRAPH 1989, eq. 2).
 pub fn irradiance(corners: &[DVec3], n: DVec3) -> f64 {
     let edge = |i: usize| {

@@ -1,4 +1,4 @@
-//! What a smooth slab that absorbs gives back of light along its normal.
+//! R + T of a smooth absorbing slab for light along its normal.
 
 /// R + T = F + F(1 − F)²A²/(1 − F²A²) + (1 − F)²A/(1 − F²A²), which is F + (1 − F)²A/(1 − FA): the sum over all
 /// paths that are reflected k times within, of which those of even k leave on the far side.

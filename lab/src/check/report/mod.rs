@@ -1,4 +1,4 @@
-//! What `vkpt check` found: a record, and the record as a table and as a page.
+//! The results of `vkpt check`: a record, and the record as a table and as a page.
 
 pub mod page;
 mod record;

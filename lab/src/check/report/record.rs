@@ -1,8 +1,8 @@
-//! The battery as a record; its JSON is `--json`'s file, field by field. What is infinite is `null` there.
+//! The battery as a record; its JSON is `--json`'s file, field by field. Infinite values are `null` there.
 
 use serde::Serialize;
 
-/// What ran, where, what came out.
+/// The cases, the device, and the results.
 #[derive(Clone, Debug, Serialize)]
 pub struct Check {
     pub version: &'static str,
@@ -11,11 +11,11 @@ pub struct Check {
     /// A CPU driver: it must equal cpu-f32 in every bit.
     pub correctly_rounded: bool,
     pub quick: bool,
-    /// Level of each statistical statement, so that all of them together have that of `alpha`.
+    /// Level of each statistical statement, so that all of them together have the level `alpha`.
     pub level: f64,
     pub alpha: f64,
     pub seconds: f64,
-    /// By ctrl-c, or by a case that could not be run.
+    /// By ctrl-c, or by a case that could not run.
     pub interrupted: bool,
     pub passed: bool,
     pub cases: Vec<CaseRecord>,
@@ -25,32 +25,32 @@ pub struct Check {
 #[derive(Clone, Debug, Serialize)]
 pub struct CaseRecord {
     pub name: String,
-    /// What is stiff about it.
+    /// A description: what is stiff about it.
     pub about: String,
     pub samples: u64,
     /// Samples whose path the device and cpu-f64 decided differently.
     pub parted: u64,
-    /// Quantiles of the relative difference to cpu-f64 of the others; none where no path brings light.
+    /// Quantiles of the relative difference to cpu-f64 of the others; none if no path carries light.
     pub median: Option<f64>,
     pub p99: Option<f64>,
     pub worst: Option<f64>,
     /// Pixel and sample of the worst.
     pub worst_at: Option<[u32; 3]>,
-    /// The first pixel and sample that parted.
+    /// The first pixel and sample that diverged.
     pub parted_at: Option<[u32; 3]>,
     pub nan: u64,
     pub infinite: u64,
-    /// The most that one path brings.
+    /// The largest contribution of one path.
     pub largest: f64,
     pub mean: f64,
     pub standard_error: f64,
-    /// By a closed form, where there is one.
+    /// By a closed form, if one is known.
     pub expected: Option<f64>,
     pub seconds: f64,
-    /// What is warned of at load.
+    /// Warnings about the scene.
     pub warnings: Vec<String>,
     pub held: Vec<Held>,
-    /// The largest of what it is held against.
+    /// The largest margin of its bounds.
     pub margin: f64,
     pub passed: bool,
 }
@@ -61,13 +61,13 @@ impl CaseRecord {
         self.name.split('/').next().unwrap_or_default()
     }
 
-    /// Samples that are no number, or an infinite one.
+    /// Samples that are NaN or infinite.
     pub fn broken(&self) -> u64 {
         self.nan + self.infinite
     }
 }
 
-/// Something measured, held against its bound.
+/// A measured value and its bound.
 #[derive(Clone, Debug, Serialize)]
 pub struct Held {
     pub what: &'static str,
@@ -75,13 +75,13 @@ pub struct Held {
     pub bound: f64,
     /// measured/bound: above 1 it fails.
     pub margin: f64,
-    /// What it is and where the bound comes from.
+    /// The meaning of the value, and the reason for the bound.
     pub why: String,
 }
 
 impl Held {
     pub fn new(what: &'static str, measured: f64, bound: f64, why: impl Into<String>) -> Self {
-        // A NaN is below no bound.
+        // A NaN exceeds every bound.
         let margin = match measured {
             0.0 => 0.0,
             m if m.is_nan() => f64::INFINITY,

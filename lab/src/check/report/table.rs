@@ -1,4 +1,4 @@
-//! The table of `vkpt check`, and what its failures mean.
+//! The table of `vkpt check`, and explanations of failures.
 
 use super::record::{CaseRecord, Check, Held};
 use super::words::{margin, plain, relative, share, short, worst};
@@ -6,7 +6,7 @@ use vkpt::report::human::{duration, plural, thousands};
 
 /// Heads of the columns after the name, and their widths: 100 columns in all, and the mark.
 const COLUMNS: [(&str, usize); 9] = [
-    ("parted", 8),
+    ("diverged", 8),
     ("99 %", 8),
     ("worst", 8),
     ("broken", 7),
@@ -19,7 +19,7 @@ const COLUMNS: [(&str, usize); 9] = [
 const NAME: usize = 30;
 const MARK: usize = 6;
 
-/// A line a case, below the name of its group; then how many failed.
+/// A line for each case, below the name of its group; then the number of failures.
 pub fn table(check: &Check) -> String {
     let heads = COLUMNS.map(|(head, _)| head.to_owned());
     let mut text = line("", &heads, "");
@@ -80,7 +80,7 @@ fn sum(check: &Check) -> String {
     )
 }
 
-/// What each case that fails fails by, with what that means.
+/// The bounds that each failing case exceeds, with explanations.
 pub fn failures(check: &Check) -> Vec<String> {
     let failed = check.cases.iter().filter(|c| !c.passed);
     failed

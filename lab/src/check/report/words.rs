@@ -1,4 +1,4 @@
-//! Figures in the words that the table and the page have in common.
+//! Figures as text, for both the table and the page.
 
 use super::record::{CaseRecord, Held};
 
@@ -11,12 +11,12 @@ pub fn margin(x: f64) -> String {
     }
 }
 
-/// A relative difference: `0`, `3.1e-7`; `–` where no path brings light.
+/// A relative difference: `0`, `3.1e-7`; `–` if no path carries light.
 pub fn relative(x: Option<f64>) -> String {
     x.map_or("–".to_owned(), small)
 }
 
-/// `0`, `0.024 %`: two digits, for one path among millions is to be seen.
+/// `0`, `0.024 %`: two digits, because one path among millions must be visible.
 pub fn share(part: u64, of: u64) -> String {
     let percent = 100.0 * part as f64 / of.max(1) as f64;
     match percent {
@@ -37,7 +37,7 @@ fn small(x: f64) -> String {
     }
 }
 
-/// `7`, `0.8340`, `2.2500`, `3.142e9`: all digits of what may be a count, four or five of what is none.
+/// `7`, `0.8340`, `2.2500`, `3.142e9`: all digits of possible counts, four or five of other numbers.
 pub fn plain(x: f64) -> String {
     match x.fract() == 0.0 && x.abs() < 1e9 {
         true => format!("{x:.0}"),
@@ -60,12 +60,12 @@ fn digits(x: f64, of_powers: usize) -> String {
     }
 }
 
-/// The largest relative difference; 0 where there are paths and none differs.
+/// The largest relative difference; 0 if there are paths and none differs.
 pub fn worst(case: &CaseRecord) -> Option<f64> {
     case.worst.or(case.p99.map(|_| 0.0))
 }
 
-/// What a case comes nearest to its bound by, or exceeds it most; `None` where nothing was measured but zeros.
+/// The value with the largest margin; `None` if all measured values are zero.
 pub fn decisive(case: &CaseRecord) -> Option<&Held> {
     let larger = |a: &&Held, b: &&Held| a.margin.total_cmp(&b.margin);
     case.held.iter().max_by(larger).filter(|h| h.margin > 0.0)

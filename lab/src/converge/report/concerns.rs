@@ -1,8 +1,8 @@
-//! What must not be overlooked, even by those who look at nothing but warnings.
+//! Findings that must not be overlooked, printed as warnings.
 
 use super::Convergence;
 
-/// A sentence for each variant that goes elsewhere than the reference.
+/// A sentence for each variant that does not converge to the reference.
 pub fn concerns(experiment: &Convergence) -> Vec<String> {
     let off = experiment.variants.iter().filter(|v| v.is_off());
     let told = off.filter_map(|variant| {
@@ -12,7 +12,7 @@ pub fn concerns(experiment: &Convergence) -> Vec<String> {
         };
         let floor = variant.floor?;
         Some(format!(
-            "{name}the pictures do not converge to the reference {}: relMSE {:.1e} ± {:.1e} stays",
+            "{name}the pictures do not converge to the reference ({}): relMSE {:.1e} ± {:.1e} remains",
             variant.reference.name, floor.rel_mse, floor.standard_error
         ))
     });

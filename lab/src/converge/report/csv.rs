@@ -1,9 +1,9 @@
-//! A line a variant and step (RFC 4180).
+//! A line for each variant and step (RFC 4180).
 
 use super::{Convergence, ErrorRecord, StepRecord, VariantRecord};
 use vkpt::metrics::convergence::{Interval, Metric};
 
-/// The whole experiment; what is not known is empty.
+/// The whole experiment; unknown values are empty.
 pub fn csv(experiment: &Convergence) -> String {
     let mut text = head();
     for variant in &experiment.variants {

@@ -1,4 +1,4 @@
-//! What `vkpt converge` found: a record, and the record as a table, as CSV, as a plot and as a page.
+//! The results of `vkpt converge`: a record, and the record as a table, as CSV, as a plot and as a page.
 
 mod concerns;
 mod csv;

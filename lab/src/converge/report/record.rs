@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::variant::VariantRecord;
 use vkpt::metrics::convergence::Figures;
 
-/// What was asked, where it ran, what came out.
+/// The request, the device, and the results.
 #[derive(Clone, Debug, Serialize)]
 pub struct Convergence {
     pub version: &'static str,
@@ -14,16 +14,16 @@ pub struct Convergence {
     /// Width and height of the full picture.
     pub size: [u32; 2],
     pub crop: Option<[u32; 4]>,
-    /// Of the first replicate; the others have those that follow.
+    /// Of the first replicate; the others use the next numbers.
     pub seed: u32,
     pub replicates: usize,
-    /// The most seconds of sampling, of all replicates and variants together, as asked for.
+    /// The maximum seconds of sampling, of all replicates and variants together, as requested.
     pub seconds: f64,
-    /// Seconds of sampling that were spent: less, where another step would not have fitted.
+    /// Seconds of sampling spent: less, if another step would not have fitted.
     pub spent_s: f64,
     pub device: String,
     pub driver: String,
-    /// How often an interval holds the truth.
+    /// How often an interval contains the truth.
     pub level: f64,
     /// Settings of the model differ: the variants converge to different pictures.
     pub models_differ: bool,
@@ -31,15 +31,15 @@ pub struct Convergence {
     pub own_references: bool,
     /// By ctrl-c.
     pub interrupted: bool,
-    /// The first is what the others are compared with.
+    /// The others are compared with the first.
     pub variants: Vec<VariantRecord>,
 }
 
-/// What pictures were judged by.
+/// A reference.
 #[derive(Clone, Debug, Serialize)]
 pub struct ReferenceRecord {
-    /// A file, or what vkpt made itself.
+    /// A file, or the two halves that vkpt rendered.
     pub name: String,
-    /// How far it is from the truth itself, where that is known.
+    /// Its own error, if known.
     pub own: Figures<Option<f64>>,
 }

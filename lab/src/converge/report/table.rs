@@ -1,4 +1,4 @@
-//! The experiment for people: a table a variant, then which variant wins.
+//! The experiment for people: a table for each variant, then a comparison of variants.
 
 use super::words::{NONE, between, marked, number, own, reached, with_half_width};
 use super::{Convergence, StepRecord, VariantRecord};
@@ -26,10 +26,10 @@ fn head(e: &Convergence) -> String {
     });
     let last = u64::from(e.seed) + e.replicates as u64 - 1;
     format!(
-        "{}: {width}×{height}{crop}, {}, seeds {} to {last}, {} of at most {} of sampling spent\n\
+        "{}: {width}×{height}{crop}, {}, seeds {} to {last}, {} of at most {} of sampling used\n\
          on {}, {}\n\
-         mean of the replicates (95 % interval, Student's t); trimmed: without each one's worst 1 % of pixels;\n\
-         median: of the replicates; slope: of relMSE over samples, −1 for independent ones\n",
+         mean of the replicates (95 % interval, Student's t); trimmed: without the worst 1 % of each one's pixels;\n\
+         median: of the replicates; slope: of relMSE over samples, −1 for independent samples\n",
         e.scene,
         plural(e.replicates as u64, "replicate"),
         e.seed,
@@ -47,10 +47,10 @@ fn of_variant(variant: &VariantRecord) -> String {
     }
     text += &lined_up(&rows(variant));
     if variant.steps.iter().any(has_marks) {
-        text += "  * no larger than what the reference itself is off by: it says nothing\n";
+        text += "  * not above the reference's own error: inconclusive\n";
     }
     text += &format!(
-        "  reference {}, {}\n  {} before the first sample, in no time above\n",
+        "  reference: {}; {}\n  {} of set-up before the first sample, not included above\n",
         variant.reference.name,
         own(&variant.reference.own),
         duration(variant.set_up_s)
@@ -102,7 +102,7 @@ fn row(step: &StepRecord) -> Row {
     ]
 }
 
-/// Columns to the right, as wide as their widest cell, two blanks before each.
+/// Right-aligned columns, as wide as their widest cell, two blanks before each.
 fn lined_up(rows: &[Row]) -> String {
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
     let widths: [usize; COLUMNS.len()] = std::array::from_fn(|c| width(c).unwrap_or(0));
@@ -122,7 +122,7 @@ fn has_marks(step: &StepRecord) -> bool {
         .any(|&(metric, _)| step.errors.of(metric).below_reference)
 }
 
-/// Whether the pictures go where the reference is.
+/// Whether the pictures converge to the reference.
 fn verdict(variant: &VariantRecord) -> String {
     let Some(floor) = variant.floor else {
         return String::new();
@@ -130,28 +130,28 @@ fn verdict(variant: &VariantRecord) -> String {
     let (rel_mse, error) = (number(floor.rel_mse), number(floor.standard_error));
     match variant.is_off() {
         false => format!(
-            "  nothing speaks against convergence to the reference (floor of relMSE {rel_mse} ± {error})\n"
+            "  no evidence against convergence to the reference (relMSE floor {rel_mse} ± {error})\n"
         ),
         true => format!(
-            "  does NOT converge to the reference: relMSE {rel_mse} ± {error} stays, however many samples are taken.\n  \
-             Pictures or reference are biased, or the reference has as much noise that it does not tell of\n"
+            "  does NOT converge to the reference: relMSE {rel_mse} ± {error} remains at any number of samples.\n  \
+             Pictures or reference are biased, or the reference contains that much unreported noise\n"
         ),
     }
 }
 
-/// Every variant's efficiency by the first's.
+/// Every variant's efficiency relative to the first.
 fn winner(e: &Convergence) -> String {
     let name = |v: &VariantRecord| v.name.clone();
     let width = e.variants.iter().map(|v| v.name.chars().count()).max();
     let width = width.unwrap_or(0);
     let first = e.variants.first().map(name).unwrap_or_default();
-    let mut text = format!("efficiency, 1/(relMSE·s), by that of {first} (95 % interval)\n");
+    let mut text = format!("efficiency, 1/(relMSE·s), relative to {first} (95 % interval)\n");
     for variant in &e.variants[1..] {
         let ratio = variant.against_first.map_or(NONE.to_owned(), |r| {
             let verdict = match () {
                 () if r.low > 1.0 => "better",
                 () if r.high < 1.0 => "worse",
-                () => "no difference is shown",
+                () => "no significant difference",
             };
             format!("×{} ({})  {verdict}", number(r.value), between(&r))
         });
@@ -160,17 +160,15 @@ fn winner(e: &Convergence) -> String {
     text + different_limits(e)
 }
 
-/// What to know where settings of the model vary.
+/// A remark for varying model settings.
 pub fn different_limits(e: &Convergence) -> &'static str {
     match (e.models_differ, e.own_references) {
         (false, _) => "",
         (true, true) => {
-            "settings of the model vary: the pictures converge to different things, each judged by a reference of\n\
-             its own\n"
+            "model settings vary: the pictures converge to different limits, each compared with its own reference\n"
         }
         (true, false) => {
-            "settings of the model vary: the pictures converge to different things, and the reference can be no more\n\
-             than one of them\n"
+            "model settings vary: the pictures converge to different limits, and the reference matches at most one\n"
         }
     }
 }

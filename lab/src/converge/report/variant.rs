@@ -1,4 +1,4 @@
-//! One variant: its curve with all that follows from it.
+//! One variant: its curve, and figures derived from it.
 
 use serde::Serialize;
 
@@ -10,46 +10,46 @@ use vkpt::metrics::convergence::{
 use vkpt::report::SettingsRecord;
 use vkpt::settings::Settings;
 
-/// The relMSE whose times are told.
+/// The relMSE targets whose times are reported.
 const TARGETS: [f64; 2] = [1e-2, 1e-3];
 
-/// What is known of a variant beside its curve.
+/// The data of a variant in addition to its curve.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject<'a> {
-    /// `connect=light normals=visible`; empty where nothing varies.
+    /// `connect=light normals=visible`; empty if nothing varies.
     pub name: &'a str,
     pub settings: &'a Settings,
     pub reference: &'a Reference,
-    /// What the reference is called.
+    /// The name of the reference.
     pub reference_name: &'a str,
 }
 
-/// A rendering's way to its limit.
+/// The convergence of a rendering.
 #[derive(Clone, Debug, Serialize)]
 pub struct VariantRecord {
     pub name: String,
     pub settings: SettingsRecord,
     pub reference: ReferenceRecord,
-    /// Seconds from the prepared scene to the first sample, compiling among them; in no step's seconds.
+    /// Seconds from the prepared scene to the first sample, including compiling; not included in any step's seconds.
     pub set_up_s: f64,
     pub steps: Vec<StepRecord>,
     /// Seconds on the wall clock until the mean relMSE is down to each target.
     pub reach: Vec<ReachRecord>,
-    /// The relMSE that no samples remove; `None` of fewer than three replicates.
+    /// The relMSE that no samples remove; `None` for fewer than three replicates.
     pub floor: Option<Floor>,
-    /// Whether nothing speaks against convergence to the reference; `None` of fewer than three replicates.
+    /// False if the pictures do not converge to the reference; `None` for fewer than three replicates.
     pub converges: Option<bool>,
-    /// Its efficiency by that of the first variant, at the last step; `None` of the first itself.
+    /// Its efficiency relative to the first variant, at the last step; `None` for the first itself.
     pub against_first: Option<Interval>,
 }
 
-/// All replicates with as many samples each.
+/// All replicates with the same number of samples.
 #[derive(Clone, Debug, Serialize)]
 pub struct StepRecord {
     pub spp: u32,
     /// Seconds of sampling of one replicate on the wall clock.
     pub wall_s: Interval,
-    /// The same with all that comes before the first sample.
+    /// The same including set-up.
     pub wall_with_set_up_s: f64,
     /// By the device's timestamps.
     pub gpu_s: Option<Interval>,
@@ -65,9 +65,9 @@ pub struct StepRecord {
 pub struct ErrorRecord {
     #[serde(flatten)]
     pub summary: Summary,
-    /// The mean is no larger than what the reference itself is off by: it says nothing.
+    /// The mean is not above the reference's own error: inconclusive.
     pub below_reference: bool,
-    /// One a replicate.
+    /// One for each replicate.
     pub replicates: Vec<f64>,
 }
 
@@ -80,7 +80,7 @@ pub struct ReachRecord {
 }
 
 impl VariantRecord {
-    /// All that follows from a curve; `first` is that of the variant to compare with.
+    /// The figures of a curve; `first` is that of the variant to compare with.
     pub fn new(subject: &Subject, curve: &Curve, first: Option<&Curve>) -> Self {
         let floor = floor(&curve.pictures, subject.reference);
         let own = own(subject.reference, floor);
@@ -107,14 +107,14 @@ impl VariantRecord {
         }
     }
 
-    /// Whether the pictures converge to something that is not the reference.
+    /// Whether the pictures converge to something other than the reference.
     pub fn is_off(&self) -> bool {
         self.converges == Some(false)
     }
 }
 
 impl StepRecord {
-    /// `None` of fewer than two replicates.
+    /// `None` for fewer than two replicates.
     fn new(
         step: &Step,
         before: Option<&Step>,
@@ -148,8 +148,8 @@ impl ErrorRecord {
     }
 }
 
-/// What the reference says it is off by. Of a picture that says nothing, the floor is all that is known: no error
-/// below it can be told from the reference's.
+/// The reference's own error, if known. Otherwise the floor is its only estimate: errors below it cannot be distinguished
+/// from the reference's.
 fn own(reference: &Reference, floor: Option<Floor>) -> Figures<Option<f64>> {
     let mut own = *reference.own();
     let there = floor.filter(Floor::is_there).map(|f| f.rel_mse);
@@ -164,7 +164,7 @@ fn reached(steps: &[StepRecord], rel_mse: f64) -> ReachRecord {
     ReachRecord { rel_mse, reach }
 }
 
-/// How many times `curve` is as efficient as `first`, by the last step that both have.
+/// The efficiency of `curve` relative to `first`, at the last step that both have.
 fn against(first: &Curve, curve: &Curve) -> Option<Interval> {
     let (a, b) = first.steps.iter().zip(&curve.steps).next_back()?;
     let of = |step: &Step| step.means(Metric::RelMse);

@@ -1,13 +1,13 @@
-//! Figures in the words that the table and the page have in common.
+//! Figures as text, for both the table and the page.
 
 use super::{ErrorRecord, ReachRecord};
 use vkpt::metrics::convergence::{Figures, Interval, Metric, Reach};
 use vkpt::report::human::duration;
 
-/// What there is not.
+/// A missing value.
 pub const NONE: &str = "–";
 
-/// A figure that says nothing is not told as if it were true.
+/// A figure, marked if it is inconclusive.
 pub fn marked(error: &ErrorRecord) -> String {
     let mark = if error.below_reference { "*" } else { "" };
     format!("{mark}{}", number(error.summary.mean.value))
@@ -33,15 +33,15 @@ pub fn with_half_width(i: &Interval) -> String {
     format!("{:.2} ± {:.2}", i.value, 0.5 * (i.high - i.low))
 }
 
-/// How far a reference is from the truth itself, as far as that is known.
+/// The reference's own error, if known.
 pub fn own(own: &Figures<Option<f64>>) -> String {
     let known = Metric::ALL
         .iter()
         .filter_map(|&(metric, name)| own.of(metric).map(|x| format!("{name} {}", number(x))));
     let known: Vec<String> = known.collect();
     match known.is_empty() {
-        true => "whose own error is not known".to_owned(),
-        false => format!("itself off by {}", known.join(", ")),
+        true => "own error unknown".to_owned(),
+        false => format!("own error {}", known.join(", ")),
     }
 }
 

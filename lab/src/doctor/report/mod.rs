@@ -1,4 +1,4 @@
-//! What a device is like, as a record, and the record as a page to read.
+//! The properties of a device, as a record, and the record as a page to read.
 
 mod page;
 mod tables;
@@ -9,7 +9,7 @@ use serde::Serialize;
 pub use page::page;
 pub use verdict::{Verdict, verdict};
 
-/// All that was found.
+/// All findings.
 #[derive(Clone, Debug, Serialize)]
 pub struct Examination {
     pub verdict: Verdict,
@@ -17,28 +17,28 @@ pub struct Examination {
     pub watchdog: Vec<String>,
     pub self_tests: Vec<SelfTest>,
     pub operations: Vec<Operation>,
-    /// What the driver makes of arithmetic that may be rewritten; vkpt's never may.
+    /// How the driver compiles arithmetic that it may rewrite; vkpt's own it may not.
     pub habits: Vec<Habit>,
     pub own_functions: Vec<OwnFunction>,
     pub driver_functions: Vec<DriverFunction>,
     pub costs: Vec<Cost>,
 }
 
-/// How something that was tried came out.
+/// The outcome of a test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Outcome {
-    /// As the reference does it, to the bit.
+    /// Equal to the reference, to the bit.
     Passes,
-    /// Not as the reference does it, but as Vulkan allows.
+    /// Different from the reference, as Vulkan allows.
     Differs,
     /// Wrong, and pictures depend on it.
     Fails,
-    /// Wrong, and no kernel of vkpt's does it.
+    /// Wrong, and no kernel of vkpt uses it.
     Avoided,
 }
 
-/// What a device tells of itself.
+/// The device's own description.
 #[derive(Clone, Debug, Serialize)]
 pub struct DeviceFacts {
     pub name: String,
@@ -59,12 +59,12 @@ pub struct DeviceFacts {
     pub storage_buffers: u32,
     pub uniform_buffers: u32,
     pub heaps: Vec<Heap>,
-    /// Nanoseconds a tick.
+    /// Nanoseconds per tick.
     pub timestamp_period: f32,
     pub float64: bool,
     pub int64: bool,
     pub float_controls: Option<FloatControls>,
-    /// Steps after which the driver ends all loops of a subgroup, in silence.
+    /// Steps after which the driver silently ends all loops of a subgroup.
     pub loop_limit: Option<u32>,
 }
 
@@ -74,7 +74,7 @@ pub struct Heap {
     pub device_local: bool,
 }
 
-/// What shaders may demand of 32-bit floats.
+/// The behaviour of 32-bit floats that shaders may request.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct FloatControls {
     pub denormals_kept: bool,
@@ -84,7 +84,7 @@ pub struct FloatControls {
     pub rounding_to_zero: bool,
 }
 
-/// A small kernel whose results are known.
+/// A small kernel with known results.
 #[derive(Clone, Debug, Serialize)]
 pub struct SelfTest {
     pub name: &'static str,
@@ -92,11 +92,11 @@ pub struct SelfTest {
     /// Invocations, and those of them whose result was wrong.
     pub invocations: u32,
     pub wrong: u32,
-    /// What it stands for.
+    /// What it represents.
     pub stands_for: &'static str,
 }
 
-/// An operation held against the host's, bit by bit; a NaN equals any other.
+/// An operation compared with the host's, bit by bit; a NaN equals any other.
 #[derive(Clone, Debug, Serialize)]
 pub struct Operation {
     pub name: &'static str,
@@ -106,14 +106,14 @@ pub struct Operation {
     pub unequal: usize,
     pub unequal_denormal: usize,
     pub unequal_special: usize,
-    /// Largest error over normal numbers, in units of the last place, and what Vulkan allows; integers have none.
+    /// Largest error over normal numbers, in units of the last place, and the error that Vulkan allows; integers have neither.
     pub worst_ulps: Option<f64>,
     pub allowed_ulps: Option<f64>,
     /// The first that differs.
     pub example: Option<String>,
 }
 
-/// Something that a driver may choose, and its choice.
+/// Something that is the driver's choice, and the choice.
 #[derive(Clone, Debug, Serialize)]
 pub struct Habit {
     pub name: &'static str,
@@ -127,24 +127,24 @@ pub struct OwnFunction {
     pub outcome: Outcome,
     pub range: &'static str,
     pub compared: u64,
-    /// Results whose bits are not those of the reference in f32.
+    /// Results whose bits differ from the reference in f32.
     pub unequal: u64,
-    /// Largest error against f64 where argument and result are normal numbers, where, and the bound.
+    /// Largest error compared with f64 where argument and result are normal numbers, its place, and the bound.
     pub worst_ulps: f64,
     pub worst_at: f32,
     pub bound_ulps: f64,
 }
 
-/// A function of GLSL's own, as the driver does it.
+/// A GLSL function, as implemented by the driver.
 #[derive(Clone, Debug, Serialize)]
 pub struct DriverFunction {
     pub name: &'static str,
     pub range: &'static str,
-    /// Largest errors against f64, and where: units of the last place, absolute, relative.
+    /// Largest errors compared with f64, and their places: units of the last place, absolute, relative.
     pub ulps: Worst,
     pub absolute: Worst,
     pub relative: Worst,
-    /// What Vulkan allows, in words, and whether the driver keeps to it; `None`: it allows anything.
+    /// The error that Vulkan allows, in words, and whether the driver complies; `None`: anything is allowed.
     pub allowed: &'static str,
     pub within: Option<bool>,
 }
@@ -155,13 +155,13 @@ pub struct Worst {
     pub at: f32,
 }
 
-/// What a call takes, over the whole device.
+/// The time of a call, over the whole device.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Cost {
     pub name: &'static str,
-    /// What the driver's way is called.
+    /// The name of the driver's equivalent.
     pub drivers_name: &'static str,
-    /// Nanoseconds a call, the quickest of several rounds.
+    /// Nanoseconds per call, the quickest of several rounds.
     pub own: f64,
     pub drivers: f64,
 }

@@ -6,34 +6,34 @@ use super::tables::{
 use super::{Examination, Verdict};
 use crate::table::hanging;
 
-/// All of it, at most 100 characters a line; the verdict first.
+/// The whole page, at most 100 characters per line; the verdict first.
 pub fn page(e: &Examination) -> String {
     let sections = [
         head(e),
         section("Device", &device(&e.device)),
         section("Watchdogs and loops", &paragraphs(&e.watchdog)),
         section(
-            "Self-tests: small kernels whose results are known",
+            "Self-tests: small kernels with known results",
             &self_tests(&e.self_tests),
         ),
         section(
-            "Arithmetic against the host's, bit by bit; what differs, by what was in it or came out",
+            "Arithmetic compared with the host, bit by bit; different results by kind of operand and result",
             &operations(&e.operations),
         ),
         section(
-            "What the driver makes of arithmetic that vkpt never leaves to it",
+            "The driver's choices in unmarked arithmetic, on which vkpt never relies",
             &habits(&e.habits),
         ),
         section(
-            "vkpt's own functions: bits against the reference, errors against f64",
+            "vkpt's own functions: bits compared with the reference, errors with f64",
             &own_functions(&e.own_functions),
         ),
         section(
-            "GLSL's functions as this driver has them, against f64; vkpt calls none of them",
+            "The driver's GLSL functions, compared with f64; vkpt calls none of them",
             &driver_functions(&e.driver_functions),
         ),
         section(
-            "Nanoseconds a call on the whole device: vkpt's own, and the driver's way to the same",
+            "Nanoseconds per call on the whole device: vkpt's own functions, and the driver's equivalents",
             &costs(&e.costs),
         ),
     ];
@@ -48,9 +48,9 @@ fn head(e: &Examination) -> String {
         differences,
     } = &e.verdict;
     let verdict = match (healthy, equal_bits) {
-        (true, true) => "healthy: equal bits with the reference are to be expected",
+        (true, true) => "healthy: expect the same bits as the reference",
         (true, false) => {
-            "healthy, with bits of its own: pictures differ from the reference's by rounding, as f32's do from f64's"
+            "healthy, but rounds differently: pictures differ from the reference's by rounding, as f32 does from f64"
         }
         (false, _) => "NOT HEALTHY: do not trust pictures of this device with this driver",
     };

@@ -7,11 +7,7 @@ use vkpt::report::human::{bytes, thousands};
 pub fn device(d: &DeviceFacts) -> String {
     let [major, minor, patch] = d.vulkan;
     let heap = |h: &super::Heap| {
-        let whose = if h.device_local {
-            "the device's"
-        } else {
-            "the host's"
-        };
+        let whose = if h.device_local { "device" } else { "host" };
         format!("{} ({whose})", bytes(h.bytes))
     };
     let heaps: Vec<String> = d.heaps.iter().map(heap).collect();
@@ -33,7 +29,7 @@ pub fn device(d: &DeviceFacts) -> String {
         (
             "storage buffers",
             format!(
-                "{} in a kernel, {} each",
+                "{} per kernel, {} each",
                 thousands(d.storage_buffers.into()),
                 bytes(d.storage_buffer)
             ),
@@ -41,7 +37,7 @@ pub fn device(d: &DeviceFacts) -> String {
         (
             "uniform buffers",
             format!(
-                "{} in a kernel, {} each",
+                "{} per kernel, {} each",
                 thousands(d.uniform_buffers.into()),
                 bytes(d.uniform_buffer)
             ),
@@ -56,12 +52,12 @@ pub fn device(d: &DeviceFacts) -> String {
                 bytes(d.allocation)
             ),
         ),
-        ("clock", format!("{} ns a tick", d.timestamp_period)),
+        ("clock", format!("{} ns per tick", d.timestamp_period)),
         (
             "double, int64_t",
             format!("{}, {}", yes(d.float64), yes(d.int64)),
         ),
-        ("floats on demand", float_controls(d)),
+        ("float controls", float_controls(d)),
     ];
     rows.iter()
         .map(|(name, value)| hanging(&format!("  {name:<16}  "), value))
@@ -78,7 +74,7 @@ fn yes(is: bool) -> &'static str {
 
 fn float_controls(d: &DeviceFacts) -> String {
     let Some(c) = d.float_controls else {
-        return "Vulkan 1.1 does not tell".to_owned();
+        return "not reported by Vulkan 1.1".to_owned();
     };
     let all = [
         (c.denormals_kept, "denormals kept"),
@@ -180,7 +176,7 @@ pub fn own_functions(functions: &[OwnFunction]) -> String {
         "",
         "range",
         "results",
-        "other bits",
+        "different bits",
         "worst ulp",
         "at",
         "bound",
@@ -212,7 +208,7 @@ pub fn driver_functions(functions: &[DriverFunction]) -> String {
         "absolute",
         "relative",
         "Vulkan allows",
-        "keeps it",
+        "complies",
     ]
     .map(str::to_owned);
     let row = |f: &DriverFunction| {
@@ -234,7 +230,7 @@ pub fn driver_functions(functions: &[DriverFunction]) -> String {
     columns(&rows, [false, false, true, true, true, false, false])
 }
 
-/// Nothing where results reach beyond 1 by far: there it tells their size alone.
+/// Empty where results far exceed 1: there it would only reflect their size.
 fn absolute(f: &DriverFunction) -> String {
     match f.absolute.error {
         error if error < 1.0 => format!("{error:.1e}"),
@@ -252,7 +248,7 @@ fn units(error: f64) -> String {
 }
 
 pub fn costs(costs: &[Cost]) -> String {
-    // No more than what the loop around it takes.
+    // – for no more than the loop around it takes.
     let nanoseconds = |n: f64| {
         if n > 0.0 {
             format!("{n:.3}")

@@ -1,24 +1,24 @@
-//! What all findings come to.
+//! The verdict over all findings.
 
 use serde::Serialize;
 
 use super::{Operation, Outcome, OwnFunction, SelfTest};
 use vkpt::report::human::thousands;
 
-/// What may be expected of pictures.
+/// What to expect of pictures.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Verdict {
-    /// Nothing failed that pictures depend on.
+    /// No test that pictures depend on failed.
     pub healthy: bool,
     /// Pictures equal those of the reference in f32, bit for bit.
     pub equal_bits: bool,
-    /// What failed, and what it means.
+    /// The failures and their consequences.
     pub failures: Vec<String>,
-    /// What is done otherwise than in the reference, as Vulkan allows.
+    /// Differences from the reference that Vulkan allows.
     pub differences: Vec<String>,
 }
 
-/// A pure function of the three kinds of findings that decide.
+/// A pure function of the three decisive kinds of findings.
 pub fn verdict(tests: &[SelfTest], operations: &[Operation], own: &[OwnFunction]) -> Verdict {
     let (mut failures, mut differences) = (Vec::new(), kinds(operations));
     let normal = |o: &&Operation| o.outcome == Outcome::Fails || o.unequal > 0;
@@ -41,16 +41,16 @@ pub fn verdict(tests: &[SelfTest], operations: &[Operation], own: &[OwnFunction]
     }
 }
 
-/// What several operations have in common: a device that flushes denormals does so in all of them.
+/// Differences common to several operations: a device that flushes denormals does so in all of them.
 fn kinds(operations: &[Operation]) -> Vec<String> {
     let named = |what: &str, count: fn(&Operation) -> usize| {
         let differ = operations.iter().filter(|o| count(o) > 0);
         let names: Vec<&str> = differ.map(|o| o.name).collect();
         (!names.is_empty())
-            .then(|| format!("{what} otherwise, as Vulkan allows: {}", names.join(", ")))
+            .then(|| format!("{what} differently, as Vulkan allows: {}", names.join(", ")))
     };
-    let denormal = named("denormals come out", |o| o.unequal_denormal);
-    let special = named("NaN, ∞ or −0 come out", |o| o.unequal_special);
+    let denormal = named("handles denormals", |o| o.unequal_denormal);
+    let special = named("handles NaN, ∞ or −0", |o| o.unequal_special);
     denormal.into_iter().chain(special).collect()
 }
 
@@ -66,34 +66,36 @@ fn test(t: &SelfTest) -> String {
 fn operation(o: &Operation) -> String {
     let (unequal, compared) = (thousands(o.unequal as u64), thousands(o.compared as u64));
     let end = match (o.outcome, o.worst_ulps) {
-        (Outcome::Fails, _) => "Vulkan does not allow it, and every picture is off".to_owned(),
+        (Outcome::Fails, _) => {
+            "Vulkan does not allow this, and every picture is affected".to_owned()
+        }
         (_, Some(worst)) => format!("up to {worst:.2} ulp, which Vulkan allows"),
         _ => "which Vulkan allows".to_owned(),
     };
     format!(
-        "{}: {unequal} of {compared} results of normal numbers are not the host's; {end}",
+        "{}: {unequal} of {compared} results of normal numbers differ from the host; {end}",
         o.name
     )
 }
 
 fn function(f: &OwnFunction) -> String {
     let bits = format!(
-        "{}: {} of {} results are not the reference's",
+        "{}: {} of {} results differ from the reference",
         f.name,
         thousands(f.unequal),
         thousands(f.compared)
     );
     match f.outcome {
         Outcome::Fails if f.worst_ulps > f.bound_ulps => format!(
-            "{bits}, and {:.3e} ulp from the truth at {:e}; every picture with it is off",
+            "{bits}, by up to {:.3e} ulp from the true value at {:e}; pictures that use it are wrong",
             f.worst_ulps, f.worst_at
         ),
         Outcome::Fails => {
             format!(
-                "{bits} though all arithmetic is: the driver computes it otherwise than it is written"
+                "{bits} although all arithmetic agrees: the driver does not compute it as written"
             )
         }
-        _ => format!("{bits}, within {} ulp of the truth", f.bound_ulps),
+        _ => format!("{bits}, within {} ulp of the true value", f.bound_ulps),
     }
 }
 

@@ -1,10 +1,10 @@
-//! What a rendering would bring to a device and why, as a record, and the record as a page to read.
+//! The kernel and buffers of a rendering and the reasons for them, as a record, and the record as a page to read.
 
 mod page;
 
 pub use page::page;
 
-/// A kernel explained, with all that goes with it.
+/// The explanation of a kernel and its buffers.
 #[derive(Clone, Debug)]
 pub struct Explanation {
     /// The scene file's path as it was given.
@@ -13,39 +13,39 @@ pub struct Explanation {
     pub size: [u32; 2],
     /// Left, top, right, bottom in pixels of the full picture, right and bottom excluded.
     pub crop: Option<[u32; 4]>,
-    /// Whose limits count.
+    /// The device whose limits apply.
     pub device: String,
-    /// What a kernel may hold, in the order of a path: each is in this one, or left out.
+    /// The parts that a kernel may have, in the order of a path: each is in this one, or not.
     pub parts: Vec<Part>,
-    /// This kernel, and the one that holds all there is.
+    /// This kernel, and the full one.
     pub kernels: [KernelSize; 2],
-    /// What the driver counts of its code for this kernel; `None` where that was not asked.
+    /// The driver's statistics for this kernel; `None` if not requested.
     pub counts: Option<Vec<Count>>,
     /// In the order of their bindings.
     pub buffers: Vec<Buffer>,
-    /// Primitives of all shapes: a triangle, or a shape that is no mesh.
+    /// Primitives of all shapes: a triangle, or a shape that is not a mesh.
     pub primitives: usize,
-    /// Over those that are searched by it.
+    /// The hierarchy over the primitives that it contains.
     pub hierarchy: Option<Hierarchy>,
     pub memory: Memory,
 }
 
-/// Something that some kernels hold and others do not.
+/// A part that some kernels have and others do not.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// What it is one of several of: `shape`, `material` …
+    /// The kind of part: `shape`, `material` …
     pub group: &'static str,
     pub name: String,
     pub present: bool,
-    /// The scene's lines that bring it in, from 1, rising; none where a flag or a default does.
+    /// The scene's lines that need it, from 1, ascending; none if a flag or default selects it.
     pub lines: Vec<usize>,
-    /// What it is there for, or why it is not needed; empty where the lines say it all.
+    /// Its purpose, or why it is not needed; empty if the lines suffice.
     pub why: String,
     /// The first of the lines.
     pub quote: String,
 }
 
-/// How much text and code a kernel is.
+/// The size of a kernel's text and code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct KernelSize {
     /// Files of GLSL, and texts made for the scene.
@@ -56,10 +56,10 @@ pub struct KernelSize {
     pub instructions: usize,
 }
 
-/// One number of a driver's code, by the driver's own name.
+/// One statistic of the driver, with the driver's own name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Count {
-    /// Which paths the kernel follows, where there are two.
+    /// The paths that the kernel follows, if there are two kernels.
     pub kernel: &'static str,
     /// Drivers may compile a kernel several times.
     pub executable: String,
@@ -95,20 +95,20 @@ pub struct Hierarchy {
     pub primitive_tests: f64,
 }
 
-/// What is going to be allocated, in bytes.
+/// Expected allocations, in bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Memory {
     /// All buffers.
     pub device: u64,
-    /// The largest tile, and how many there are.
+    /// The largest tile, and the number of tiles.
     pub tile_pixels: u32,
     pub tiles: usize,
     /// The scene on the host, in f64.
     pub scene: u64,
-    /// The most that its triangles take at once, from reading to rendering.
+    /// The peak memory of its triangles, from reading to rendering.
     pub peak: u64,
     /// The films of all tiles on the host.
     pub films: u64,
-    /// The picture, and what is made beside it.
+    /// The picture, and other outputs.
     pub pictures: u64,
 }

@@ -4,22 +4,22 @@ use super::{Buffer, Count, Explanation, KernelSize, Memory, Part};
 use crate::table::{columns, hanging, once};
 use vkpt::report::human::{bytes, plural, thousands};
 
-/// All of it, at most 100 characters a line.
+/// The whole page, at most 100 characters per line.
 pub fn page(e: &Explanation) -> String {
     let (present, absent): (Vec<&Part>, Vec<&Part>) = e.parts.iter().partition(|p| p.present);
     let counts = e
         .counts
         .as_ref()
-        .map(|c| section(&format!("What {} counts of its code", e.device), &counts(c)));
+        .map(|c| section(&format!("Driver statistics of {}", e.device), &counts(c)));
     let sections = [
         head(e),
         section(
-            "In the kernel, brought in by these lines of the scene (the first is quoted), or by flags",
+            "In the kernel, needed by these lines of the scene (the first is quoted) or selected by flags",
             &parts(&present),
         ),
-        section("Left out, and why it is not needed", &parts(&absent)),
+        section("Not in the kernel, and why", &parts(&absent)),
         section(
-            "The kernel beside the full one, which holds every part",
+            "Size, compared with the full kernel, which has every part",
             &sizes(&e.kernels),
         ),
         section("Search for the nearest hit", &search(e)),
@@ -45,7 +45,7 @@ fn section(title: &str, text: &str) -> String {
     format!("{title}\n{text}")
 }
 
-/// What flags and defaults bring in has its reason where others have their lines.
+/// Parts selected by flags and defaults show the reason in place of lines.
 fn parts(parts: &[&Part]) -> String {
     let groups: Vec<&str> = parts.iter().map(|p| p.group).collect();
     let width = |cell: &dyn Fn(&Part) -> usize| parts.iter().map(|p| cell(p)).max().unwrap_or(0);
@@ -104,7 +104,7 @@ fn sizes([this, full]: &[KernelSize; 2]) -> String {
 
 fn counts(counts: &[Count]) -> String {
     if counts.is_empty() {
-        return "  nothing: the driver lacks VK_KHR_pipeline_executable_properties\n".to_owned();
+        return "  none: the driver lacks VK_KHR_pipeline_executable_properties\n".to_owned();
     }
     let row = |i: usize| {
         let Count {
@@ -129,11 +129,11 @@ fn counts(counts: &[Count]) -> String {
 fn search(e: &Explanation) -> String {
     let Some(h) = &e.hierarchy else {
         let all = count(e.primitives, "primitive");
-        return format!("  no hierarchy: a ray is held against all of {all}\n");
+        return format!("  no hierarchy: a ray is tested against all of {all}\n");
     };
     let text = [
         format!(
-            "compressed wide BVH (CWBVH, built by obvhs): eight children a node, {} bytes a node",
+            "compressed wide BVH (CWBVH, built by obvhs): eight children and {} bytes per node",
             h.node_bytes
         ),
         format!(
@@ -147,14 +147,14 @@ fn search(e: &Explanation) -> String {
             h.node_visits
         ),
         format!(
-            "and is held against {:.1} primitives, on average over all such lines",
+            "and is tested against {:.1} primitives, on average over all such lines",
             h.primitive_tests
         ),
     ];
     let mut text = text.map(|line| format!("  {line}\n")).concat();
     if e.primitives > h.primitives {
         let others = count(e.primitives - h.primitives, "primitive");
-        text += &format!("  beside it, {others} tried one by one\n");
+        text += &format!("  not in it, tested one by one: {others}\n");
     }
     text
 }
@@ -167,7 +167,7 @@ fn buffers(buffers: &[Buffer]) -> String {
     let kind = |b: &Buffer| match (b.uniform, b.written) {
         (true, _) => "uniform",
         (false, false) => "storage, read",
-        (false, true) => "storage, written too, for one tile",
+        (false, true) => "storage, read and written, for one tile",
     };
     let mut rows = vec![["name", "elements", "of", "bytes", "use"].map(str::to_owned)];
     rows.extend(buffers.iter().map(|b| {
@@ -187,7 +187,7 @@ fn memory(m: &Memory) -> String {
     let pixels = thousands(m.tile_pixels.into());
     let tiles = match m.tiles {
         1 => format!("one tile of {pixels} pixels"),
-        n => format!("{n} tiles of up to {pixels} pixels take turns"),
+        n => format!("{n} tiles of up to {pixels} pixels, one after the other"),
     };
     let host = m.scene + m.films + m.pictures;
     let mut rows = vec![
@@ -208,7 +208,7 @@ fn memory(m: &Memory) -> String {
         ],
     ];
     if m.peak > host {
-        let when = "about, while the scene is prepared".to_owned();
+        let when = "approximately, while the scene is prepared".to_owned();
         rows.push(["at most".to_owned(), bytes(m.peak), when]);
     }
     columns(&rows, [false, true, false])

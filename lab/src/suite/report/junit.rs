@@ -1,4 +1,4 @@
-//! The same as JUnit's XML, which CI services show (<https://github.com/testmoapp/junitxml>).
+//! The same as JUnit XML, which CI services show (<https://github.com/testmoapp/junitxml>).
 
 use std::io;
 
@@ -7,10 +7,10 @@ use quick_xml::events::{BytesText, Event};
 
 use super::{Case, Suite, Verdict};
 
-/// One `testsuite` called `name`, with a `testcase` a scene.
+/// One `testsuite` called `name`, with a `testcase` for each scene.
 ///
 /// # Errors
-/// None but those of `io`, of text in memory.
+/// Only those of `io`, for text in memory.
 pub fn junit(suite: &Suite, name: &str) -> io::Result<String> {
     let mut writer = Writer::new_with_indent(Vec::new(), b' ', 2);
     let seconds: f64 = suite.cases.iter().map(|case| case.seconds).sum();

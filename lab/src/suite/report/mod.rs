@@ -1,4 +1,4 @@
-//! What `vkpt test` found: scenes, each against its kept picture.
+//! The results of `vkpt test`: scenes, each compared with its expected picture.
 
 mod junit;
 mod page;
@@ -10,7 +10,7 @@ pub use text::{line, sum};
 
 use vkpt::film::Film;
 
-/// All scenes of a folder that were tried, in their order.
+/// All scenes of a folder that were rendered, in order.
 #[derive(Clone, Debug, Default)]
 pub struct Suite {
     pub cases: Vec<Case>,
@@ -19,43 +19,43 @@ pub struct Suite {
 /// A scene.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// Its file, seen from the folder, with `/` between names.
+    /// Its file, relative to the folder, with `/` between names.
     pub name: String,
     pub seconds: f64,
     pub verdict: Verdict,
-    /// What was written to show the difference.
+    /// The files written to show the difference.
     pub files: Vec<String>,
-    /// The pictures, where they differ.
+    /// The pictures, if they differ.
     pub shown: Option<Shown>,
 }
 
 /// Pictures that differ.
 #[derive(Clone, Debug)]
 pub struct Shown {
-    /// The one that is kept.
+    /// The expected one.
     pub expected: Film,
     pub actual: Film,
-    /// The relMSE of each pixel as a colour; of pictures of one size.
+    /// The relMSE of each pixel as a colour, if the sizes are equal.
     pub heat: Option<Film>,
 }
 
-/// What became of it.
+/// The result of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// The kept picture, to the bit.
+    /// The expected picture, to the bit.
     Same,
-    /// Another, within the relMSE that is allowed.
+    /// Another picture, within the allowed relMSE.
     Close { rel_mse: f64 },
-    /// It is kept from now on; there was another before, or none.
+    /// It is now kept as expected; there was another before, or none.
     Kept { instead: bool },
     /// Another picture, and how it differs.
     Differs(String),
-    /// There is no picture to compare, and why.
+    /// No comparison was possible, and why.
     Failed(String),
 }
 
 impl Verdict {
-    /// What is wrong, if anything.
+    /// The error, if any.
     pub fn wrong(&self) -> Option<&str> {
         match self {
             Self::Same | Self::Close { .. } | Self::Kept { .. } => None,
@@ -65,7 +65,7 @@ impl Verdict {
 }
 
 impl Suite {
-    /// How many went wrong.
+    /// The number of failures.
     pub fn wrong(&self) -> usize {
         let wrong = self.cases.iter().filter(|c| c.verdict.wrong().is_some());
         wrong.count()

@@ -1,4 +1,4 @@
-//! A page with all scenes, and the pictures of those that went wrong.
+//! A page with all scenes, and the pictures of those that failed.
 
 use maud::{Markup, html};
 
@@ -9,7 +9,7 @@ use vkpt::image::EncodeError;
 use vkpt::metrics::HEATMAP_RANGE;
 use vkpt::report::human::duration;
 
-/// One file that needs no network: a table, what went wrong first. `folder` is what was tested.
+/// One self-contained file: failures, then a table. `folder` is the tested folder.
 ///
 /// # Errors
 /// A picture that cannot be encoded.
@@ -47,15 +47,15 @@ fn row(case: &Case) -> Markup {
 
 fn word(verdict: &Verdict) -> String {
     match verdict {
-        Verdict::Same => "the same to the bit".to_owned(),
+        Verdict::Same => "same to the bit".to_owned(),
         Verdict::Close { rel_mse } => format!("close, relMSE {rel_mse:.1e}"),
-        Verdict::Kept { .. } => "kept now".to_owned(),
+        Verdict::Kept { .. } => "kept as expected".to_owned(),
         Verdict::Differs(_) => "differs".to_owned(),
         Verdict::Failed(_) => "failed".to_owned(),
     }
 }
 
-/// What went wrong, with the pictures beside each other where there are any.
+/// A failure, with the pictures side by side, if any.
 fn details(case: &Case) -> Result<Markup, EncodeError> {
     Ok(html! {
         h2 id=(case.name) { (case.name) }
@@ -67,12 +67,12 @@ fn details(case: &Case) -> Result<Markup, EncodeError> {
 fn pictures(shown: &Shown) -> Result<Markup, EncodeError> {
     let [low, high] = HEATMAP_RANGE;
     let scale = format!(
-        "relMSE of each pixel, from black ({low:e} and less) to pale yellow ({high} and more)"
+        "relMSE of each pixel, from black ({low:e} or less) to pale yellow ({high} or more)"
     );
     let heat = shown.heat.as_ref().map(|film| (film, scale.as_str()));
     let all = [
-        (&shown.expected, "the picture that is kept"),
-        (&shown.actual, "the picture now"),
+        (&shown.expected, "expected picture"),
+        (&shown.actual, "actual picture"),
     ];
     let figures = all
         .into_iter()

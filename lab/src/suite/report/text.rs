@@ -1,15 +1,15 @@
-//! Lines to read: one a scene, and the sum of all.
+//! Lines to read: one for each scene, and a summary.
 
 use super::{Case, Suite, Verdict};
 use vkpt::report::human::{duration, plural};
 
-/// A line, and others below it where something is wrong.
+/// A line, followed by details of a failure.
 pub fn line(case: &Case) -> String {
     let (word, more) = match &case.verdict {
         Verdict::Same => ("same", String::new()),
         Verdict::Close { rel_mse } => ("close", format!(", relMSE {rel_mse:.1e}")),
-        Verdict::Kept { instead: true } => ("kept", ", in place of another".to_owned()),
-        Verdict::Kept { instead: false } => ("kept", ", for the first time".to_owned()),
+        Verdict::Kept { instead: true } => ("kept", ", replaces another".to_owned()),
+        Verdict::Kept { instead: false } => ("kept", ", new".to_owned()),
         Verdict::Differs(_) => ("DIFFERS", String::new()),
         Verdict::Failed(_) => ("FAILED", String::new()),
     };
@@ -23,13 +23,13 @@ pub fn line(case: &Case) -> String {
     text
 }
 
-/// `12 scenes in 3.4 s: all as kept`
+/// `12 scenes in 3.4 s: all passed`
 pub fn sum(suite: &Suite) -> String {
     let all = suite.cases.len() as u64;
     let seconds = suite.cases.iter().map(|case| case.seconds).sum();
     let what = match suite.wrong() {
-        0 => "nothing is wrong".to_owned(),
-        wrong => format!("{wrong} went wrong"),
+        0 => "all passed".to_owned(),
+        wrong => format!("{wrong} failed"),
     };
     format!(
         "{} in {}: {what}\n",

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Submits the parts that are still to be rendered, and a merge that waits for them. Run it again when parts have failed.
+# Submits the parts that are not yet rendered, and a merge that waits for them. Run it again if parts have failed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 . ./farm.sh
@@ -19,8 +19,8 @@ for ((offset = 0; offset < $(wc -l <parts.txt); offset += most)); do
     fi
 done
 
-# After any end: a merge that waits for success would wait for ever once a part has failed.
+# After any end: a merge that waits for success would wait forever if a part failed.
 after=()
 if [ -n "$jobs" ]; then after=(--dependency="afterany$jobs"); fi
 job=$(sbatch --parsable "${after[@]}" merge.sbatch)
-echo "merge: job ${job%;*}, its messages in $folder/logs/merge-${job%;*}.log"
+echo "merge: job ${job%;*}, log in $folder/logs/merge-${job%;*}.log"

@@ -1,4 +1,4 @@
-//! The row of a case: its figures, and a name that opens what is behind them.
+//! The row of a case: its figures, and a name that opens the details.
 
 use maud::{Markup, html};
 
@@ -15,10 +15,10 @@ pub fn heads() -> Markup {
     html! {
         thead { tr {
             th.words { "case" }
-            th.words.about { "what is stiff about it" }
+            th.words.about { "description" }
             th { "margin" }
             th.words { "by" }
-            th { "parted" } th { "99 %" } th { "worst" }
+            th { "diverged" } th { "99 %" } th { "worst" }
             th { "broken" }
             th { "weight" }
             th { "mean" } th { "expected" }
@@ -27,7 +27,7 @@ pub fn heads() -> Markup {
     }
 }
 
-/// Open from the start where it fails, if that `opens` it.
+/// Initially open if the case fails and `opens` is set.
 pub fn figures(case: &CaseRecord, opens: bool) -> Markup {
     let (_, name) = case.name.split_once('/').unwrap_or(("", &case.name));
     html! {

@@ -2,10 +2,10 @@
 
 use vkpt::metrics::difference_scale;
 
-/// Where one colour of margins ends and the next begins, with the class that `page.css` has the colour of.
+/// Upper ends of the ranges of margins, with the class whose colour `page.css` defines.
 pub const BANDS: [(f64, &str); 4] = [(0.25, "q1"), (0.5, "q2"), (0.75, "q3"), (1.0, "q4")];
 
-/// The class of what is beyond its bound.
+/// The class of margins beyond the bound.
 pub const BEYOND: &str = "beyond";
 
 /// The class of a margin.
@@ -14,7 +14,7 @@ pub fn band(margin: f64) -> &'static str {
     band.map_or(BEYOND, |(_, class)| class)
 }
 
-/// CSS of the bar below a difference: the colours from −1 over 0 to 1.
+/// CSS of the bar below a difference: the colours from −1 through 0 to 1.
 pub fn scale() -> String {
     let colours = difference_scale(33)
         .into_iter()

@@ -1,4 +1,4 @@
-//! What the figures and colours mean, and where they were taken.
+//! The meaning of the figures and colours, and how they were obtained.
 
 use maud::{Markup, html};
 
@@ -15,32 +15,32 @@ pub fn in_short(check: &Check) -> String {
     format!("{cases} in {}, {}", duration(check.seconds), check.driver)
 }
 
-/// The section that says what is what.
+/// The section that explains the figures.
 pub fn legend() -> Markup {
     html! {
         section #legend {
             h2 { "What the figures mean" }
             p {
-                "Each case is a small picture at an edge of what single precision holds, rendered by the device, by cpu-f32 and by \
-                 cpu-f64 over the same paths. Choose a name to see its pictures and its bounds with their reasons."
+                "Each case is a small picture at a limit of single precision, rendered by the device, by cpu-f32 and by cpu-f64 with \
+                 the same random numbers. Select a name to see its pictures and its bounds with their reasons."
             }
             dl {
                 dt { "margin" }
                 dd {
-                    "measured/bound, the largest of the case; " b { "by" } " says which. Above 1 the case fails. "
+                    "measured/bound, the largest of the case; " b { "by" } " names the bound. Above 1 the case fails. "
                     span.key {
                         @for (end, class) in BANDS { span.margin.(class) { "≤ " (end) } }
                         span.margin.(BEYOND) { "> 1" }
                     }
                 }
-                dt { "parted" } dd { "paths that the device decides otherwise than cpu-f64: another shape, light, lobe or end" }
-                dt { "99 %, worst" } dd { "relative difference to cpu-f64 of the paths that stay together: what 99 % stay below, and the largest" }
-                dt { "broken" } dd { "samples with a NaN or an infinity, on the device or in a reference: there may be none" }
-                dt { "weight" } dd { "the most that one path brings" }
-                dt { "mean, expected" } dd { "radiance over all samples, and what a closed form or quadrature has in its place" }
+                dt { "diverged" } dd { "paths on which device and cpu-f64 decide differently: another shape, light, lobe or end" }
+                dt { "99 %, worst" } dd { "relative difference to cpu-f64 of the paths that do not diverge: the 99th percentile, and the largest" }
+                dt { "broken" } dd { "samples with a NaN or an infinity, on the device or in a reference: none are allowed" }
+                dt { "weight" } dd { "the largest contribution of one path" }
+                dt { "mean, expected" } dd { "mean radiance of all samples, and its value by a closed form or quadrature" }
                 dt { "pictures" }
                 dd {
-                    "the mean of each pixel, by device and cpu-f64 brightened alike, by whole stops, so that the mean is between ¼ and ½. "
+                    "the mean of each pixel, by device and cpu-f64, both brightened by the same whole number of stops to a mean between ¼ and ½. "
                     b { "difference" } " is (device − cpu-f64)/(the larger of them) in the channel where that is largest: red where the \
                     device is brighter, blue where it is darker, nearly white where they are equal, black where a sample is NaN or \
                     infinite; logarithmic from 10" sup { "−8" } " to 1."
@@ -73,13 +73,13 @@ pub fn facts(sheet: &Sheet) -> Markup {
 fn rounding(check: &Check) -> &'static str {
     match check.correctly_rounded {
         true => "a CPU driver: it must equal cpu-f32 in every bit",
-        false => "a GPU, which may round otherwise than cpu-f32: bits are not held against it",
+        false => "a GPU, which may round differently from cpu-f32: bits are not compared",
     }
 }
 
 fn chance(check: &Check) -> String {
     format!(
-        "a renderer without fault fails some statement of the whole battery with a probability of {:e}, each with {:.1e}",
+        "a correct renderer fails the whole battery with probability {:e}, and each statistical test with {:.1e}",
         check.alpha, check.level
     )
 }

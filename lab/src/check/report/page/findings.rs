@@ -1,4 +1,4 @@
-//! The verdict, what fails, and how each group came out.
+//! The verdict, the failures, and the results of each group.
 
 use maud::{Markup, html};
 
@@ -7,16 +7,16 @@ use super::super::{CaseRecord, Check, Held};
 use super::colours::band;
 use vkpt::report::human::{duration, plural};
 
-/// What somebody opens the page for, first.
+/// The most important results, first.
 pub fn findings(check: &Check) -> Markup {
     let failed: Vec<&CaseRecord> = check.cases.iter().filter(|c| !c.passed).collect();
     html! {
         section #findings {
             p.verdict.bad[!failed.is_empty()] { (verdict(check.cases.len(), failed.len())) }
-            @if check.interrupted { p.bad { "Interrupted: the other cases did not run." } }
-            @if check.quick { p.muted { "A quick run: without the cases that take seconds." } }
+            @if check.interrupted { p.bad { "Interrupted: the remaining cases did not run." } }
+            @if check.quick { p.muted { "A quick run, without the cases that take seconds." } }
             @if !failed.is_empty() {
-                h2 { "What fails" }
+                h2 { "Failures" }
                 ul.failures { @for case in &failed { (failure(case)) } }
             }
             (groups(check))

@@ -1,11 +1,11 @@
-//! A group of cases: a table with two rows a case, its figures and what opens below them.
+//! A group of cases: a table with two rows for each case: its figures, and the details that open below them.
 
 use maud::{Markup, html};
 
 use super::{Row, case, findings, opened};
 use vkpt::image::EncodeError;
 
-/// The section of a group, not empty.
+/// The section of a non-empty group.
 pub fn group(cases: &[Row], opens: bool) -> Result<Markup, EncodeError> {
     let name = cases[0].0.group();
     let mut rows = Vec::new();

@@ -1,5 +1,5 @@
-//! The battery as an HTML page: what fails, groups of cases in a table each, coloured by how near they are to their
-//! bounds, and behind each row its bounds and its pictures.
+//! The battery as an HTML page: failures, a table for each group of cases, coloured by margin, and behind each row its
+//! bounds and pictures.
 
 mod case;
 mod colours;
@@ -16,7 +16,7 @@ use vkpt::film::Film;
 use vkpt::image::EncodeError;
 use vkpt::report::SettingsRecord;
 
-/// All that the page shows.
+/// The contents of the page.
 #[derive(Clone, Debug)]
 pub struct Sheet<'a> {
     pub record: &'a Check,
@@ -26,17 +26,17 @@ pub struct Sheet<'a> {
     pub shown: &'a [Shown],
 }
 
-/// What a case has beside its figures.
+/// The contents of a case in addition to its figures.
 #[derive(Clone, Debug)]
 pub struct Shown {
     /// The text of its scene file.
     pub scene: String,
-    /// Of a mesh that comes after the scene's text, in its last material.
+    /// The number of triangles of a mesh that follows the scene's text, in its last material.
     pub triangles: Option<usize>,
     pub settings: SettingsRecord,
     pub spp: u32,
     pub seed: u32,
-    /// Left, top, right, bottom of what was rendered, if not all of it.
+    /// Left, top, right, bottom of the rendered part, if not the whole.
     pub crop: Option<[u32; 4]>,
     /// The mean of each pixel by the device, and by cpu-f64 over the same paths.
     pub device: Film,
@@ -45,10 +45,10 @@ pub struct Shown {
     pub difference: Film,
 }
 
-/// The whole file. Equal sheets make equal pages: it holds no date.
+/// The whole file. Equal sheets make equal pages: it contains no date.
 ///
 /// # Errors
-/// Pictures that hold more or fewer pixels than they say.
+/// Pictures with more or fewer pixels than their size.
 pub fn page(sheet: &Sheet) -> Result<String, EncodeError> {
     let check = sheet.record;
     let title = format!("Stiff cases on {}", check.device);
@@ -76,7 +76,7 @@ pub fn page(sheet: &Sheet) -> Result<String, EncodeError> {
     }))
 }
 
-/// A case with what is shown of it.
+/// A case with its details.
 type Row<'a> = (&'a CaseRecord, Option<&'a Shown>);
 
 /// The cases of each group, in the order of the record.
@@ -92,7 +92,7 @@ fn by_group<'a>(sheet: &Sheet<'a>) -> Vec<Vec<Row<'a>>> {
     groups
 }
 
-/// Whether rows that fail stand open: not where they would bury the others.
+/// Whether failing rows are open initially: not if they would bury the others.
 fn opens(check: &Check) -> bool {
     const FEW: usize = 10;
     check.cases.iter().filter(|c| !c.passed).count() <= FEW

@@ -1,4 +1,4 @@
-//! What opens below a case's row: pictures, bounds with their reasons, warnings, scene.
+//! The details below a case's row: pictures, bounds with their reasons, warnings, scene.
 
 use maud::{Markup, html};
 
@@ -13,17 +13,17 @@ use vkpt::report::human::{plural, thousands};
 use vkpt::report::names::Named;
 use vkpt::settings::Integrator;
 
-/// Lines of a scene that are shown; a battery has some of ten thousand lights.
+/// The most lines of a scene to show; some scenes have ten thousand lights.
 const LINES: usize = 40;
 
 pub fn opened(case: &CaseRecord, shown: Option<&Shown>) -> Result<Markup, EncodeError> {
     Ok(html! {
         p.about { (case.about) }
         @if let Some(shown) = shown { (pictures(case, shown)?) }
-        @for warning in &case.warnings { p.note { "Warned of: " (warning) } }
+        @for warning in &case.warnings { p.note { "Warning: " (warning) } }
         (bounds(&case.held))
         @if let Some(shown) = shown { (scene(shown)) }
-        p.note { "To run it alone: " code { "vkpt check --case '" (case.name) "'" } }
+        p.note { "To run only this case: " code { "vkpt check --case '" (case.name) "'" } }
     })
 }
 
@@ -44,8 +44,8 @@ fn pictures(case: &CaseRecord, shown: &Shown) -> Result<Markup, EncodeError> {
     };
     Ok(html! {
         div.pictures.small {
-            (picture(image(device, stops, "the picture by the device")?, "device", &brightened))
-            (picture(image(reference, stops, "the picture by cpu-f64")?, "cpu-f64", &brightened))
+            (picture(image(device, stops, "picture by the device")?, "device", &brightened))
+            (picture(image(reference, stops, "picture by cpu-f64")?, "cpu-f64", &brightened))
             figure {
                 div.picture { (image(difference, 0.0, "where the device is brighter or darker")?) }
                 div.bar {}
@@ -66,7 +66,7 @@ fn picture(image: Markup, name: &str, note: &str) -> Markup {
     }
 }
 
-/// Whole stops that bring the picture's mean to between a quarter and a half; none of a black one.
+/// Whole stops that bring the picture's mean between a quarter and a half; 0 for a black one.
 fn exposure(film: &Film) -> f64 {
     let sum: f64 = film.rgb.iter().flatten().map(|&x| f64::from(x)).sum();
     let mean = sum / (3 * film.rgb.len()).max(1) as f64;
@@ -76,13 +76,13 @@ fn exposure(film: &Film) -> f64 {
     }
 }
 
-/// How many samples, and the paths that stand out.
+/// The number of samples, and notable paths.
 fn places(case: &CaseRecord) -> Markup {
     let at = |[x, y, i]: [u32; 3]| format!("pixel {x},{y}, sample {i}");
     html! {
         dl.places {
             dt { "samples" } dd { (thousands(case.samples)) }
-            dt { "parted" } dd { (thousands(case.parted)) @if let Some(a) = case.parted_at { ", the first " (at(a)) } }
+            dt { "diverged" } dd { (thousands(case.parted)) @if let Some(a) = case.parted_at { ", the first " (at(a)) } }
             @if let Some(a) = case.worst_at { dt { "worst" } dd { (at(a)) } }
             dt { "mean" } dd { (plain(case.mean)) " ± " (relative(Some(case.standard_error))) }
             @if let Some(expected) = case.expected { dt { "expected" } dd { (plain(expected)) } }
@@ -120,7 +120,7 @@ fn scene(shown: &Shown) -> Markup {
             @if lines.len() > LINES { p.note { "the first " (LINES) " of " (thousands(lines.len() as u64)) " lines" } }
             @if let Some(n) = shown.triangles { p.note { "and a mesh of " (plural(n as u64, "triangle")) " in the last material" } }
             @if shown.settings.integrator != Integrator::Path.name() {
-                p.note { "A pixel shows what its samples bring, their splats with it, wherever in the picture these go." }
+                p.note { "A pixel shows the total radiance of its samples, including splats that land on other pixels." }
             }
             p.note {
                 (width) "×" (height) " pixels"

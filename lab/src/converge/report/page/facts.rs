@@ -1,4 +1,4 @@
-//! What it takes to do it again.
+//! The facts needed to repeat the experiment.
 
 use maud::{Markup, html};
 
@@ -32,18 +32,18 @@ pub fn facts(sheet: &Sheet) -> Markup {
                 dt { "scene" } dd { (e.scene) }
                 dt { "size" } dd { (size(e)) }
                 dt { "replicates" } dd { (e.replicates) ", seeds " (e.seed) " to " (last) }
-                dt { "sampling" } dd { (duration(e.spent_s)) " of at most " (duration(e.seconds)) " in all, variants by turns" }
+                dt { "sampling" } dd { (duration(e.spent_s)) " of at most " (duration(e.seconds)) " in all, variants interleaved" }
                 dt { "device" } dd { (e.device) }
                 @if !e.driver.is_empty() { dt { "driver" } dd { (e.driver) } }
                 dt { "version" } dd { (SOFTWARE) }
-                @if sheet.exposure != 0.0 { dt { "exposure" } dd { (sheet.exposure) " stops, of pictures and FLIP" } }
+                @if sheet.exposure != 0.0 { dt { "exposure" } dd { (sheet.exposure) " stops, for pictures and FLIP" } }
                 @for variant in &e.variants {
                     dt { "settings" @if !variant.name.is_empty() { ", " (name(variant)) } }
                     dd { code { (variant.settings) } }
                 }
             }
             details {
-                summary { "The scene’s text" }
+                summary { "Scene file" }
                 pre.wrap { (sheet.scene) }
             }
         }

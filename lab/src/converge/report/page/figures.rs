@@ -8,14 +8,14 @@ use super::name;
 use vkpt::metrics::convergence::Metric;
 use vkpt::report::human::duration;
 
-/// A table a variant, and those of the other metrics folded away.
+/// A table for each variant; those of the other metrics are folded.
 pub fn figures(e: &Convergence) -> Markup {
     html! {
         section #figures {
             h2 { "All figures" }
             p.note {
-                "Mean of the replicates with its 95 % interval (Student’s t). Trimmed: without each one’s worst 1 % of pixels. \
-                 Median: of the replicates. Slope: of relMSE over samples, −1 for independent ones. Efficiency: 1/(relMSE·s)."
+                "Mean of the replicates with its 95 % interval (Student’s t). Trimmed: without the worst 1 % of each replicate’s pixels. \
+                 Median: of the replicates. Slope: of relMSE over samples, −1 for independent samples. Efficiency: 1/(relMSE·s)."
             }
             @for variant in &e.variants {
                 @if e.variants.len() > 1 { h3 { (name(variant)) } }
@@ -35,10 +35,10 @@ fn of_variant(variant: &VariantRecord) -> Markup {
         (table(variant, &[Metric::RelMse], true))
         ul.note {
             @if variant.steps.iter().any(mark) {
-                li { "* no larger than what the reference itself is off by: it says nothing" }
+                li { "* not above the reference’s own error: inconclusive" }
             }
-            li { "reference " (variant.reference.name) ", " (own(&variant.reference.own)) }
-            li { (duration(variant.set_up_s)) " before the first sample, in no time but that “with set-up”" }
+            li { "reference: " (variant.reference.name) "; " (own(&variant.reference.own)) }
+            li { (duration(variant.set_up_s)) " of set-up before the first sample, included only in the times “with set-up”" }
             @for reach in &variant.reach { li { (reached(reach)) } }
         }
         details {
@@ -49,7 +49,7 @@ fn of_variant(variant: &VariantRecord) -> Markup {
     }
 }
 
-/// A row a step. What depends on time stands with relMSE, `timed`.
+/// A row for each step. Figures that depend on time are shown with relMSE, `timed`.
 fn table(variant: &VariantRecord, metrics: &[Metric], timed: bool) -> Markup {
     html! {
         div.scroll {

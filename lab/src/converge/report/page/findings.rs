@@ -1,4 +1,4 @@
-//! What came out, in a row for each variant.
+//! The results, a row for each variant.
 
 use maud::{Markup, html};
 
@@ -9,13 +9,13 @@ use super::name;
 use vkpt::metrics::convergence::Reach;
 use vkpt::report::human::duration;
 
-/// How far each variant came, how fast, and whether it goes where the reference is.
+/// The error and speed of each variant, and whether it converges to the reference.
 pub fn findings(e: &Convergence) -> Markup {
     let several = e.variants.len() > 1;
     html! {
         section #findings {
             @if e.interrupted {
-                p.bad { "Interrupted: the step under way is not told." }
+                p.bad { "Interrupted: the unfinished step is not shown." }
             }
             @if several && !different_limits(e).is_empty() {
                 p.bad { (different_limits(e).trim()) }
@@ -27,8 +27,8 @@ pub fn findings(e: &Convergence) -> Markup {
                             @if several { th {} }
                             th colspan="3" { "at the last step" }
                             th.group colspan="2" { "seconds to relMSE" }
-                            @if several { th.group colspan="2" { "efficiency, by the first" } }
-                            th.group colspan="2" { "what no samples remove" }
+                            @if several { th.group colspan="2" { "relative efficiency" } }
+                            th.group colspan="2" { "remaining error" }
                         }
                         tr {
                             @if several { th.words { "variant" } }
@@ -68,7 +68,7 @@ fn row(variant: &VariantRecord, several: bool) -> Markup {
             td.words.bad[variant.is_off()] {
                 (match floor {
                     None => "unknown: two replicates",
-                    Some(_) if variant.is_off() => "it does NOT",
+                    Some(_) if variant.is_off() => "NO",
                     Some(_) => "nothing against it",
                 })
             }

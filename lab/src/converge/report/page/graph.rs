@@ -1,4 +1,4 @@
-//! The plot in the page: it follows the reader's theme, and each of its points tells its figures.
+//! The plot in the page: it follows the reader's theme, and each point shows its figures.
 
 use maud::{Markup, PreEscaped, html};
 
@@ -8,7 +8,7 @@ use super::super::plot::{Form, Plot, PlotError, Point, UNITS, plot};
 use super::super::words::{between, number, with_half_width};
 use vkpt::report::human::duration;
 
-/// Two layouts, of which a page shows the one that fits: in a wide plot scaled to a phone no label could be read.
+/// Two layouts, of which a page shows the one that fits: labels of a wide plot scaled to a phone would be unreadable.
 const FORMS: [(&str, f64); 2] = [("wide", 960.0), ("narrow", 340.0)];
 
 /// The section with the plot.
@@ -26,16 +26,16 @@ pub fn graph(e: &Convergence) -> Result<Markup, PlotError> {
                 @for plot in drawn { (plot) }
                 div.tip role="status" hidden {}
                 figcaption {
-                    "Mean of the replicates with its 95 % interval (Student’s t), against the seconds of sampling of one \
-                     replicate; compiling is in none of them. Along a dashed line, of slope −½, efficiency is the same: \
-                     independent samples run in parallel to it, a biased estimator flattens."
+                    "Mean of the replicates with its 95 % interval (Student’s t) over the seconds of sampling of one \
+                     replicate, without compiling. Efficiency is constant along each dashed line, of slope −½: curves of \
+                     independent samples run parallel to it, that of a biased estimator flattens."
                 }
             }
         }
     })
 }
 
-/// The SVG with a target over each point, large enough for a finger, that names what is there.
+/// The SVG with a target over each point, large enough for a finger, with a description of the point.
 fn with_targets(e: &Convergence, plot: &Plot) -> Markup {
     let targets = html! {
         g transform=(format!("scale({UNITS})")) {
@@ -50,7 +50,7 @@ fn with_targets(e: &Convergence, plot: &Plot) -> Markup {
             }
         }
     };
-    // No picture any more, whose parts no screen reader would look at.
+    // No longer an image, whose parts screen readers would skip.
     let svg = plot.svg.replacen("role=\"img\"", "role=\"group\"", 1);
     let content = svg.trim_end().strip_suffix("</svg>").unwrap_or_default();
     PreEscaped(content.to_owned() + &targets.into_string() + "</svg>")
@@ -79,12 +79,12 @@ fn told(e: &Convergence, point: &Point) -> String {
     lines.push(format!("√relMSE {}", number(mean.value.max(0.0).sqrt())));
     lines.extend(step.slope.map(|s| format!("slope {}", with_half_width(&s))));
     if error.below_reference {
-        lines.push("no larger than the reference’s own error".to_owned());
+        lines.push("not above the reference’s own error".to_owned());
     }
     lines.join("\n")
 }
 
-/// CSS that gives the plot's colours their counterparts on a dark page: a rule beats an attribute of SVG.
+/// CSS that gives the plot's colours their counterparts on a dark page: a rule overrides an SVG attribute.
 pub fn colours() -> String {
     let rule = |c: Colour| {
         let (light, dark) = (c.hex(), c.dark_hex());

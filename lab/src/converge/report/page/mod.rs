@@ -1,5 +1,5 @@
-//! The experiment as an HTML page: what came out, the plot, the pictures beside the reference, the worst pixels, every
-//! figure, and all that it takes to do it again.
+//! The experiment as an HTML page: the results, the plot, the pictures next to the reference, the worst pixels, every
+//! figure, and the facts needed to repeat it.
 
 mod facts;
 mod figures;
@@ -17,7 +17,7 @@ use vkpt::image::EncodeError;
 use vkpt::metrics::MetricsError;
 use vkpt::metrics::convergence::{Curve, Reference};
 
-/// All that the page shows.
+/// The contents of the page.
 #[derive(Clone, Debug)]
 pub struct Sheet<'a> {
     pub record: &'a Convergence,
@@ -31,16 +31,16 @@ pub struct Sheet<'a> {
     pub shown: Vec<Shown<'a>>,
 }
 
-/// What a variant has beside its figures.
+/// The contents of a variant in addition to its figures.
 #[derive(Clone, Debug)]
 pub struct Shown<'a> {
     pub curve: &'a Curve,
     pub reference: &'a Reference,
-    /// `vkpt SCENE …` with the variant's settings, to be followed by `--trace X,Y,I`.
+    /// `vkpt SCENE …` with the variant's settings; the page appends `--trace X,Y,I`.
     pub command: String,
 }
 
-/// Why there is no page.
+/// Why no page could be made.
 #[derive(Debug, thiserror::Error)]
 pub enum PageError {
     #[error(transparent)]
@@ -51,9 +51,9 @@ pub enum PageError {
     Metrics(#[from] MetricsError),
 }
 
-/// The whole file. Equal sheets make equal pages: it holds no date.
+/// The whole file. Equal sheets make equal pages: it contains no date.
 ///
-/// It takes about 8 bytes for each pixel of each step and variant, less where there is little noise.
+/// It takes about 8 bytes for each pixel of each step and variant, less if there is little noise.
 ///
 /// # Errors
 /// Pictures that have no pixels, or of another size than their reference.
@@ -81,7 +81,7 @@ pub fn page(sheet: &Sheet) -> Result<String, PageError> {
     }))
 }
 
-/// What a variant is called where nothing varies.
+/// The name of a variant if nothing varies.
 fn name(variant: &VariantRecord) -> &str {
     match variant.name.as_str() {
         "" => "all samples",

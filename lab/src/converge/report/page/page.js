@@ -1,4 +1,4 @@
-// The slider, the choice of a variant, what a point of the plot tells, and where a worst pixel is.
+// The slider, the choice of a variant, tooltips of the plot's points, and marks of worst pixels.
 "use strict";
 (() => {
   const root = document.documentElement;
@@ -15,7 +15,7 @@
 
   const chosen = () => radios.find((radio) => radio.checked) ?? radios[0];
 
-  // One step of one variant, beside the reference that judges it.
+  // One step of one variant, next to its reference.
   function show() {
     const { value: variant, dataset: { reference } } = chosen();
     const step = slider.value;
@@ -39,7 +39,7 @@
     });
   }
 
-  // A point of the plot: its figures beside it, and its picture below.
+  // A point of the plot: its figures next to it, and its picture below.
   const graph = document.querySelector(".graph");
   const tip = graph.querySelector(".tip");
   function tell(target) {
@@ -61,7 +61,7 @@
     show();
   }
   for (const target of all(".target")) {
-    // The browser would tell the same once more.
+    // The browser would show the same again.
     target.querySelector("title").remove();
     target.addEventListener("pointerenter", () => tell(target));
     target.addEventListener("focus", () => tell(target));

@@ -1,4 +1,4 @@
-//! The picture at each step beside the reference, and the map of its errors.
+//! The picture at each step next to the reference, and the map of its errors.
 //!
 //! Without scripts all steps are listed; with them, one is shown at a time, by a slider.
 
@@ -12,7 +12,7 @@ use vkpt::film::Film;
 use vkpt::metrics::{HEATMAP_RANGE, Pair, heatmap, heatmap_scale};
 use vkpt::report::human::duration;
 
-/// Pictures up to this width are shown larger than they are on most screens: then a pixel is to be a square.
+/// Pictures up to this width are enlarged on most screens, with square pixels.
 const SMALL: u32 = 400;
 
 /// The section with all pictures.
@@ -44,7 +44,7 @@ pub fn pictures(sheet: &Sheet) -> Result<Markup, PageError> {
     })
 }
 
-/// For each different reference the first variant that it judges.
+/// For each distinct reference, the first variant that it judges.
 fn references(sheet: &Sheet) -> Vec<usize> {
     let film = |i: usize| sheet.shown[i].reference.film();
     let mut firsts: Vec<usize> = Vec::new();
@@ -56,7 +56,7 @@ fn references(sheet: &Sheet) -> Vec<usize> {
     firsts
 }
 
-/// What scripts show: the choice of a variant and the slider. A variant names the one that has its reference.
+/// The controls that scripts show: the choice of a variant and the slider. A variant names the one with its reference.
 fn controls(sheet: &Sheet, groups: &[usize]) -> Markup {
     let film = |i: usize| sheet.shown.get(i).map(|s| s.reference.film());
     let group = |i: usize| groups.iter().find(|&&j| film(j) == film(i)).copied();
@@ -92,7 +92,7 @@ fn reference(sheet: &Sheet, i: usize) -> Result<Markup, PageError> {
     let film = sheet.shown[i].reference.film();
     Ok(html! {
         figure.reference data-reference=(i) {
-            (picture(film, sheet.exposure, &format!("the reference, {name}"))?)
+            (picture(film, sheet.exposure, &format!("reference, {name}"))?)
             figcaption { b { "reference" } br; (name) }
         }
     })
@@ -126,13 +126,13 @@ fn of_step(
             }
             figure.map {
                 (picture(&map, 0.0, &format!("relMSE of each pixel, {alt}"))?)
-                figcaption { b { "relMSE of each pixel" } br; "beside the reference" }
+                figcaption { b { "relMSE of each pixel" } br; "compared with the reference" }
             }
         }
     })
 }
 
-/// A picture, and what marks a pixel of it.
+/// A picture, and the mark of one of its pixels.
 fn picture(film: &Film, exposure: f64, alt: &str) -> Result<Markup, PageError> {
     Ok(html! {
         div.picture {
@@ -149,10 +149,10 @@ fn scale() -> Result<Markup, PageError> {
     let middle = (low * high).sqrt();
     Ok(html! {
         figure.scale {
-            img src=(source) alt="from black over purple and orange to pale yellow";
+            img src=(source) alt="from black through purple and orange to pale yellow";
             div.ends { span { "≤ " (format!("{low:e}")) } span { (format!("{middle:e}")) } span { "≥ " (high) } }
             figcaption {
-                "(x − r)²/(r² + 0.01) of each pixel x, mean over its channels; logarithmic, the same scale in all maps. The \
+                "(x − r)²/(r² + 0.01) of each pixel x, averaged over its channels; logarithmic, with the same scale in all maps. The \
                  pictures are those of the first replicate."
             }
         }

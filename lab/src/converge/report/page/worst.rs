@@ -7,10 +7,10 @@ use super::{PageError, Sheet, Shown, name};
 use crate::page::command_line;
 use vkpt::metrics::{Pair, WorstPixel, worst_pixels};
 
-/// So many are told of each variant.
+/// Pixels to list for each variant.
 const COUNT: usize = 10;
 
-/// A table a variant.
+/// A table for each variant.
 pub fn worst(sheet: &Sheet) -> Result<Markup, PageError> {
     let mut tables = Vec::new();
     for (i, shown) in sheet.shown.iter().enumerate() {
@@ -20,8 +20,8 @@ pub fn worst(sheet: &Sheet) -> Result<Markup, PageError> {
         section #worst {
             h2 { "Worst pixels" }
             p.note {
-                "Those with the largest relMSE in the picture of the last step, counted from the top left of the full picture. \
-                 Choose one to see where it is."
+                "The pixels with the largest relMSE in the picture of the last step, counted from the top left of the full picture. \
+                 Select one to mark it in the pictures."
             }
             @for table in tables { (table) }
         }
@@ -53,7 +53,7 @@ fn of_variant(sheet: &Sheet, i: usize, shown: &Shown) -> Result<Markup, PageErro
             }
             @if let Some(pixel) = worst.first() {
                 @let [x, y] = in_full(pixel, origin);
-                p.note { "The path of its first sample, vertex by vertex:" }
+                p.note { "To print the path of its first sample, vertex by vertex:" }
                 pre.wrap { (command_line(&shown.command)) " " span.word { "--trace" } " " span.word { span.pixel { (x) "," (y) } ",0" } }
             }
         }
@@ -66,7 +66,7 @@ fn in_full(pixel: &WorstPixel, origin: [u32; 2]) -> [u32; 2] {
 
 fn row(pixel: &WorstPixel, size: [u32; 2], origin: [u32; 2]) -> Markup {
     let [x, y] = in_full(pixel, origin);
-    // The middle of the pixel, in hundredths of the picture.
+    // The centre of the pixel, in percent of the picture.
     let [left, top] = [0, 1].map(|i| 100.0 * (f64::from(pixel.at[i]) + 0.5) / f64::from(size[i]));
     html! {
         tr {

@@ -1,4 +1,4 @@
-//! Two logarithmic axes: what they span, where their ticks are, and how these are labelled.
+//! Two logarithmic axes: their spans, ticks and labels.
 
 use std::ops::Range;
 
@@ -14,7 +14,7 @@ const MARGIN: f64 = 1.3;
 /// No axis spans less than this factor.
 const LEAST: f64 = 12.0;
 
-/// Where seconds and errors lie on the sheet.
+/// Maps seconds and errors to the sheet.
 pub struct Axes<'a> {
     chart: ChartContext<'a, SVGBackend<'a>, Cartesian2d<LogCoord<f64>, LogCoord<f64>>>,
     /// Seconds, and errors.
@@ -46,7 +46,7 @@ impl<'a> Axes<'a> {
         })
     }
 
-    /// The place of an error after so many seconds, both above 0.
+    /// The place of an error after some seconds, both above 0.
     pub fn place(&self, seconds: f64, error: f64) -> Place {
         pixels(self.chart.backend_coord(&(seconds, error)))
     }
@@ -61,7 +61,7 @@ impl<'a> Axes<'a> {
     }
 }
 
-/// What an axis spans that is to show all of `values`, which are above 0; 1 to 10 of none.
+/// The span of an axis that shows all of `values`, which are above 0; 1 to 10 if there are none.
 pub fn span(values: impl Iterator<Item = f64>) -> Range<f64> {
     let (low, high) = values.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), v| {
         (low.min(v), high.max(v))
@@ -83,14 +83,14 @@ pub struct Tick {
     pub labelled: bool,
 }
 
-/// 1, 2, … 9 times each power of ten within the span; where there are `few` powers or less, 2 and 5 have labels too.
+/// 1, 2, … 9 times each power of ten within the span; with at most `few` powers, 2 and 5 have labels, too.
 pub fn ticks(span: &Range<f64>, few: i32) -> Vec<Tick> {
     let powers = span.end.log10().floor() as i32 - span.start.log10().ceil() as i32 + 1;
     let few = powers <= few;
     let first = span.start.log10().floor() as i32;
     let last = span.end.log10().floor() as i32;
     let tick = |(power, digit): (i32, u8)| Tick {
-        // Parsed rather than multiplied: 1e-3 is that very number.
+        // Parsed rather than multiplied: 1e-3 is exactly that number.
         value: format!("{digit}e{power}").parse().unwrap_or(f64::NAN),
         decade: digit == 1,
         labelled: digit == 1 || few && (digit == 2 || digit == 5),
@@ -109,7 +109,7 @@ pub fn seconds(value: f64) -> String {
         s if s < 0.999 => (s * 1e3, "ms"),
         s => (s, "s"),
     };
-    // Whole in every unit, but for what is below a microsecond.
+    // Whole in every unit, except below a microsecond.
     if scaled < 0.999 {
         format!("{value:e} s")
     } else {

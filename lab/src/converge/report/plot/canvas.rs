@@ -1,4 +1,4 @@
-//! Lines, markers and words in SVG, through plotters.
+//! Lines, markers and text in SVG, through plotters.
 
 use plotters::coord::Shift;
 use plotters::element::Drawable;
@@ -11,29 +11,29 @@ use super::palette::{Colour, GUIDE, OWN, PAPER};
 /// A place in CSS pixels from the top left.
 pub type Place = [f64; 2];
 
-/// plotters counts in whole units: a tenth of a pixel each, so that rounding moves nothing that can be seen.
+/// plotters counts in whole units: a tenth of a pixel each, so that rounding moves nothing visibly.
 pub const UNITS: f64 = 10.0;
 
-/// plotters divides the size of a font by this before it writes it.
+/// plotters divides the size of a font by this before writing it.
 const FONT: f64 = 1.24;
 
-/// What is drawn on.
+/// The drawing surface.
 pub struct Canvas<'a> {
     area: DrawingArea<SVGBackend<'a>, Shift>,
 }
 
-/// Words: size in pixels, colour, and which of their points is placed.
+/// Text style: size in pixels, colour, and the anchor of placement.
 #[derive(Clone, Copy)]
 pub struct Type {
     pub size: f64,
     pub colour: Colour,
     pub anchor: HPos,
     pub bold: bool,
-    /// Read from below to above.
+    /// Reads from bottom to top.
     pub upright: bool,
 }
 
-/// What marks a measured point.
+/// The marker of a measured point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Marker {
     Circle,
@@ -44,7 +44,7 @@ pub enum Marker {
 }
 
 impl Marker {
-    /// That of the variant `i`. There are fewer than colours and no common divisor: 35 variants differ in one or both.
+    /// The marker of variant `i`. The numbers of markers and colours are coprime: 35 variants differ in one or both.
     pub fn of_variant(i: usize) -> Self {
         [
             Self::Circle,
@@ -55,7 +55,7 @@ impl Marker {
         ][i % 5]
     }
 
-    /// Its corners around 0,0, all of about the same area; a circle has none.
+    /// Its corners around 0,0; all shapes have about the same area, and a circle has no corners.
     fn corners(self) -> &'static [Place] {
         match self {
             Self::Circle => &[],
@@ -68,7 +68,7 @@ impl Marker {
 }
 
 impl<'a> Canvas<'a> {
-    /// An empty sheet of so many pixels; what is drawn goes to `svg`.
+    /// An empty sheet of `size` pixels, drawn to `svg`.
     pub fn new(svg: &'a mut String, size: Place) -> Result<Self, PlotError> {
         let [width, height] = size.map(|side| units(side).max(0) as u32);
         let area = SVGBackend::with_string(svg, (width, height)).into_drawing_area();
@@ -76,7 +76,7 @@ impl<'a> Canvas<'a> {
         Ok(Self { area })
     }
 
-    /// For what plotters itself lays out.
+    /// For elements that plotters lays out itself.
     pub fn area(&self) -> &DrawingArea<SVGBackend<'a>, Shift> {
         &self.area
     }
@@ -86,7 +86,7 @@ impl<'a> Canvas<'a> {
         self.draw(&PathElement::new(points, stroke(colour, width)))
     }
 
-    /// Hollow: the paper shows through, for a point that says nothing.
+    /// Hollow: the paper shows through, for an inconclusive point.
     pub fn marker(
         &self,
         at: Place,
@@ -107,7 +107,7 @@ impl<'a> Canvas<'a> {
         self.draw(&PathElement::new(corners, outline))
     }
 
-    /// Words, centred on `at` in height.
+    /// Text, vertically centred on `at`.
     pub fn text(&self, text: &str, at: Place, form: Type) -> Result<(), PlotError> {
         let mut font = FontDesc::new(
             FontFamily::SansSerif,
@@ -137,8 +137,8 @@ impl<'a> Canvas<'a> {
     }
 }
 
-/// A whole document of what plotters wrote: it is as large as it was meant to be, has a name for those who do not see
-/// it, and lines whose role is to be dashed are.
+/// A whole document from plotters' output: with the intended size, a name for screen readers, and dashed lines where
+/// their role needs it.
 pub fn document(drawn: &str, [width, height]: Place, name: &str) -> String {
     let content = drawn.split_once('>').map_or("", |(_, content)| content);
     let (w, h) = (width * UNITS, height * UNITS);
@@ -166,7 +166,7 @@ fn backend([x, y]: Place) -> (i32, i32) {
     (units(x), units(y))
 }
 
-/// Pixels of what plotters places.
+/// Plotters' units in pixels.
 pub fn pixels((x, y): (i32, i32)) -> Place {
     [x, y].map(|unit| f64::from(unit) / UNITS)
 }

@@ -1,4 +1,4 @@
-//! What was measured, on the scales.
+//! The measurements, drawn on the scales.
 
 use super::canvas::{Marker, Place};
 use super::palette::{Colour, OWN};
@@ -7,7 +7,7 @@ use super::{PlotError, Point, error};
 use crate::converge::report::{Convergence, StepRecord};
 
 impl Sheet<'_> {
-    /// Where the references stop being references.
+    /// Lines at the references' own errors.
     pub fn own_errors(&self, own: &[f64]) -> Result<(), PlotError> {
         let [left, _, right, _] = self.axes.frame;
         for y in own.iter().map(|&own| self.height_of(own)) {
@@ -16,7 +16,7 @@ impl Sheet<'_> {
         Ok(())
     }
 
-    /// All lines before all points, so that no line hides one.
+    /// All lines before all points, so that no line hides a point.
     pub fn curves(&self, e: &Convergence) -> Result<Vec<Point>, PlotError> {
         let mut points = Vec::new();
         for (variant, record) in e.variants.iter().enumerate() {
@@ -43,7 +43,7 @@ impl Sheet<'_> {
         Ok(points)
     }
 
-    /// From one end of the interval to the other, as far as it lies on the plot.
+    /// From one end of the interval to the other, clipped to the plot.
     fn interval(&self, step: &StepRecord, point: &Point) -> Result<(), PlotError> {
         let Some(error) = error(step) else {
             return Ok(());

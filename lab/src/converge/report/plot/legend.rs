@@ -1,4 +1,4 @@
-//! What the lines and markers of the plot are.
+//! The legend of the plot's lines and markers.
 
 use plotters::style::text_anchor::HPos;
 
@@ -22,18 +22,18 @@ struct Entry {
 #[derive(Clone, Copy)]
 enum Look {
     Variant(usize),
-    /// A point that says nothing.
+    /// An inconclusive point.
     Hollow,
     Line(Colour),
 }
 
 /// Between two lines of text.
 const LINE: f64 = 20.0;
-/// What stands before the text.
+/// Width of the sample before the text.
 const SAMPLE: f64 = 34.0;
 
 impl Legend {
-    /// For a plot of `width` pixels, on which the references' own errors lie or not. A single variant needs no name.
+    /// For a plot of `width` pixels, with the references' own errors if `own`. A single variant needs no name.
     pub fn new(e: &Convergence, own: bool, width: f64) -> Self {
         let mut entries: Vec<Entry> = Vec::new();
         let mut add = |look, text: &str| {
@@ -54,7 +54,7 @@ impl Legend {
             add(Look::Line(OWN), "the reference’s own error");
         }
         add(Look::Line(GUIDE), "slope −½: equal efficiency");
-        // No font is at hand to be measured: a letter of the usual ones is about half as wide as high.
+        // No font is available to measure: letters of common fonts are about half as wide as high.
         let longest = entries.iter().map(|entry| entry.text.chars().count()).max();
         let column = SAMPLE + 0.54 * LABEL.size * longest.unwrap_or(0) as f64 + 18.0;
         let columns = ((width - 68.0) / column).floor().max(1.0) as usize;

@@ -1,8 +1,8 @@
 //! Error over seconds on log–log axes, as SVG: a pure function of the record.
 //!
-//! The left axis has √relMSE, the error as a share of the picture, which falls by s^−½ where samples are independent;
-//! the right one the relMSE that the figures have. Along each dashed line of slope −½ the efficiency 1/(relMSE·s) is
-//! the same: a curve that crosses them downwards gets better with time, one that crosses them upwards flattens.
+//! The left axis has √relMSE, the error as a fraction of the picture, which falls by s^−½ for independent samples; the
+//! right axis has relMSE, as in the figures. The efficiency 1/(relMSE·s) is constant along each dashed line of slope
+//! −½: a curve that crosses them downwards becomes more efficient with time, one that crosses them upwards flattens.
 
 mod axes;
 mod canvas;
@@ -26,22 +26,22 @@ use self::scales::Sheet;
 use super::{Convergence, StepRecord, VariantRecord};
 use vkpt::metrics::convergence::Interval;
 
-/// What plotters could not draw.
+/// An error of plotters.
 #[derive(Debug, thiserror::Error)]
 #[error("the plot: {0}")]
 pub struct PlotError(#[from] DrawingAreaErrorKind<std::io::Error>);
 
-/// How a plot is laid out.
+/// The layout of a plot.
 #[derive(Clone, Copy, Debug)]
 pub struct Form {
-    /// Pixels; the height follows.
+    /// Pixels; the height follows from it.
     pub width: f64,
-    /// The scene stands above it.
+    /// Whether the scene's name is above it.
     pub title: bool,
 }
 
 impl Form {
-    /// A file that stands by itself.
+    /// A separate file.
     pub const FILE: Self = Self {
         width: 800.0,
         title: true,
@@ -52,7 +52,7 @@ impl Form {
 #[derive(Clone, Debug)]
 pub struct Plot {
     pub svg: String,
-    /// What lies on it, for whoever points there.
+    /// The points drawn on it, for tooltips.
     pub points: Vec<Point>,
 }
 
@@ -64,7 +64,7 @@ pub struct Point {
     pub at: Place,
 }
 
-/// The experiment as a plot. A step whose mean error is not above 0, as halves may have it by chance, has no place.
+/// The experiment as a plot. A step whose mean error is not above 0, which halves may produce by chance, is omitted.
 ///
 /// # Errors
 /// None are known: plotters writes to memory.
@@ -117,13 +117,13 @@ const TITLE: Type = Type {
     upright: false,
 };
 
-/// √relMSE with its interval, where it has a logarithm; the lower end may be 0.
+/// √relMSE with its interval, if it has a logarithm; the lower end may be 0.
 fn error(step: &StepRecord) -> Option<Interval> {
     let rel_mse = step.errors.rel_mse.summary.mean;
     (rel_mse.value > 0.0).then(|| rel_mse.map(|e| e.max(0.0).sqrt()))
 }
 
-/// The seconds and errors that the axes show. Ends of intervals count as far as they do not press the curves together.
+/// The seconds and errors that the axes show. Ends of intervals count unless they would compress the curves.
 fn spans(e: &Convergence) -> [Range<f64>; 2] {
     let steps = || e.variants.iter().flat_map(|v| &v.steps);
     let shown = steps().filter_map(|s| Some((s.wall_s.value, error(s)?)));
@@ -138,7 +138,7 @@ fn spans(e: &Convergence) -> [Range<f64>; 2] {
     ]
 }
 
-/// What the reference itself is off by, as √relMSE.
+/// The reference's own error, as √relMSE.
 fn own_error(variant: &VariantRecord) -> Option<f64> {
     let own = variant.reference.own.rel_mse?;
     (own > 0.0).then(|| own.sqrt())

@@ -1,7 +1,7 @@
 //! The plot's colours. The SVG names the light ones; a page that follows its reader's dark theme swaps each for its
 //! counterpart by a rule of CSS ([`Colour::all`]).
 
-/// A colour as SVG writes it, and what it is on a dark page.
+/// A colour in the SVG, and its counterpart on a dark page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Colour {
     pub light: [u8; 3],
@@ -17,7 +17,7 @@ const fn colour(light: u32, dark: u32) -> Colour {
     }
 }
 
-/// What everything stands on.
+/// The background.
 pub const PAPER: Colour = colour(0xff_ff_ff, 0x16_18_1b);
 /// Titles and axes.
 pub const INK: Colour = colour(0x1f_23_28, 0xe3_e6_ea);
@@ -30,9 +30,9 @@ pub const GUIDE: Colour = colour(0xa9_b1_b9, 0x5e_67_70);
 /// The reference's own error; dotted.
 pub const OWN: Colour = colour(0x4b_53_5c, 0xbd_c4_cc);
 
-/// The variants', told apart by people who see two colours as well: those of Okabe and Ito (Color Universal Design,
-/// 2008) without yellow, which paper swallows, some of them darker for the same reason. From the eighth on they come
-/// again, with another marker.
+/// The variants' colours, distinguishable by colour-blind people: those of Okabe and Ito (Color Universal Design, 2008)
+/// without yellow, which is hard to see on paper; some are darkened for the same reason. From the eighth variant on
+/// they repeat, with another marker.
 pub const SERIES: [Colour; 7] = [
     colour(0x00_66_a6, 0x5a_b4_ee),
     colour(0xc9_52_00, 0xff_94_4d),
@@ -51,12 +51,12 @@ impl Colour {
             .chain(SERIES)
     }
 
-    /// That of the variant `i`.
+    /// The colour of variant `i`.
     pub fn of_variant(i: usize) -> Self {
         SERIES[i % SERIES.len()]
     }
 
-    /// `#0066A6`: the light one, as the SVG has it.
+    /// `#0066A6`: the light one, as in the SVG.
     pub fn hex(self) -> String {
         hex(self.light)
     }

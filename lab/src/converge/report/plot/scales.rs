@@ -1,4 +1,4 @@
-//! What the curves are read against: axes with their ticks and words, and the lines of slope −½.
+//! The scales of the curves: axes with ticks and titles, and the lines of slope −½.
 
 use plotters::style::text_anchor::HPos;
 
@@ -7,18 +7,18 @@ use super::canvas::{Canvas, Place, Type};
 use super::palette::{GRID, GUIDE, INK, MUTED};
 use super::{LABEL, PlotError};
 
-/// A plot under way.
+/// A plot in progress.
 pub struct Sheet<'a> {
     pub canvas: Canvas<'a>,
     pub axes: Axes<'a>,
 }
 
 impl Sheet<'_> {
-    /// Lines across, ticks, labels and what the axes are.
+    /// Grid lines, ticks, labels and titles of the axes.
     pub fn scales(&self, narrow: bool) -> Result<(), PlotError> {
         let [left, top, right, bottom] = self.axes.frame;
         let [across, up] = &self.axes.spans;
-        // Labels side by side need more room than one above the other.
+        // Labels side by side need more space than those above one another.
         for tick in ticks(across, if narrow { 1 } else { 2 }) {
             let x = self.axes.place(tick.value, up.start)[0];
             self.tick(&tick, [[x, bottom], [x, top]], [x, bottom + 17.0], seconds)?;
@@ -38,7 +38,7 @@ impl Sheet<'_> {
         let middle = [0.5 * (left + right), 0.5 * (top + bottom)];
         let canvas = &self.canvas;
         canvas.text(
-            "seconds of one replicate on the wall clock",
+            "wall-clock seconds per replicate",
             [middle[0], bottom + 39.0],
             title,
         )?;
@@ -50,7 +50,7 @@ impl Sheet<'_> {
         canvas.line(&[[left, top], [left, bottom], [right, bottom]], MUTED, 1.0)
     }
 
-    /// A line across the plot at each power of ten, a short one at the rest.
+    /// A line across the plot at each power of ten, a short one at other ticks.
     fn tick(
         &self,
         tick: &Tick,
@@ -74,7 +74,7 @@ impl Sheet<'_> {
             .text(&words(tick.value), label, Type { anchor, ..LABEL })
     }
 
-    /// The powers of ten of relMSE, the square of what the left axis has.
+    /// The powers of ten of relMSE, the square of the left axis.
     fn right_scale(&self) -> Result<(), PlotError> {
         let [across, up] = &self.axes.spans;
         let right = self.axes.frame[2];
