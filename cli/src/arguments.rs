@@ -22,44 +22,44 @@ use vkpt_lab::suite::command::TestArguments;
 
 const DEVICES_HELP: &str = "\
 Exit codes:
-    0  there is a Vulkan device that can render
-    4  there is none; the reference renderer is always there
+    0  a Vulkan device can render
+    4  no Vulkan device can render; the reference renderer always can
     5  stdout could not be written
 
 Examples:
-  vkpt devices     the first column is what --device takes";
+  vkpt devices     list the devices; --device takes the first column";
 
-/// What most people need to know; the rest is where it points to.
+/// The essentials; `vkpt render --help` has the rest.
 const AFTER_HELP: &str = "\
 Examples:
   vkpt init                             write scene.txt, a first scene
   vkpt scene.txt                        render it to scene.png and scene.exr
-  vkpt scene.txt --time 60 -o a.png     as good as a minute makes it
-  vkpt scene.txt --target-error 1e-3    as long as that takes
+  vkpt scene.txt --time 60 -o a.png     render for one minute
+  vkpt scene.txt --target-error 1e-3    until the relMSE is below 1e-3
 
-`vkpt render --help` has all options and exit codes, `vkpt COMMAND --help` those
-of a command.";
+See `vkpt render --help` for all options and exit codes, and
+`vkpt COMMAND --help` for those of a command.";
 
 const AFTER_RENDER_HELP: &str = "\
 Exit codes:
     0  the pictures are written
-    1  rendering failed, by an error of the device or in a check of the samples; or denoising did:
-       the noisy pictures are written
+    1  rendering failed (device error, or a failed check of the samples), or denoising failed: the
+       noisy pictures are written
     2  the command line is wrong
     3  the scene or one of its meshes is wrong; nothing was written
-    4  there is no such Vulkan device, or none at all
+    4  no Vulkan device, or none that matches --device
     5  a file or stdout could not be written
-    6  there is not enough memory; a driver that aborts ends so too
-    7  the device failed twice; the samples done by then are in the .vkpt file, and in the pictures
-  130  interrupted by ctrl-c or the page of --view; the pictures hold the samples done by then
-  143  the same by SIGTERM, 129 by SIGHUP
+    6  not enough memory, or a driver aborted
+    7  the device failed twice; the pictures and the .vkpt file contain the samples done by then
+  130  interrupted by ctrl-c or on the --view page; the pictures contain the samples done by then
+  143  interrupted by SIGTERM; 129 by SIGHUP
 
 Examples:
-  vkpt scene.txt --spp 256 -o a.png -o a.exr       both of 256 samples per pixel
+  vkpt scene.txt --spp 256 -o a.png -o a.exr       two pictures, 256 samples per pixel
   vkpt scene.txt --crop 100,100,164,164            a detail, the same pixels as in the full picture
-  vkpt scene.txt --spp 4096 --resume               go on where an earlier run was interrupted
+  vkpt scene.txt --spp 4096 --resume               continue an interrupted run
   vkpt scene.txt --device cpu-f64                  the reference renderer; needs no Vulkan
-  vkpt scene.txt --aov albedo,depth,stderr         what else is known of the pixels
+  vkpt scene.txt --aov albedo,depth,stderr         also write layers and standard errors
   vkpt scene.txt --json report.json --quiet        for scripts";
 
 /// The options that `vkpt --help` shows, as briefly as it can.
@@ -67,8 +67,8 @@ const SHOWN: [(&str, &str); 6] = [
     ("scene", "The scene file, text or glTF, or - for stdin"),
     ("output", ".png, .hdr or .exr; may be repeated"),
     ("spp", "Samples per pixel [default: 64]"),
-    ("time", "End after so many seconds"),
-    ("target_error", "End once the relMSE is below this"),
+    ("time", "Stop after this many seconds"),
+    ("target_error", "Stop once the relMSE is below this"),
     ("device", "A Vulkan device, cpu-f32 or cpu-f64"),
 ];
 
@@ -92,32 +92,32 @@ pub struct Arguments {
 enum Command {
     /// Write a first scene, whose comments explain the language
     Init(InitArguments),
-    /// Render a scene to pictures; the word may be left out
+    /// Render a scene to pictures (the default command)
     Render(Box<RenderArguments>),
-    /// List what can render here, and what can't and why
+    /// List the devices, and why some cannot render
     #[command(after_help = DEVICES_HELP)]
     Devices,
-    /// Join parts of a picture, rendered apart by --samples
+    /// Merge parts of a picture rendered with --samples
     Merge(Box<MergeArguments>),
-    /// Measure how fast a scene converges, and by which settings faster
+    /// Measure how fast a scene converges under various settings
     Converge(Box<ConvergeArguments>),
-    /// Compare pictures, or several renderers of a scene path by path
+    /// Compare pictures, or renderers path by path
     Compare(Box<CompareArguments>),
-    /// Render the scenes of a folder and compare with kept pictures
+    /// Render a folder of scenes and compare with expected pictures
     Test(Box<TestArguments>),
-    /// Render stiff and extreme cases and compare with their bounds
+    /// Render stiff and extreme cases and check their error bounds
     Check(Box<CheckArguments>),
-    /// Examine a Vulkan device: can its pictures be trusted?
+    /// Test whether a Vulkan device renders correctly
     Doctor(DoctorArguments),
     /// Print which parts the kernel of a scene has, and why
     Explain(Box<ExplainArguments>),
     /// Write a scene for another renderer
     Export(Box<ExportArguments>),
-    /// Write scripts that render on many machines, for Slurm
+    /// Write Slurm scripts that render on many machines
     Farm(Box<FarmArguments>),
 }
 
-/// What the command line asks for.
+/// The task that the command line requests.
 #[derive(Debug)]
 pub enum Task {
     Render(Box<RenderArguments>),
@@ -132,7 +132,7 @@ pub enum Task {
     Doctor(DoctorArguments),
     Devices,
     Init(InitArguments),
-    /// Help or version, as clap has it.
+    /// Help or version, as clap formats it.
     Help(clap::Error),
 }
 
@@ -190,7 +190,7 @@ fn of<A: Args>() -> clap::Command {
     finished(A::augment_args(none.disable_help_flag(true)))
 }
 
-/// Prints what was asked for in place of a task.
+/// Prints help or version.
 pub fn help(text: &clap::Error) -> Result<Ending, Failure> {
     all_written([print_help(text)])?;
     Ok(Ending::Complete)
@@ -212,7 +212,7 @@ fn shown(arg: Arg) -> Arg {
     }
 }
 
-/// The command, and those in it, with flags that take negative numbers, and lines that can be read.
+/// The command, and those in it, with flags that take negative numbers, and lines of readable length.
 fn finished(command: clap::Command) -> clap::Command {
     command
         .mut_args(negative)

@@ -1,11 +1,11 @@
-//! `vkpt devices`: what can render here, and what can't and why.
+//! `vkpt devices`: lists the devices, and why some cannot render.
 
 use vkpt::gpu::{self, DeviceInfo, GpuError};
 use vkpt_lab::cli::destination::all_written;
 use vkpt_lab::cli::exit::{Ending, Failure};
 use vkpt_lab::cli::streams::put;
 
-/// Prints a table on stdout: what `--device` takes, then what it is. The reference renderer is always there.
+/// Prints a table on stdout: the value for `--device`, then the device. The reference renderer is always available.
 pub fn devices() -> Result<Ending, Failure> {
     let (vulkan, failure) = match gpu::devices() {
         Ok(vulkan) => (vulkan, None),

@@ -1,4 +1,4 @@
-//! What a process may not have: memory, files, threads.
+//! Limits of a process: memory, files, threads.
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -9,15 +9,15 @@ use signal_hook::flag::register_conditional_shutdown;
 
 use vkpt_lab::cli::exit::{Failure, MEMORY};
 
-/// Makes the end of memory an exit code, and that of files an error; fails where no threads can be made.
+/// Maps running out of memory to an exit code, and file limits to an error; fails if no threads can be created.
 pub fn meet_limits() -> Result<(), Failure> {
-    // Where an allocation fails, Rust says its size and aborts; so does a driver that gives up. Where no handler can be had,
-    // the process ends by the signal.
+    // If an allocation fails, Rust prints its size and aborts; a failing driver aborts, too. If no handler can be installed,
+    // the signal ends the process.
     let always = Arc::new(AtomicBool::new(true));
     let _ = register_conditional_shutdown(SIGABRT, MEMORY.into(), always);
     fail_beyond_the_largest_file();
     let threads = ThreadPoolBuilder::new().build_global();
-    threads.map_err(|error| Failure::Memory(format!("threads cannot be made: {error}")))
+    threads.map_err(|error| Failure::Memory(format!("cannot create threads: {error}")))
 }
 
 /// Without a handler, a write beyond `ulimit -f` ends the process.

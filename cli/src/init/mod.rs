@@ -16,22 +16,22 @@ const AFTER_HELP: &str = "\
 Exit codes:
     0  written
     2  the command line is wrong
-    5  the file is there already, or it or stdout could not be written
+    5  the file exists already, or it or stdout could not be written
 
 Examples:
-  vkpt init              writes scene.txt; vkpt scene.txt renders it
-  vkpt init glass.txt    under another name";
+  vkpt init              write scene.txt; vkpt scene.txt renders it
+  vkpt init glass.txt    write it under another name";
 
 /// Where the scene goes.
 #[derive(clap::Args, Debug)]
 #[command(after_help = AFTER_HELP)]
 pub struct InitArguments {
-    /// File to write, which must not be there yet; - for stdout
+    /// File to write, which must not exist; - for stdout
     #[arg(value_name = "FILE", default_value = "scene.txt")]
     pub file: Destination,
 }
 
-/// Writes the scene, in no file's place.
+/// Writes the scene, without replacing a file.
 pub fn init(arguments: &InitArguments) -> Result<Ending, Failure> {
     let to = &arguments.file;
     let _claims = writable::check([to])?;
@@ -39,7 +39,7 @@ pub fn init(arguments: &InitArguments) -> Result<Ending, Failure> {
         .neighbour()
         .filter(|path| path.symlink_metadata().is_ok())
     {
-        let cause = io::Error::other("it is there already; give the scene another name");
+        let cause = io::Error::other("it exists already; give the scene another name");
         let path = path.to_owned();
         return Err(Failure::Files(vec![FileError { path, cause }]));
     }

@@ -1,4 +1,4 @@
-//! Leaving a part on disk while a rendering goes on.
+//! Writing a part to disk while a rendering continues.
 
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -8,24 +8,24 @@ use vkpt::part::AnyPart;
 use vkpt::state::{self, Header};
 use vkpt_lab::cli::exit::{note, warn};
 
-/// Writing takes at most this part of the time: the pause is as much longer as need be.
+/// Writing takes at most one part in this many of the time: the pause is extended as needed.
 const SHARE: u32 = 100;
 
 /// Where checkpoints go, and when.
 pub struct Checkpoint {
     path: PathBuf,
     pause: Duration,
-    /// When the last one was written, or the rendering began.
+    /// When the last one was written, or when the rendering started.
     last: Instant,
     /// How long that took.
     took: Duration,
-    /// Whether there is one by now.
+    /// Whether one has been written.
     pub written: bool,
     failed: bool,
 }
 
 impl Checkpoint {
-    /// Time begins now. `written`: whether there is one that is to be kept true.
+    /// Time starts now. `written`: whether a checkpoint exists that must be kept up to date.
     pub fn new(path: PathBuf, pause: Duration, written: bool) -> Self {
         Self {
             path,
@@ -42,8 +42,8 @@ impl Checkpoint {
         self.last.elapsed() >= self.pause.max(self.took * SHARE)
     }
 
-    /// Writes the one that `make` makes. What cannot be written is said once, and the rendering goes on: the disk may have room
-    /// by the next time.
+    /// Writes the one that `make` makes. A failure gives one warning, and the rendering continues: the disk may have space
+    /// next time.
     pub fn write(&mut self, make: impl FnOnce() -> (Header, AnyPart)) {
         let start = Instant::now();
         let (header, part) = make();
@@ -53,13 +53,13 @@ impl Checkpoint {
         self.written |= written.is_ok();
         match written {
             Ok(()) if self.failed => {
-                note(&format!("{} is written again", self.path.display()));
+                note(&format!("{} can be written again", self.path.display()));
                 self.failed = false;
             }
             Ok(()) => {}
             Err(error) if !self.failed => {
                 warn(&format!(
-                    "cannot write {error}; the rendering goes on, and tries again"
+                    "cannot write {error}; the rendering continues, and tries again later"
                 ));
                 self.failed = true;
             }

@@ -1,4 +1,4 @@
-//! What tells one scene from another, the files that it names included.
+//! A digest of a scene, including the files that it names.
 
 use std::collections::HashMap;
 use std::fs::File;
@@ -8,11 +8,11 @@ use std::path::Path;
 use vkpt::scene::{Geometry, Scene};
 
 /// A digest of the scene's text and of the bytes of all its meshes and of its surroundings, in hexadecimal: BLAKE3 of their
-/// digests, in order. The text of a glTF file's scene tells the bytes of that file; its buffers beside it count as meshes.
+/// digests, in order. The text of a glTF file's scene contains a digest of that file; the buffers next to it count as meshes.
 pub fn digest(text: &str, scene: &Scene) -> io::Result<String> {
     let mut all = blake3::Hasher::new();
     all.update(blake3::hash(text.as_bytes()).as_bytes());
-    // Shapes of one file are many where it is a scene of its own.
+    // A file that is a whole scene has many shapes.
     let mut known = HashMap::new();
     let mut add = |path: &Path| {
         let hash = match known.get(path) {

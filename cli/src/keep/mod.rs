@@ -1,4 +1,4 @@
-//! Parts on disk: the one that a rendering leaves now and then, and the one that it goes on from.
+//! Parts on disk: checkpoints of a rendering, and the part that it resumes from.
 
 mod checkpoint;
 mod digest;

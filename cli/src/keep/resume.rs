@@ -1,4 +1,4 @@
-//! Going on from a part on disk.
+//! Resuming from a part on disk.
 
 use std::ops::Range;
 use std::path::Path;
@@ -9,11 +9,11 @@ use vkpt::render::Target;
 use vkpt::state::{self, Header, Kept, differs};
 use vkpt_lab::cli::exit::{Failure, note};
 
-/// The part to go on from, by `--resume`; `None` where there is none yet.
+/// The part that `--resume` continues; `None` if it does not exist.
 ///
 /// # Errors
-/// Of a part of something else, or of other samples: `samples` are the first index and the one after the last that are asked
-/// for. `keeps`: what it must have beside its sums.
+/// If the part belongs to another rendering or contains other samples than requested: `samples` are the first index and the
+/// one after the last. `keeps`: the data that it must have besides its sums.
 pub fn resumed(
     path: &Path,
     own: &Header,
@@ -23,31 +23,31 @@ pub fn resumed(
 ) -> Result<Option<Kept>, Failure> {
     if !path.exists() {
         note(&format!(
-            "there is no {}: the rendering begins anew",
+            "{} does not exist: rendering from the first sample",
             path.display()
         ));
         return Ok(None);
     }
     let wrong = |why: String| {
         let path = path.display();
-        Failure::Pictures(vec![format!("--resume cannot go on from {path}: {why}")])
+        Failure::Pictures(vec![format!("--resume cannot continue {path}: {why}")])
     };
     let kept = state::read(path).map_err(|error| wrong(error.to_string()))?;
     let range = kept.part.range();
     let why = match (differs(&kept.header, own), &kept.part) {
         (Some(difference), _) => Some(difference),
         (_, AnyPart::F64(_)) if *target != Target::CpuF64 => {
-            Some("it is of cpu-f64: add --device cpu-f64".to_owned())
+            Some("it was rendered by cpu-f64: add --device cpu-f64".to_owned())
         }
         (_, AnyPart::F32(_)) if *target == Target::CpuF64 => {
-            Some("it is not of cpu-f64: leave --device cpu-f64 out".to_owned())
+            Some("it was not rendered by cpu-f64: omit --device cpu-f64".to_owned())
         }
         _ if range.start != samples.start => Some(format!(
-            "it begins at sample {}, not {}",
+            "it starts at sample {}, not {}",
             range.start, samples.start
         )),
         _ if range.end > samples.end => Some(format!(
-            "it has {} samples a pixel already, more than the {} asked for",
+            "it already has {} samples per pixel, more than the {} requested",
             range.len(),
             samples.len()
         )),
@@ -60,18 +60,18 @@ pub fn resumed(
     }
 }
 
-/// What to do where a part has `has` beside its sums, and `wanted` is asked for.
+/// Advice if a part has `has` besides its sums, and `wanted` is requested.
 fn lacks(has: Keeps, wanted: Keeps) -> String {
     match (has, wanted) {
-        (Keeps::Quarters, _) => "it was rendered with --denoise: add that",
-        (_, Keeps::Quarters) => "--denoise needs what its samples have not left: leave that out",
-        (Keeps::Moments, _) => "it was rendered with --aov stderr: add that",
-        _ => "--aov stderr needs what its samples have not left: leave that out",
+        (Keeps::Quarters, _) => "it was rendered with --denoise: add that flag",
+        (_, Keeps::Quarters) => "it lacks the data that --denoise needs: omit that flag",
+        (Keeps::Moments, _) => "it was rendered with --aov stderr: add that flag",
+        _ => "it lacks the data that --aov stderr needs: omit that flag",
     }
     .to_owned()
 }
 
-/// Says that a part of the same rendering is there, which is about to be written over.
+/// Notes that a part of the same rendering exists, which is about to be overwritten.
 pub fn hint(path: &Path, own: &Header, samples: Range<u32>) {
     if let Ok((header, [begin, end], _)) = state::read_header(path)
         && differs(&header, own).is_none()
@@ -80,7 +80,7 @@ pub fn hint(path: &Path, own: &Header, samples: Range<u32>) {
     {
         let count = end - begin;
         note(&format!(
-            "{} has {count} samples a pixel of this rendering: --resume goes on from them",
+            "{} contains {count} samples per pixel of this rendering: continue from them with --resume",
             path.display()
         ));
     }

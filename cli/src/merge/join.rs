@@ -1,4 +1,4 @@
-//! Joining the parts, one file after the other: while one is joined, the next is read, and no more of them are in memory.
+//! Joining the parts, one file after the other: while one is joined, the next is read; no others are in memory.
 
 use std::path::Path;
 use std::sync::mpsc::sync_channel;
@@ -11,22 +11,22 @@ use vkpt::render::{ErrorAt, look};
 use vkpt::state::{self, Header, Kept, StateError};
 use vkpt_lab::cli::exit::Failure;
 
-/// What the parts make.
+/// The joined parts.
 pub struct Joined {
     pub part: AnyPart,
-    /// After as many samples as one rendering looks at its error.
+    /// After the numbers of samples at which one rendering estimates its error.
     pub errors: Vec<ErrorAt>,
 }
 
 /// Reads and joins all parts.
 ///
 /// # Errors
-/// Of a file that is damaged, or was changed since its header was read.
+/// If a file is damaged, or was changed since its header was read.
 pub fn join(parts: &InOrder) -> Result<Joined, Failure> {
     thread::scope(|scope| {
         let (send, read) = sync_channel::<Result<Kept, StateError>>(0);
         scope.spawn(move || {
-            // Nobody takes another once one was wrong.
+            // The receiver stops at the first error.
             let mut all = parts.paths().map(state::read);
             all.all(|kept| send.send(kept).is_ok())
         });
@@ -47,7 +47,7 @@ pub fn join(parts: &InOrder) -> Result<Joined, Failure> {
                 }
             }
         }
-        joined.ok_or_else(|| Failure::Usage("there are no parts".to_owned()))
+        joined.ok_or_else(|| Failure::Usage("no parts given".to_owned()))
     })
 }
 
@@ -56,7 +56,7 @@ fn wrong(path: &Path, why: impl std::fmt::Display) -> Failure {
 }
 
 impl Joined {
-    /// Adds the next part, and looks at the error after powers of two and after `last` samples; `seconds` are those of all
+    /// Adds the next part, and estimates the error after powers of two and after `last` samples; `seconds` are those of all
     /// parts so far.
     fn append(
         &mut self,

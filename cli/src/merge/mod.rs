@@ -1,4 +1,4 @@
-//! `vkpt merge`: joins parts of a picture that were rendered apart.
+//! `vkpt merge`: joins parts of a picture that were rendered separately.
 
 mod arguments;
 mod join;
@@ -20,19 +20,19 @@ use vkpt_lab::cli::exit::{Ending, Failure, warn};
 use vkpt_lab::cli::inputs::{Input, spare};
 use vkpt_lab::cli::writable;
 
-/// Reads the parts, joins them and writes what comes out, as a rendering does.
+/// Reads the parts, joins them and writes the result, as a rendering does.
 pub fn merge(arguments: &MergeArguments) -> Result<Ending, Failure> {
     let parts = in_order(arguments)?;
     let samples = parts.samples();
     let outputs = Outputs::new(&arguments.outputs, samples.len() as u32, || {
         Err(Failure::Usage(
-            "-o FILE is missing: the picture to write, or a .vkpt file for a larger part"
+            "-o FILE is missing: name the picture to write, or a .vkpt file for a larger part"
                 .to_owned(),
         ))
     })?;
     if outputs.has_pictures() && samples.start > 0 {
         return Err(Failure::Pictures(vec![format!(
-            "samples 0..{} are missing: a picture needs all from the first; -o FILE.vkpt makes a larger part",
+            "samples 0..{} are missing: a picture needs all samples from the first; write a larger part with -o FILE.vkpt",
             samples.start
         )]));
     }
@@ -42,26 +42,26 @@ pub fn merge(arguments: &MergeArguments) -> Result<Ending, Failure> {
     check_stderr(arguments, &parts)?;
     if !parts.round_alike() {
         warn(
-            "the parts are of devices that do not round alike: the picture is as good as one rendering's, but not the same to the bit",
+            "the parts were rendered by devices that round differently: the picture is as accurate as one rendering's, but not the same to the bit",
         );
     }
     let joined = join(&parts)?;
     leave(arguments, &outputs, &parts, &joined)
 }
 
-/// Standard errors of independent samples come from moments, which a part has or has not.
+/// Standard errors of independent samples need moments, which not every part has.
 fn check_stderr(arguments: &MergeArguments, parts: &InOrder) -> Result<(), Failure> {
     let asked = arguments.outputs.aov.contains(&Beside::Aov(Aov::Stderr));
     if let Some(layer) = arguments.outputs.aov.iter().find(|aov| aov.is_layer()) {
         return Err(Failure::Usage(format!(
-            "--aov {} is seen in the scene, which parts do not hold: vkpt SCENE writes it",
+            "--aov {} needs the scene, which parts do not contain: render it with vkpt SCENE",
             layer
         )));
     }
     let SettingsRecord { sampler, .. } = &parts.first().record.job.settings;
     match asked && *sampler == Sampler::Random.name() && !parts.keep_moments {
         true => Err(Failure::Usage(
-            "--aov stderr of --sampler random needs parts that were rendered with --aov stderr"
+            "--aov stderr with --sampler random needs parts that were rendered with --aov stderr"
                 .to_owned(),
         )),
         false => Ok(()),

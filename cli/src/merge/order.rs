@@ -1,4 +1,4 @@
-//! The parts in the order of their samples, and what is wrong with them.
+//! The parts in the order of their samples, and their errors.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use vkpt::state::{self, Header, differs};
 use vkpt_lab::cli::command;
 use vkpt_lab::cli::exit::Failure;
 
-/// A file, and what it says of itself.
+/// A file and its header.
 struct Told {
     path: PathBuf,
     header: Header,
@@ -20,17 +20,17 @@ struct Told {
 /// Parts of one picture, each beginning where the one before ends.
 pub struct InOrder {
     parts: Vec<Told>,
-    /// Whether the sums of all have moments beside them.
+    /// Whether all have moments in addition to sums.
     pub keep_moments: bool,
 }
 
 impl InOrder {
-    /// Of the part that comes first.
+    /// The header of the first part.
     pub fn first(&self) -> &Header {
         &self.parts[0].header
     }
 
-    /// Of all of them, in order.
+    /// The headers of all parts, in order.
     pub fn headers(&self) -> impl Iterator<Item = &Header> {
         self.parts.iter().map(|part| &part.header)
     }
@@ -62,8 +62,7 @@ impl InOrder {
 /// Reads the headers of the parts and puts them in order.
 ///
 /// # Errors
-/// All that is wrong: files that are no parts; failing that, parts of something else; failing that, samples that are missing or
-/// there twice.
+/// Files that are not parts; if none, parts of another picture; if none, samples that are missing or duplicated.
 pub fn in_order(arguments: &MergeArguments) -> Result<InOrder, Failure> {
     let (mut parts, mut wrong, mut keep_moments) = (Vec::new(), Vec::new(), true);
     for path in &arguments.parts {
@@ -92,12 +91,12 @@ pub fn in_order(arguments: &MergeArguments) -> Result<InOrder, Failure> {
         Some(spp) if end < spp => {
             let command = command::part(&parts.first().record.job, end..spp);
             let message = format!(
-                "samples {end}..{spp} are missing, at the end: render them by\n  {command}"
+                "samples {end}..{spp} are missing at the end: render them with\n  {command}"
             );
             none_wrong(vec![message])?;
         }
         Some(spp) => none_wrong(vec![format!(
-            "the parts have {end} samples a pixel, more than --spp {spp}"
+            "the parts have {end} samples per pixel, more than --spp {spp}"
         )])?,
         None => {}
     }
@@ -139,12 +138,12 @@ fn misplaced(parts: &[Told]) -> Vec<String> {
         if begin < end {
             let both = begin..end.min(b.samples.end);
             wrong.push(format!(
-                "{left} and {right} both have samples {}..{}: leave one of them out",
+                "{left} and {right} both contain samples {}..{}: omit one of them",
                 both.start, both.end
             ));
         } else if begin > end {
             wrong.push(format!(
-                "samples {end}..{begin} are missing, between {left} and {right}: {}",
+                "samples {end}..{begin} are missing between {left} and {right}: {}",
                 mended(a, end..begin)
             ));
         }
@@ -155,16 +154,16 @@ fn misplaced(parts: &[Told]) -> Vec<String> {
     wrong
 }
 
-/// How to get the samples that should follow a part.
+/// How to render the samples that should follow a part.
 fn mended(part: &Told, missing: Range<u32>) -> String {
     let job = &part.header.record.job;
     let asked = part.samples.start.saturating_add(job.spp_asked);
     match part.samples.end < asked {
         true => format!(
-            "its rendering ended early, --resume goes on\n  {} --resume -o {}",
+            "the first ended early, continue it with\n  {} --resume -o {}",
             command::rendering(job, part.samples.start..asked),
             quoted(&part.path.to_string_lossy())
         ),
-        false => format!("render them by\n  {}", command::part(job, missing)),
+        false => format!("render them with\n  {}", command::part(job, missing)),
     }
 }

@@ -1,4 +1,4 @@
-//! The record of what parts make: that of one rendering, whose seconds are those of all.
+//! The record of merged parts: that of one rendering, with the seconds of all parts.
 
 use super::join::Joined;
 use super::order::InOrder;

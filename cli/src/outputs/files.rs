@@ -1,4 +1,4 @@
-//! Which files a picture leaves: pictures, what goes beside them, parts, and the report.
+//! The files of a rendering: pictures and those next to them, parts, and the report.
 
 use std::path::Path;
 
@@ -17,16 +17,16 @@ use vkpt_lab::cli::exit::Failure;
 pub struct Outputs<'a> {
     pub arguments: &'a OutputArguments,
     pub(super) pictures: Vec<Picture>,
-    /// Standard errors; none if nobody asks.
+    /// Standard errors; none if not requested.
     pub(super) stderr: Vec<Picture>,
-    /// Denoised pictures; none if nobody asks.
+    /// Denoised pictures; none if not requested.
     pub(super) denoised: Vec<Picture>,
-    /// Files that can be gone on from.
+    /// Files that --resume can continue.
     pub parts: Vec<Destination>,
 }
 
 impl<'a> Outputs<'a> {
-    /// What the command line asks for, of so many samples; without `-o`, what `default` makes.
+    /// The outputs that the command line requests, for `spp` samples; without `-o`, those of `default`.
     pub fn new(
         arguments: &'a OutputArguments,
         spp: u32,
@@ -53,10 +53,10 @@ impl<'a> Outputs<'a> {
         })
     }
 
-    /// With a denoised picture beside each.
+    /// With a denoised picture next to each.
     ///
     /// # Errors
-    /// Where there is no place beside any, or it is that of a picture.
+    /// If no file can be written next to any, or it would replace a picture.
     pub fn with_denoised(self) -> Result<Self, Failure> {
         Ok(Self {
             denoised: denoised(&self.pictures)?,
@@ -64,7 +64,7 @@ impl<'a> Outputs<'a> {
         })
     }
 
-    /// Whether there are pictures, not parts alone.
+    /// Whether there are pictures, not only parts.
     pub fn has_pictures(&self) -> bool {
         !self.pictures.is_empty()
     }
@@ -92,13 +92,13 @@ impl<'a> Outputs<'a> {
     }
 }
 
-/// Layers need an EXR to be in.
+/// Layers need an EXR.
 fn check_layers(arguments: &OutputArguments, pictures: &[Picture]) -> Result<(), Failure> {
     let layer = arguments.aov.iter().find(|aov| aov.is_layer());
     let has_exr = pictures.iter().any(|picture| picture.format == Format::Exr);
     match layer.filter(|_| !has_exr) {
         Some(layer) => Err(Failure::Usage(format!(
-            "--aov {} is a layer of an EXR, and none is written: add -o NAME.exr",
+            "--aov {} is a layer of an EXR, but no EXR is written: add -o NAME.exr",
             layer
         ))),
         None => Ok(()),

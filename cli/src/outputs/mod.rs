@@ -1,4 +1,4 @@
-//! The files that a picture leaves, and writing them.
+//! The files of a rendering, and writing them.
 
 mod arguments;
 mod files;

@@ -1,4 +1,4 @@
-//! Which pictures a rendering writes, and the format of each.
+//! The pictures that a rendering writes, and the format of each.
 
 use std::path::PathBuf;
 
@@ -8,7 +8,7 @@ use vkpt::report::names::Named;
 use vkpt_lab::cli::destination::Destination;
 use vkpt_lab::cli::exit::Failure;
 
-/// A picture to be written.
+/// A picture to write.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     pub to: Destination,
@@ -17,7 +17,7 @@ pub struct Picture {
 
 /// The pictures of `-o`.
 ///
-/// `--format` is the format of every picture whose name does not tell it. Where all names do, it must agree with them.
+/// `--format` is the format of every picture whose name does not imply one. If all names do, it must agree with them.
 pub fn pictures(outputs: &[Destination], format: Option<Format>) -> Result<Vec<Picture>, Failure> {
     let told = |to: &Destination| to.path().and_then(Format::of);
     if let Some(format) = format
@@ -26,7 +26,7 @@ pub fn pictures(outputs: &[Destination], format: Option<Format>) -> Result<Vec<P
     {
         let name = format.name();
         return Err(Failure::Usage(format!(
-            "--format {name} contradicts -o {other}: change the ending, or leave --format out"
+            "--format {name} contradicts -o {other}: change the ending, or omit --format"
         )));
     }
     let picture = |to: &Destination| match told(to).or(format) {
@@ -42,20 +42,20 @@ pub fn pictures(outputs: &[Destination], format: Option<Format>) -> Result<Vec<P
 fn formatless(to: &Destination) -> String {
     match to {
         Destination::Stdout => {
-            "-o - needs --format: png, hdr or exr, as stdout has no ending that tells".to_owned()
+            "-o - needs --format png, hdr or exr: stdout has no file name".to_owned()
         }
         Destination::File(path) => format!(
-            "-o {}: the ending must be .png, .hdr, .exr or .vkpt; for another, --format tells the format of a picture",
+            "-o {}: the ending must be .png, .hdr, .exr or .vkpt; for any other, give the picture's format with --format",
             path.display()
         ),
     }
 }
 
-/// `NAME-stderr.exr` beside each picture `NAME.png` or `NAME.exr`, one for all that differ in their ending alone.
+/// `NAME-stderr.exr` next to each picture `NAME.png` or `NAME.exr`, one for all that differ only in their ending.
 pub fn beside(pictures: &[Picture], spp: u32) -> Result<Vec<Picture>, Failure> {
     if spp < 2 {
         return Err(Failure::Usage(
-            "--aov stderr needs --spp 2 or more: one sample tells nothing of its error".to_owned(),
+            "--aov stderr needs --spp 2 or more: a single sample has no standard error".to_owned(),
         ));
     }
     let mut paths: Vec<PathBuf> = Vec::new();
@@ -63,7 +63,7 @@ pub fn beside(pictures: &[Picture], spp: u32) -> Result<Vec<Picture>, Failure> {
         let path = stderr_path(picture);
         if pictures.iter().any(|other| other.to.path() == Some(&path)) {
             return Err(Failure::Usage(format!(
-                "--aov stderr would write over the picture {}: give it another name",
+                "--aov stderr would overwrite the picture {}: give the picture another name",
                 path.display()
             )));
         }
@@ -73,7 +73,7 @@ pub fn beside(pictures: &[Picture], spp: u32) -> Result<Vec<Picture>, Failure> {
     }
     if paths.is_empty() {
         return Err(Failure::Usage(
-            "--aov stderr is written beside a picture, and stdout, a device or a pipe has no place beside it: add -o FILE"
+            "--aov stderr is written next to a picture, which stdout, devices and pipes do not allow: add -o FILE"
                 .to_owned(),
         ));
     }
@@ -84,7 +84,7 @@ pub fn beside(pictures: &[Picture], spp: u32) -> Result<Vec<Picture>, Failure> {
     Ok(paths.into_iter().map(picture).collect())
 }
 
-/// `NAME-denoised.EXT` beside each picture `NAME.EXT` that is a file.
+/// `NAME-denoised.EXT` next to each picture `NAME.EXT` that is a file.
 pub fn denoised(pictures: &[Picture]) -> Result<Vec<Picture>, Failure> {
     let mut all = Vec::new();
     for Picture { to, format } in pictures {
@@ -92,7 +92,7 @@ pub fn denoised(pictures: &[Picture]) -> Result<Vec<Picture>, Failure> {
         let path = denoised_path(path);
         if pictures.iter().any(|other| other.to.path() == Some(&path)) {
             return Err(Failure::Usage(format!(
-                "--denoise would write over the picture {}: give it another name",
+                "--denoise would overwrite the picture {}: give the picture another name",
                 path.display()
             )));
         }
@@ -103,7 +103,7 @@ pub fn denoised(pictures: &[Picture]) -> Result<Vec<Picture>, Failure> {
     }
     match all.is_empty() {
         true => Err(Failure::Usage(
-            "--denoise writes beside a picture, and stdout, a device, a pipe or a .vkpt has no place for one: add -o FILE"
+            "--denoise writes next to a picture, which stdout, devices, pipes and .vkpt files do not allow: add -o FILE"
                 .to_owned(),
         )),
         false => Ok(all),

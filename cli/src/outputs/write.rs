@@ -1,4 +1,4 @@
-//! Writing what a rendering has made, or several.
+//! Writing the results of a rendering or a merge.
 
 use std::time::Instant;
 
@@ -14,10 +14,10 @@ use vkpt::state::{self, Header};
 use vkpt_lab::cli::destination::{Destination, json, whole};
 use vkpt_lab::cli::exit::{Ending, Failure, warn};
 
-/// Makes a denoised picture, or says why there is none.
+/// Makes a denoised picture, or returns the reason for failure.
 pub type Denoise<'a> = dyn Fn() -> Result<(Film, Denoised), String> + 'a;
 
-/// What is written.
+/// The results to write.
 pub struct Written<'a> {
     pub film: &'a Film,
     /// Layers of the EXRs.
@@ -25,15 +25,15 @@ pub struct Written<'a> {
     /// Standard errors, with their degrees of freedom.
     pub stderr: Option<(&'a Film, f64)>,
     pub part: &'a AnyPart,
-    /// Where that goes.
+    /// The destinations of the part.
     pub parts: &'a [Destination],
     pub header: Header,
-    /// Makes the denoised picture, after all else is written.
+    /// Makes the denoised picture, after everything else is written.
     pub denoised: Option<&'a Denoise<'a>>,
 }
 
-/// Writes everything that can be written, for what cost hours is not lost for another's disk; then says what the user should
-/// worry about, and what was done.
+/// Writes everything that can be written, so that one full disk does not lose hours of work; then prints warnings and the
+/// summary.
 pub fn write(outputs: &Outputs, of: Written) -> Result<Ending, Failure> {
     let start = Instant::now();
     let mut record = of.header.record.clone();
@@ -55,7 +55,7 @@ pub fn write(outputs: &Outputs, of: Written) -> Result<Ending, Failure> {
             false
         }
         Some(Err(why)) => {
-            warn(&format!("no denoised picture is written: {why}"));
+            warn(&format!("no denoised picture was written: {why}"));
             true
         }
     };
@@ -75,7 +75,7 @@ pub fn write(outputs: &Outputs, of: Written) -> Result<Ending, Failure> {
     }
 }
 
-/// The pictures, and what goes beside them: which files are there now, and why others are not.
+/// Writes the pictures and the files next to them; returns the files written, and the errors.
 fn pictures(outputs: &Outputs, of: &Written, record: &Record) -> (Vec<String>, Vec<FileError>) {
     let (job, device) = (&record.job, &record.machine.device);
     let [x0, y0, ..] = job.crop.unwrap_or_default();
@@ -101,12 +101,12 @@ fn pictures(outputs: &Outputs, of: &Written, record: &Record) -> (Vec<String>, V
         written.extend(more);
         errors.extend(failed);
     } else if !outputs.stderr.is_empty() {
-        warn("no standard errors are written: one sample tells nothing of its error");
+        warn("no standard errors were written: a single sample has no standard error");
     }
     (written, errors)
 }
 
-/// What the header of a picture says of it and of its layers.
+/// The notes in a picture's header about it and its layers.
 pub fn notes(job: &Job, device: &str, channels: &[Channel]) -> Vec<(&'static str, String)> {
     let mut notes = report::notes(job, device);
     if !channels.iter().all(Channel::is_light) {

@@ -27,10 +27,10 @@ use vkpt_lab::cli::source::Source;
 use vkpt_lab::cli::values::{self, Devices, choice};
 use vkpt_lab::cli::view::ViewArguments;
 
-/// Time between two checkpoints, where nobody says.
+/// Time between two checkpoints by default.
 const PAUSE: Duration = Duration::from_secs(60);
 
-/// What one rendering needs to know.
+/// The flags of a rendering.
 #[derive(clap::Args, Debug)]
 pub struct RenderArguments {
     /// The scene file, text or glTF, or - for stdin
@@ -46,32 +46,31 @@ pub struct RenderArguments {
     #[command(flatten)]
     pub denoise: DenoiseArguments,
 
-    /// Samples per pixel, the most where --time or --target-error are given [default: 64, or with
-    /// one of those no end]
+    /// Samples per pixel; with --time or --target-error, the maximum [default: 64; with one of those,
+    /// unlimited]
     #[arg(long, value_name = "N", help_heading = "Rendering")]
     #[arg(value_parser = numbers::whole(1))]
     spp: Option<u32>,
 
-    /// Only the samples from index A on, before index B, of every pixel; written to a .vkpt file, which
-    /// vkpt merge joins with others
+    /// Render only samples A to B-1 of every pixel, to a .vkpt file for vkpt merge
     #[arg(long, value_name = "A..B", help_heading = "Rendering", conflicts_with_all = ["spp", "target_error"])]
     #[arg(value_parser = numbers::sample_range)]
     pub samples: Option<Range<u32>>,
 
-    /// End after so many seconds of rendering, with whole samples in every pixel
+    /// Stop after this many seconds of rendering, with the same number of samples in every pixel
     #[arg(long, value_name = "S", help_heading = "Rendering", value_parser = numbers::seconds)]
     pub time: Option<f64>,
 
-    /// End once the relMSE is below this, with 95 % confidence
+    /// Stop once the relMSE is below this with 95 % confidence
     #[arg(long, value_name = "E", help_heading = "Rendering", value_parser = numbers::target_error)]
     pub target_error: Option<f64>,
 
-    /// Go on from what an earlier run has left: NAME.vkpt beside the first picture, or the .vkpt file of
-    /// -o; begin anew where there is none
+    /// Continue an earlier run from NAME.vkpt next to the first picture, or from the .vkpt file of -o;
+    /// if it does not exist, start from the first sample
     #[arg(long, help_heading = "Rendering")]
     pub resume: bool,
 
-    /// Seconds between two checkpoints: the samples so far, written to that file; or off [default: 60]
+    /// Seconds between checkpoints, which write the samples so far to that file; or off [default: 60]
     #[arg(long, value_name = "S", help_heading = "Rendering", value_parser = numbers::pause)]
     pub checkpoint: Option<Pause>,
 
@@ -85,15 +84,14 @@ pub struct RenderArguments {
     #[arg(value_parser = numbers::whole(0))]
     pub seed: u32,
 
-    /// A Vulkan device by its index or part of its name (`vkpt devices` lists them), or the
-    /// reference renderer: cpu-f64, cpu-f32; several, by index, share the samples out, as 0,1 does
-    /// [default: a GPU; without one, the faster of a CPU's Vulkan driver and cpu-f32, whose pictures
-    /// are the same to the bit]
+    /// Vulkan device, by index or part of its name (see `vkpt devices`), or the reference renderer:
+    /// cpu-f64 or cpu-f32; several indices, such as 0,1, share the samples [default: a GPU; without
+    /// one, the faster of a CPU's Vulkan driver and cpu-f32, whose pictures are the same to the bit]
     #[arg(long, value_name = "DEVICE", help_heading = "Rendering", value_parser = values::devices)]
     device: Option<Devices>,
 
-    /// What the Vulkan kernel holds: composed, what scene and settings need, or full, what any scene
-    /// could need. The picture does not depend on it
+    /// Vulkan kernel: composed, with only the parts that scene and settings need, or full, with all
+    /// parts. The picture is the same
     #[arg(
         long,
         value_name = "KERNEL",
@@ -109,13 +107,14 @@ pub struct RenderArguments {
     #[command(flatten)]
     pub settings: SettingArguments,
 
-    /// Render nothing; print the path of sample I of pixel X,Y (from the top left), vertex by vertex
+    /// Print the path of sample I of pixel X,Y (from the top left), vertex by vertex, instead of
+    /// rendering
     #[arg(long, value_name = "X,Y,I", help_heading = "Reports", value_parser = numbers::sample_path)]
     pub trace: Option<SamplePath>,
 }
 
 impl RenderArguments {
-    /// The scene and what is to be rendered of it.
+    /// The scene and the rendering requested.
     pub fn request(&self) -> Result<Request<'_>, Failure> {
         let scene = self.scene()?;
         let request = self
@@ -131,14 +130,14 @@ impl RenderArguments {
         })
     }
 
-    /// What is made beside the picture: by kinds, and the light of classes of paths.
+    /// The outputs in addition to the picture: by kinds, and the light of classes of paths.
     pub fn beside(&self) -> (Vec<Aov>, Vec<PathClass>) {
         let (mut aovs, classes) = parted(&self.outputs.aov);
         aovs.extend(self.denoise.denoise.map(|_| Aov::Denoised));
         (aovs, classes)
     }
 
-    /// What is rendered of the scene.
+    /// The job to render.
     pub fn job<'a>(
         &self,
         ready: &'a Ready,
@@ -153,28 +152,28 @@ impl RenderArguments {
         })
     }
 
-    /// The indices of the samples that a pixel is to have, at most.
+    /// The indices of a pixel's samples, at most.
     pub fn range(&self) -> Range<u32> {
         let endless = self.time.is_some() || self.target_error.is_some();
         let spp = self.spp.unwrap_or(if endless { u32::MAX } else { 64 });
         self.samples.clone().unwrap_or(0..spp)
     }
 
-    /// Whether there are samples enough to be denoised, where that is asked for.
+    /// Checks that there are enough samples to denoise, if requested.
     pub fn check_denoise(&self) -> Result<(), Failure> {
         let message = match self.denoise.denoise {
             Some(_) if self.samples.is_some() => {
-                "--samples makes a part of a picture, and --denoise needs all of it".to_owned()
+                "--samples renders a part of a picture, but --denoise needs all samples".to_owned()
             }
             Some(_) if (self.range().len() as u32) < LEAST => format!(
-                "--denoise needs --spp {LEAST} or more: a quarter of the samples is a picture of its own"
+                "--denoise needs --spp {LEAST} or more: each quarter of the samples makes a picture"
             ),
             _ => return Ok(()),
         };
         Err(Failure::Usage(message))
     }
 
-    /// Renders the job on all devices that are named, else on `target`.
+    /// Renders the job on all named devices, else on `target`.
     pub fn develop(
         &self,
         job: &Job,
@@ -191,16 +190,19 @@ impl RenderArguments {
         }
     }
 
-    /// Those who look on, and may set `stop`.
+    /// The viewers, who may set `stop`.
     pub fn onlookers(&self, doors: Doors, stop: &Arc<AtomicBool>) -> Result<Onlookers, Failure> {
         let [left, top, ..] = self.view.crop.unwrap_or_default();
         doors.open(&self.scene()?.name(), [left, top], stop)
     }
 
-    /// What the rendering writes where nobody says.
+    /// The default outputs.
     pub fn default_outputs(&self) -> Result<Vec<Destination>, Failure> {
         let stem = self.scene()?.stem().ok_or_else(|| {
-            Failure::Usage("the scene has no file name to call pictures by: use -o".to_owned())
+            Failure::Usage(
+                "the scene has no file name to derive the pictures' names from: use -o FILE"
+                    .to_owned(),
+            )
         })?;
         let named = |ending: &str| {
             let mut name = stem.to_os_string();
@@ -219,7 +221,7 @@ impl RenderArguments {
         self.checkpoint.map_or(Some(PAUSE), |Pause(pause)| pause)
     }
 
-    /// What is to end the rendering before that.
+    /// The conditions that end the rendering earlier.
     pub fn until(&self) -> Until {
         Until {
             seconds: self.time,
@@ -227,14 +229,14 @@ impl RenderArguments {
         }
     }
 
-    /// Where the scene is.
+    /// The scene.
     pub fn scene(&self) -> Result<&Source, Failure> {
         self.scene
             .as_ref()
             .ok_or_else(|| Failure::Usage("a scene file is missing".to_owned()))
     }
 
-    /// What follows one path: whatever is fast, the device that is asked for or the best Vulkan device.
+    /// The device that traces one path: the requested one, or the best Vulkan device even if another is faster.
     pub fn target(&self) -> Target {
         match &self.device {
             None => Target::Vulkan(Selector::Best),
@@ -243,7 +245,7 @@ impl RenderArguments {
         }
     }
 
-    /// What renders the job, and why where the job decides.
+    /// The device that renders the job, and the reason if the job decides.
     pub fn best(&self, job: &Job) -> Best {
         match self.device.is_none() && self.kernel == KernelChoice::Composed {
             true => render::best(job),

@@ -1,4 +1,4 @@
-//! A rendering for a program that calls: pictures in memory, no files.
+//! A rendering for a calling program: pictures in memory, no files.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -18,7 +18,7 @@ use vkpt_lab::cli::interrupt::stop_flag;
 use vkpt_lab::cli::job::{Loaded, Ready};
 use vkpt_lab::cli::progress::Display;
 
-/// A picture, and all that the command line would write beside it.
+/// A picture, and everything that the command line would write next to it.
 #[derive(Clone, Debug)]
 pub struct Rendered {
     pub film: Film,
@@ -32,11 +32,11 @@ pub struct Rendered {
     pub record: Record,
 }
 
-/// Is shown pictures while they grow; each is made only where it asks.
+/// Receives the growing picture; each snapshot is made only on request.
 pub type Growing<'a> = dyn FnMut(&dyn Fn() -> Rendered) + 'a;
 
-/// Renders what the arguments ask for; the flags of files and reports have no meaning here. `None` where it was stopped before
-/// the first sample was done.
+/// Renders as the arguments request; the flags of files and reports have no effect here. `None` if it was stopped before the
+/// first sample was done.
 pub fn rendered(
     arguments: &RenderArguments,
     growing: &mut Growing,
@@ -125,12 +125,12 @@ impl Rendered {
                 self.denoised = Some(film);
                 self.record.denoised = Some(record);
             }
-            Err(why) => warn(&format!("no denoised picture is made: {why}")),
+            Err(why) => warn(&format!("no denoised picture was made: {why}")),
         }
     }
 }
 
-/// What a record is made from.
+/// The sources of a record.
 struct Call<'a> {
     arguments: &'a RenderArguments,
     ready: &'a Ready,
@@ -151,7 +151,7 @@ impl Call<'_> {
     }
 }
 
-/// Shows the caller how far the rendering is.
+/// Shows the caller the progress of the rendering.
 struct Watcher<'a, 'b> {
     display: Display,
     call: &'a Call<'a>,

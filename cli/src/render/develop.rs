@@ -1,4 +1,4 @@
-//! Rendering, with a display, and a part on disk now and then.
+//! Rendering, with a display and checkpoints.
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -18,17 +18,17 @@ use vkpt_lab::cli::exit::{Failure, note, warn};
 use vkpt_lab::cli::job::Ready;
 use vkpt_lab::cli::progress::Display;
 
-/// What a rendering is for.
+/// The purpose of a rendering.
 pub struct Goal<'a> {
-    /// Where the part goes.
+    /// The file of the part.
     pub kept: Option<&'a Path>,
     /// Of the scene and its meshes.
     pub digest: String,
-    /// Not the part alone.
+    /// Whether pictures are wanted, not only the part.
     pub pictures: bool,
 }
 
-/// What came of it.
+/// The result.
 pub struct Made {
     pub outcome: Outcome,
     /// Layers.
@@ -36,11 +36,11 @@ pub struct Made {
     pub header: Header,
     /// Degrees of freedom of its standard errors.
     pub freedom: f64,
-    /// Whether a part is on disk that is to be kept true.
+    /// Whether a part is on disk that must be kept up to date.
     pub checkpointed: bool,
 }
 
-/// Renders to the end that is asked for; `None` where the part is there already and is all that is asked for.
+/// Renders to the requested end; `None` if only the part is requested and it is already complete.
 pub fn develop(
     arguments: &RenderArguments,
     ready: &Ready,
@@ -59,7 +59,7 @@ pub fn develop(
     };
     let (labels, start) = begin(labels, job, goal.kept)?;
     if start.range().end == job.spp && !goal.pictures {
-        note("all samples are there already");
+        note("nothing to do: the file already contains all samples");
         return Ok(None);
     }
     let pause = arguments.pause().zip(goal.kept);
@@ -87,7 +87,7 @@ pub fn develop(
     }))
 }
 
-/// Where the rendering begins: after what is on disk, if that is asked for.
+/// Where the rendering starts: after the part on disk, if requested.
 fn begin<'a>(
     mut labels: Labels<'a>,
     job: &Job,
@@ -121,13 +121,13 @@ fn begin<'a>(
     Ok((labels, Start::After(state)))
 }
 
-/// What is written beside the samples.
+/// The data written with the samples.
 struct Labels<'a> {
     arguments: &'a RenderArguments,
     ready: &'a Ready,
     best: &'a Best,
     digest: String,
-    /// How the device rounds that made the samples gone on from.
+    /// How the device that made the earlier samples rounds.
     earlier: Option<String>,
 }
 
@@ -150,7 +150,7 @@ impl Labels<'_> {
     }
 }
 
-/// Shows how far the rendering is, and leaves checkpoints.
+/// Shows progress and writes checkpoints.
 struct Watcher<'a> {
     display: Display,
     checkpoint: Option<Checkpoint>,

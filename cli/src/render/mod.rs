@@ -29,7 +29,7 @@ use vkpt_lab::cli::interrupt::stop_flag;
 use vkpt_lab::cli::job::Loaded;
 use vkpt_lab::cli::writable;
 
-/// Reads, prepares, renders, writes and reports; or prints the path that `--trace` asks for.
+/// Reads, prepares, renders, writes and reports; or prints the path that `--trace` names.
 pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     if let Some(path) = arguments.trace {
         return trace(arguments, path);
@@ -39,7 +39,7 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     // A part of -o is one of the outputs already.
     let beside = kept.clone().filter(|_| outputs.parts.is_empty());
     let beside = beside.map(Destination::File);
-    // What is wrong with what is asked for is said first.
+    // Errors of the command line are reported first.
     let _claims = (writable::check(outputs.all())?, writable::check(&beside)?);
     let doors = Doors::new(&arguments.live)?;
     let request = arguments.request()?;
@@ -50,7 +50,7 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     )?;
     let digest = match kept.is_some() || !outputs.parts.is_empty() {
         true => digest(&loaded.text, &loaded.scene).map_err(|error| {
-            Failure::Usage(format!("a file of the scene can't be read again: {error}"))
+            Failure::Usage(format!("cannot read a file of the scene again: {error}"))
         })?,
         false => String::new(),
     };
@@ -64,9 +64,9 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
         .denoise
         .denoise
         .map(|by| load(arguments.denoise.oidn.as_deref(), by));
-    // Said before the rendering, which goes on without.
+    // A warning before the rendering, which proceeds without.
     if let Some(Err(why)) = &denoiser {
-        warn(&format!("{why}: no denoised picture is made"));
+        warn(&format!("no denoised picture will be written: {why}"));
     }
     let asked = arguments.beside();
     let job = arguments.job(&ready, &asked)?;
@@ -81,7 +81,7 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     ending
 }
 
-/// Denoises, if that is asked for and can be done, and writes.
+/// Denoises, if requested and possible, and writes.
 fn finish(
     outputs: &Outputs,
     made: Made,
@@ -99,7 +99,7 @@ fn finish(
     }
 }
 
-/// The files that are asked for.
+/// The requested files.
 fn outputs(arguments: &RenderArguments) -> Result<Outputs<'_>, Failure> {
     let spp = arguments.range().len() as u32;
     let outputs = Outputs::new(&arguments.outputs, spp, || arguments.default_outputs())?;
@@ -109,13 +109,13 @@ fn outputs(arguments: &RenderArguments) -> Result<Outputs<'_>, Failure> {
     }
     match arguments.samples.is_some() && outputs.has_pictures() {
         true => Err(Failure::Usage(
-            "--samples makes a part of a picture, which goes to a .vkpt file: vkpt merge makes pictures of those".to_owned(),
+            "--samples renders a part of a picture, which needs a .vkpt file: use -o NAME.vkpt, and vkpt merge to make pictures".to_owned(),
         )),
         false => Ok(outputs),
     }
 }
 
-/// Where checkpoints go, and what is gone on from: the first part of `-o`, else a file beside the first picture.
+/// The file of checkpoints, which --resume continues: the first part of `-o`, else a file next to the first picture.
 fn kept(arguments: &RenderArguments, outputs: &Outputs) -> Result<Option<PathBuf>, Failure> {
     let mut parts = outputs.parts.iter().filter_map(|to| to.neighbour());
     if let Some(part) = parts.next() {
@@ -125,7 +125,7 @@ fn kept(arguments: &RenderArguments, outputs: &Outputs) -> Result<Option<PathBuf
     let beside = picture.map(|p| p.with_extension(ENDING));
     match (beside, arguments.resume, arguments.pause()) {
         (None, true, _) => Err(Failure::Usage(
-            "--resume goes on from a file beside the first picture, and there is none beside stdout, a device or a pipe: add -o FILE"
+            "--resume needs a file next to the first picture, which stdout, devices and pipes do not have: add -o FILE"
                 .to_owned(),
         )),
         (beside, true, _) => Ok(beside),
@@ -134,20 +134,20 @@ fn kept(arguments: &RenderArguments, outputs: &Outputs) -> Result<Option<PathBuf
     }
 }
 
-/// Whether a part can be written beside the picture; a rendering that nobody asked it of goes on without. What is wrong with the
-/// picture's own place is said of that.
+/// Whether a part can be written next to the picture; if not, the rendering proceeds without. Errors of the picture's own
+/// place are reported for the picture.
 fn can_be_kept(path: &Path, picture: Option<&Path>) -> bool {
     if picture.is_some_and(|picture| check_writable(picture).is_err()) {
         return false;
     }
     let checked = check_writable(path);
     if let Err(error) = &checked {
-        warn(&format!("no checkpoints can be written: {error}"));
+        warn(&format!("cannot write checkpoints: {error}"));
     }
     checked.is_ok()
 }
 
-/// Writes what was made, its part included where it is to be kept.
+/// Writes the result, including its part if it is to be kept.
 fn leave(
     outputs: &Outputs,
     made: Made,
@@ -162,7 +162,7 @@ fn leave(
         checkpointed,
     } = made;
     if outcome.spp == 0 {
-        warn("interrupted before the first sample was done: nothing is written");
+        warn("interrupted before the first sample was done: nothing was written");
         return Ok(Ending::Interrupted);
     }
     let early = matches!(outcome.end, End::Interrupted | End::Lost);
@@ -186,7 +186,7 @@ fn leave(
         return Err(Failure::Lost { why, part });
     }
     if let Some(part) = part.filter(|_| early && !outputs.arguments.quiet) {
-        note(&format!("--resume goes on from {part}"));
+        note(&format!("continue with --resume, which reads {part}"));
     }
     Ok(ending)
 }

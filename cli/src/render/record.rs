@@ -1,4 +1,4 @@
-//! What a rendering did, put on record.
+//! The record of a rendering.
 
 use super::arguments::RenderArguments;
 use vkpt::film::Film;
@@ -13,7 +13,7 @@ use vkpt::sample;
 use vkpt_lab::cli::job::Ready;
 use vkpt_lab::cli::source::Source;
 
-/// The record of a rendering; before it has begun, with nothing that only a rendering tells.
+/// The record of a rendering; before it starts, without the results.
 pub fn record(
     arguments: &RenderArguments,
     ready: &Ready,

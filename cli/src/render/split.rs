@@ -1,4 +1,4 @@
-//! The light of the picture by classes of paths, once the picture is there.
+//! The light of the picture by classes of paths, after the picture.
 
 use std::sync::atomic::AtomicBool;
 
@@ -7,14 +7,14 @@ use vkpt::render::{End, Job, Outcome, light_classes};
 use vkpt_lab::cli::exit::warn;
 use vkpt_lab::cli::progress::Display;
 
-/// The classes that are asked for. It takes as long as a rendering, so a signal ends it: the picture then goes without, and
-/// `outcome` tells of the interruption.
+/// The requested classes. They take as long as a rendering, so a signal ends it: the picture then lacks them, and
+/// `outcome` records the interruption.
 pub fn split(job: &Job, outcome: &mut Outcome, stop: &AtomicBool, quiet: bool) -> Vec<Channel> {
     let mut display = Display::new(quiet);
     let channels = light_classes(job, outcome.spp, stop, &mut |p| display.splitting(p));
     display.finish();
     channels.unwrap_or_else(|| {
-        warn("interrupted: the picture is written without --aov light");
+        warn("interrupted: the picture is written without the layers of --aov light");
         outcome.end = End::Interrupted;
         Vec::new()
     })

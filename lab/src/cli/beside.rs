@@ -1,4 +1,4 @@
-//! What `--aov` names.
+//! The values of `--aov`.
 
 use std::ffi::OsStr;
 use std::fmt::{self, Display};
@@ -12,7 +12,7 @@ use vkpt::film::{Aov, LIGHT};
 use vkpt::path_class::PathClass;
 use vkpt::report::names::Named;
 
-/// What is made beside the picture.
+/// An output in addition to the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Beside {
     Aov(Aov),
@@ -39,7 +39,7 @@ impl Display for Beside {
     }
 }
 
-/// All that is asked for, each once.
+/// All requested values, each once.
 pub fn parted(asked: &[Beside]) -> (Vec<Aov>, Vec<PathClass>) {
     let (mut aovs, mut classes) = (Vec::new(), Vec::new());
     for beside in asked {
@@ -52,7 +52,7 @@ pub fn parted(asked: &[Beside]) -> (Vec<Aov>, Vec<PathClass>) {
     (aovs, classes)
 }
 
-/// The layer that `compare --layer` means: a class of paths may be named as `--aov` names it.
+/// The layer that `compare --layer` names: a class of paths may be written as for `--aov`.
 pub fn layer(name: &str) -> String {
     let class = name.strip_prefix(LIGHT).map(PathClass::new);
     match class {
@@ -84,7 +84,7 @@ impl TypedValueParser for BesideParser {
     }
 }
 
-/// Where the names are told, classes are told beside them.
+/// Adds classes of paths to the names that the error lists.
 fn with_classes(mut error: Error) -> Error {
     if let Some(ContextValue::Strings(names)) = error.get(ContextKind::ValidValue) {
         let classes = format!("{LIGHT}PATTERN");

@@ -1,23 +1,23 @@
-//! A program that runs a command in its own process, as the Python module does, where otherwise a terminal is.
+//! A program that runs a command in its own process, as the Python module does, in place of a terminal.
 //!
-//! It hears warnings, is shown progress, and has the flag that ends the work early. Who calls is known by the thread: a
-//! command speaks on the thread that called it.
+//! It receives warnings and progress, and owns the flag that ends the work early. The thread identifies the caller: a
+//! command reports on the thread that called it.
 
 use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// Hears what a command says. Nothing that it does has an influence on what the command makes.
+/// Receives the messages of a command. It has no influence on the command's results.
 pub trait Caller {
-    /// A warning, as stderr has it after `warning: `.
+    /// A warning, as printed on stderr after `warning: `.
     fn warn(&mut self, message: &str);
 
-    /// The part of all work that is done, in [0, 1]; `words` makes what stands beside the progress bar.
+    /// The fraction of the work that is done, in [0, 1]; `words` makes the text next to the progress bar.
     fn progress(&mut self, fraction: f64, words: &dyn Fn() -> String);
 }
 
-/// Who called, and what ends the work early.
+/// The caller, and the flag that ends the work early.
 #[derive(Clone)]
 pub struct Called {
     pub caller: Rc<RefCell<dyn Caller>>,
@@ -34,7 +34,7 @@ pub fn called<T>(by: Called, work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// Puts back who called before: a caller may call a command while it hears another.
+/// Restores the previous caller: a caller may call a command while it receives messages of another.
 struct Restore(Option<Called>);
 
 impl Drop for Restore {
@@ -43,7 +43,7 @@ impl Drop for Restore {
     }
 }
 
-/// Who called on this thread; `None` where the command line did.
+/// The caller on this thread; `None` for the command line.
 pub fn caller() -> Option<Called> {
     CALLED.with_borrow(Clone::clone)
 }

@@ -1,4 +1,4 @@
-//! Command lines: the one that was typed, and those that show one path.
+//! Command lines: the one that was typed, and those that trace one path.
 
 use std::ffi::OsString;
 use std::ops::Range;
@@ -14,7 +14,7 @@ use vkpt::shell::{self, quoted};
 
 static TYPED: OnceLock<Vec<OsString>> = OnceLock::new();
 
-/// Keeps the words that were typed; a process has one command line, the first that it runs.
+/// Stores the words that were typed; a process has one command line, the first that it runs.
 pub fn keep(words: impl Iterator<Item = OsString>) -> &'static [OsString] {
     TYPED.get_or_init(|| words.collect())
 }
@@ -25,7 +25,7 @@ pub fn typed() -> String {
     shell::line(words.map(|word| word.to_string_lossy().into_owned()))
 }
 
-/// `vkpt SCENE …` with all that a path depends on, to be followed by `--trace X,Y,I`.
+/// `vkpt SCENE …` with everything that a path depends on; the caller appends `--trace X,Y,I`.
 pub fn show(request: &Request, target: &Target) -> String {
     let mut words = vec!["vkpt".to_owned(), quoted(&request.scene.word())];
     words.extend(request.camera.map(camera));
@@ -45,7 +45,7 @@ pub fn show(request: &Request, target: &Target) -> String {
     words.join(" ")
 }
 
-/// `vkpt SCENE --samples A..B …` with all that the samples of a job depend on, but for the device.
+/// `vkpt SCENE --samples A..B …` with everything that the samples of a job depend on, except the device.
 pub fn rendering(job: &Job, samples: Range<u32>) -> String {
     let mut words = vec!["vkpt".to_owned(), quoted(&job.scene)];
     words.push(format!("--samples {}..{}", samples.start, samples.end));
@@ -72,7 +72,7 @@ fn camera(name: &str) -> String {
     format!("--camera={}", quoted(name))
 }
 
-/// The flags of what is not the default.
+/// The flags of all settings that are not the default.
 fn settings(given: &SettingsRecord) -> Vec<String> {
     let default = SettingsRecord::from(&Settings::default());
     let switch = |on| if on { "on" } else { "off" }.to_owned();

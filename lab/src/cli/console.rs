@@ -8,12 +8,12 @@ use vkpt::image::file::FileError;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Console {
     Stdout,
-    /// Where stdout has something else on it.
+    /// If stdout carries other output.
     Stderr,
 }
 
 impl Console {
-    /// Stdout, if none of the files goes there.
+    /// Stdout, unless one of the files goes there.
     pub fn beside<'a>(files: impl IntoIterator<Item = &'a Destination>) -> Self {
         match files.into_iter().any(Destination::is_stdout) {
             true => Self::Stderr,
@@ -21,7 +21,7 @@ impl Console {
         }
     }
 
-    /// Prints a text that ends with a line.
+    /// Prints a text that ends with a line break.
     pub fn print(self, text: &str) -> Result<(), FileError> {
         match self {
             Self::Stdout => put(text.as_bytes()),

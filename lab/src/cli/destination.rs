@@ -1,4 +1,4 @@
-//! Where a command writes what it makes: to files, and for `-` to stdout.
+//! Where a command writes its outputs: to files, or for `-` to stdout.
 
 use std::ffi::OsString;
 use std::fmt;
@@ -13,7 +13,7 @@ use super::streams::Stream;
 use vkpt::image::file::{FileError, Sink, write_whole};
 use vkpt::image::place::Place;
 
-/// What a flag that takes a FILE names.
+/// The value of a flag that takes a FILE.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Destination {
     /// `-`
@@ -40,7 +40,7 @@ impl fmt::Display for Destination {
 }
 
 impl Destination {
-    /// The name of the file, if it has one.
+    /// The path of the file; `None` for stdout.
     pub fn path(&self) -> Option<&Path> {
         match self {
             Self::Stdout => None,
@@ -48,13 +48,13 @@ impl Destination {
         }
     }
 
-    /// The name of the file, if others can stand beside it: not of a device, a pipe or stdout.
+    /// The path of the file, if other files can be written next to it: not of a device, a pipe or stdout.
     pub fn neighbour(&self) -> Option<&Path> {
         let is_file = |path: &&Path| !matches!(Place::of(path), Ok(Place::Straight(_)));
         self.path().filter(is_file)
     }
 
-    /// What it is written to, where that is open already.
+    /// The stream that it is written to, if that is already open.
     pub fn stream(&self) -> Option<Stream> {
         match self {
             Self::Stdout => Some(Stream::Stdout),
@@ -62,12 +62,12 @@ impl Destination {
         }
     }
 
-    /// Whether it is stdout, by whatever name.
+    /// Whether it is stdout, under any name.
     pub fn is_stdout(&self) -> bool {
         self.stream() == Some(Stream::Stdout)
     }
 
-    /// Which file it is, if there is one.
+    /// The identity of the file, if it exists.
     pub fn identity(&self) -> Option<Handle> {
         match self {
             Self::Stdout => identity::of_stdout(),
@@ -75,7 +75,7 @@ impl Destination {
         }
     }
 
-    /// Writes what `fill` writes, all of it or, on an error, nothing.
+    /// Writes the output of `fill`, all of it or, on an error, nothing.
     pub fn write<E>(&self, fill: impl FnOnce(&mut dyn Sink) -> Result<(), E>) -> Written
     where
         E: std::error::Error + Send + Sync + 'static,
@@ -96,7 +96,7 @@ impl Destination {
 /// Whether a file, or a text, was written.
 pub type Written = Result<(), FileError>;
 
-/// Writes a text where it is asked for.
+/// Writes a text, if requested.
 pub fn whole(to: &Option<Destination>, text: impl FnOnce() -> io::Result<String>) -> Written {
     match to {
         Some(to) => to.write(|out| out.write_all(text()?.as_bytes())),
@@ -104,12 +104,12 @@ pub fn whole(to: &Option<Destination>, text: impl FnOnce() -> io::Result<String>
     }
 }
 
-/// A record as JSON to read, ending in a line break.
+/// A record as indented JSON that ends in a line break.
 pub fn json(record: &impl serde::Serialize) -> io::Result<String> {
     Ok(serde_json::to_string_pretty(record)? + "\n")
 }
 
-/// Tells everything that could not be written.
+/// Collects everything that could not be written.
 pub fn all_written(written: impl IntoIterator<Item = Written>) -> Result<(), Failure> {
     let errors: Vec<FileError> = written.into_iter().filter_map(Result::err).collect();
     match errors.is_empty() {

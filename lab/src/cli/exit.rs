@@ -1,4 +1,4 @@
-//! The end of the program, and what it tells on stderr until then.
+//! The end of the program, and its messages on stderr.
 
 use miette::Severity;
 
@@ -8,7 +8,7 @@ use super::interrupt::exit_code;
 use super::streams::tell;
 use vkpt::scene::Diagnostic;
 
-/// Tells a failure and gives the program's exit code.
+/// Prints a failure and returns the program's exit code.
 pub fn exit(ending: Result<Ending, Failure>) -> u8 {
     match ending {
         Ok(Ending::Complete) => 0,
@@ -22,13 +22,13 @@ pub fn exit(ending: Result<Ending, Failure>) -> u8 {
     }
 }
 
-/// Prints what went wrong.
+/// Prints a failure.
 fn tell_failure(failure: Failure) {
     match failure {
         Failure::Usage(message) => {
             error(&format!("{message}\n\nFor more information, try '--help'."))
         }
-        // Where that fails there is nowhere left to say so.
+        // If that fails, nothing can report it.
         Failure::CommandLine(wrong) => drop(wrong.print()),
         Failure::Scene(errors) => {
             let sum = errors.to_string();
@@ -39,7 +39,7 @@ fn tell_failure(failure: Failure) {
     }
 }
 
-/// A diagnostic with its place, in one line.
+/// A diagnostic with its place, on one line.
 fn placed(diagnostic: &Diagnostic) -> String {
     let file = diagnostic.file();
     match diagnostic.place {
@@ -52,7 +52,7 @@ fn error(message: &dyn std::fmt::Display) {
     tell(format!("error: {message}"));
 }
 
-/// Tells a warning.
+/// Prints a warning, or passes it to the caller.
 pub fn warn(message: &str) {
     match caller() {
         Some(by) => by.caller.borrow_mut().warn(message),
@@ -60,18 +60,18 @@ pub fn warn(message: &str) {
     }
 }
 
-/// Tells what is good to know, on a command line.
+/// Prints a note, on the command line only.
 pub fn note(message: &str) {
     if caller().is_none() {
         tell(format!("note: {message}"));
     }
 }
 
-/// As many errors as are worth reading before some are mended. Each is drawn by going through the whole file.
+/// The most diagnostics to print: more are not worth reading before some are fixed. Drawing each reads the whole file.
 const MOST: usize = 20;
 
-/// Shows what is wrong in a scene file: the line, with the culprit underlined. Where there is too much of it, errors go
-/// before warnings.
+/// Shows the diagnostics of a scene file: the line, with the culprit underlined. If there are too many, errors precede
+/// warnings.
 pub fn point_out(mut diagnostics: Vec<Diagnostic>) {
     if caller().is_some() {
         let warnings = diagnostics

@@ -1,58 +1,58 @@
-//! How a command ends: with what was asked for, or why not, and the exit code of each.
+//! How a command ends: with its result or a failure, and the exit code of each.
 
 use vkpt::image::file::FileError;
 use vkpt::prepared::PrepareError;
 use vkpt::render::RenderError;
 use vkpt::scene::Errors;
 
-/// An end that left what was asked for.
+/// An end with a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
     Complete,
     /// By ctrl-c or another signal.
     Interrupted,
-    /// All but denoised pictures; why was said.
+    /// Without denoised pictures; the reason has been printed.
     Undenoised,
 }
 
-/// An end that did not.
+/// An end without.
 #[derive(Debug)]
 pub enum Failure {
-    /// The command line is wrong in a way that clap does not find by itself.
+    /// The command line is wrong in a way that clap does not detect.
     Usage(String),
-    /// In a way that clap finds.
+    /// In a way that clap detects.
     CommandLine(clap::Error),
     Scene(Errors),
     Prepare(PrepareError),
-    /// What a scene says and another renderer cannot.
+    /// Parts of a scene that another renderer has no equivalent of.
     Untranslatable(Vec<String>),
     /// Warnings that `--strict` makes errors.
     Strict(Vec<String>),
     Render(RenderError),
-    /// A scene does not fit into memory, or no threads can be made.
+    /// A scene does not fit into memory, or threads cannot be created.
     Memory(String),
-    /// What was compared is not the same.
+    /// The compared things differ.
     Comparison(Vec<String>),
-    /// By the Vulkan loader or for want of a device.
+    /// The Vulkan loader fails, or no device is available.
     NoDevice(String),
     Files(Vec<FileError>),
-    /// The device failed twice; where the samples done by then are.
+    /// The device failed twice; `part` is the file with the samples done by then.
     Lost {
         why: String,
         part: Option<String>,
     },
     /// Pictures that can't be read or compared.
     Pictures(Vec<String>),
-    /// Jobs that a batch system did not take.
+    /// Jobs that a batch system refused.
     Submission(String),
-    /// A device that gets something wrong that pictures depend on.
+    /// A device that fails a test that pictures depend on.
     Unhealthy(String),
 }
 
-/// The exit code where memory or threads do not suffice.
+/// The exit code if memory or threads run out.
 pub const MEMORY: u8 = 6;
 
-/// The exit code where the device failed twice.
+/// The exit code if the device failed twice.
 const LOST: u8 = 7;
 
 impl Failure {
@@ -75,7 +75,7 @@ impl Failure {
         }
     }
 
-    /// Whether the scene or a picture is wrong, and not what renders it.
+    /// Whether the scene or a picture is wrong, not the renderer.
     pub fn is_of_input(&self) -> bool {
         match self {
             Self::Scene(errors) => !errors.lacks_memory,
@@ -84,7 +84,7 @@ impl Failure {
         }
     }
 
-    /// What it is, a message each, as it is told after `error: `.
+    /// Its messages, as printed after `error: `.
     pub fn messages(&self) -> Vec<String> {
         match self {
             Self::Scene(errors) => {
@@ -107,8 +107,8 @@ impl Failure {
             Self::Lost { why, part } => {
                 let resume = part.as_ref().map_or(String::new(), |part| {
                     format!(
-                        "\n{part} has the samples done by then: --resume goes on from it. Of a CPU's driver, \
-                         --resume --device cpu-f32 ends at the same picture, to the bit."
+                        "\n{part} contains the samples done by then; continue with --resume. After a CPU driver, \
+                         --resume --device cpu-f32 makes the same picture, to the bit."
                     )
                 });
                 vec![format!("the device failed twice: {why}{resume}")]
@@ -121,7 +121,7 @@ impl Failure {
     }
 }
 
-/// What is wrong with a command line, without the advice that clap adds for those who typed it.
+/// The error of a command line, without the advice that clap adds for people at a terminal.
 fn sentence(wrong: &clap::Error) -> String {
     let text = wrong.to_string();
     let said = text.split("\n\n").next().unwrap_or(&text);

@@ -1,28 +1,28 @@
-//! Which file it is, whatever names and links lead to it.
+//! The identity of a file, independent of the names and links that lead to it.
 
 use std::io;
 use std::path::Path;
 
 use same_file::Handle;
 
-/// The identity of the file at `path`. Devices and pipes have none: many may write to one, and to open a pipe could take
-/// for ever.
+/// The identity of the file at `path`. Devices and pipes have none: many may write to one, and opening a pipe could block
+/// forever.
 pub fn of(path: &Path) -> Option<Handle> {
     let is_file = path.metadata().is_ok_and(|there| there.is_file());
     is_file.then(|| Handle::from_path(path).ok()).flatten()
 }
 
-/// That of the file that stdin is read from.
+/// The identity of the file that stdin is read from.
 pub fn of_stdin() -> Option<Handle> {
     of_file(Handle::stdin())
 }
 
-/// That of the file that stdout is redirected into.
+/// The identity of the file that stdout is redirected into.
 pub fn of_stdout() -> Option<Handle> {
     of_file(Handle::stdout())
 }
 
-/// That of the file that stderr is redirected into.
+/// The identity of the file that stderr is redirected into.
 pub fn of_stderr() -> Option<Handle> {
     of_file(Handle::stderr())
 }

@@ -1,4 +1,4 @@
-//! Files that a command reads, and may not write over.
+//! Files that a command reads and must not overwrite.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ pub struct Input {
 }
 
 impl Input {
-    /// A file by what it is, such as `the picture`.
+    /// A file and its role, such as `the picture`.
     pub fn new(what: &'static str, path: &Path) -> Self {
         let source = Source::File(path.to_owned());
         Self { what, source }
@@ -53,7 +53,7 @@ impl Input {
     }
 }
 
-/// None of the outputs would be written over what is read, whatever name it has.
+/// Checks that no output would overwrite an input, under any name.
 pub fn spare<'a>(
     inputs: &[Input],
     outputs: impl IntoIterator<Item = &'a Destination>,
@@ -67,7 +67,7 @@ pub fn spare<'a>(
                 other => format!(" {other}"),
             };
             return Err(Failure::Usage(format!(
-                "{to} would be overwritten: it is {what}{name}; give what is written another name"
+                "{to} would be overwritten: it is {what}{name}; give the output another name"
             )));
         }
     }

@@ -1,4 +1,4 @@
-//! What an integrator cannot do, said before it renders.
+//! Limits of an integrator, checked before it renders.
 
 use glam::DVec3;
 
@@ -8,39 +8,39 @@ use vkpt::prepared::{MaterialKind, Prepared};
 use vkpt::report::names::Named;
 use vkpt::settings::{Absorption, Connect, Integrator, Settings};
 
-/// Refuses settings that the integrator has no meaning for.
+/// Refuses settings that the integrator does not support.
 pub fn check(settings: &Settings) -> Result<(), Failure> {
     let integrator = settings.estimator.integrator;
     let name = integrator.name();
     if integrator != Integrator::Path && settings.model.absorption == Absorption::Term {
         return Err(Failure::Usage(format!(
-            "--integrator {name} cannot render --absorption term, which --model handout sets: light that absorption takes at \
-             surfaces alone has no path backwards. Add --absorption segment, or leave --integrator {name} out"
+            "--integrator {name} does not support --absorption term, which --model handout sets: absorption at surfaces \
+             alone has no adjoint for light paths. Add --absorption segment, or omit --integrator {name}"
         )));
     }
     let weighs = settings.estimator.connect == Connect::Mis;
     if integrator == Integrator::Bidirectional && !weighs {
         return Err(Failure::Usage(format!(
-            "--integrator {name} weighs all ways to find light against each other: leave --connect out"
+            "--integrator {name} always weighs all ways to find light: omit --connect"
         )));
     }
     Ok(())
 }
 
-/// Settings with the integrator that a scene has chosen, and why.
+/// Settings with the integrator that suits a scene, and the reason.
 pub struct Settled {
     pub settings: Settings,
     pub why: &'static str,
 }
 
-/// These settings with the integrator that the scene chooses.
+/// These settings with the integrator that suits the scene.
 pub fn settled(prepared: &Prepared, mut settings: Settings) -> Settled {
     let Chosen { integrator, why } = chosen(prepared, &settings);
     settings.estimator.integrator = integrator;
     Settled { settings, why }
 }
 
-/// Refuses what `flag` shows of the paths of a pixel's samples with light paths alone, which belong to no pixel.
+/// Refuses `flag`, which follows the paths of a pixel's samples, for light tracing, whose paths belong to no pixel.
 pub fn needs_eye_paths(settings: &Settings, flag: &str) -> Result<(), Failure> {
     match settings.estimator.integrator {
         Integrator::Path | Integrator::Bidirectional => Ok(()),
@@ -51,11 +51,11 @@ pub fn needs_eye_paths(settings: &Settings, flag: &str) -> Result<(), Failure> {
 /// `what` follows paths from the eye.
 pub fn no_eye_paths(what: &str) -> Failure {
     Failure::Usage(format!(
-        "{what} follows paths from the eye, which --integrator light has none of: use --integrator path or bidirectional"
+        "{what} follows paths from the eye, and --integrator light has none: use --integrator path or bidirectional"
     ))
 }
 
-/// What the integrator does not see of a scene.
+/// A warning about the parts of a scene that the integrator does not render.
 pub fn unseen(prepared: &Prepared, settings: &Settings) -> Option<String> {
     use MaterialKind::{Mirror, SmoothDielectric, WeakDielectric};
     let has = |kind| {
@@ -63,10 +63,10 @@ pub fn unseen(prepared: &Prepared, settings: &Settings) -> Option<String> {
         shapes.any(|s| prepared.materials[s.material as usize].kind == kind)
     };
     let missing: Vec<&str> = [
-        (has(Mirror), "what mirrors show"),
+        (has(Mirror), "reflections in mirrors"),
         (
             has(SmoothDielectric) || has(WeakDielectric),
-            "what smooth glass shows",
+            "what is seen through smooth glass",
         ),
         (prepared.background != DVec3::ZERO, "the background"),
     ]
@@ -76,8 +76,8 @@ pub fn unseen(prepared: &Prepared, settings: &Settings) -> Option<String> {
     let light = settings.estimator.integrator == Integrator::Light;
     (light && !missing.is_empty()).then(|| {
         format!(
-            "--integrator light does not see {}: the picture lacks it",
-            missing.join(", nor ")
+            "--integrator light does not render {}: the picture lacks them",
+            missing.join(" or ")
         )
     })
 }

@@ -1,4 +1,4 @@
-//! Signals that ask the program to end: the first lets it finish early and write what is there, the second ends it at once.
+//! Signals that end the program: after the first it finishes early and writes its results, the second ends it at once.
 
 use std::ffi::c_int;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -9,7 +9,7 @@ use signal_hook::flag;
 
 use super::caller::caller;
 
-/// Ctrl-c; what batch systems send before they kill; a terminal that is closed.
+/// Ctrl-c; the signal of batch systems before they kill; a closed terminal.
 #[cfg(unix)]
 const ENDING: [c_int; 3] = [
     SIGINT,
@@ -22,7 +22,7 @@ const ENDING: [c_int; 1] = [SIGINT];
 /// The signal that came last, 0 before any.
 static LAST: LazyLock<Arc<AtomicUsize>> = LazyLock::new(Arc::default);
 
-/// Set by the first of the signals from now on; that of a program that calls, which has signals of its own.
+/// Set by the first of the signals from now on; for a calling program, which handles signals itself, its flag.
 pub fn stop_flag() -> Arc<AtomicBool> {
     if let Some(by) = caller() {
         return by.stop;
@@ -30,7 +30,7 @@ pub fn stop_flag() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     for signal in ENDING.into_iter().filter(|signal| !is_ignored(*signal)) {
         // Handlers run in this order: the first signal finds the flag unset, sets it, and the second quits.
-        // Where no handler can be had, the signal keeps its usual meaning.
+        // If no handler can be installed, the signal keeps its usual meaning.
         let _ = flag::register_conditional_shutdown(signal, code(signal), stop.clone())
             .and_then(|_| flag::register_usize(signal, LAST.clone(), signal as usize))
             .and_then(|_| flag::register(signal, stop.clone()));
@@ -38,7 +38,7 @@ pub fn stop_flag() -> Arc<AtomicBool> {
     stop
 }
 
-/// The exit code after an interruption, as a shell has it: 128 and the signal.
+/// The exit code after an interruption, as in shells: 128 plus the signal.
 pub fn exit_code() -> u8 {
     let signal = match LAST.load(Ordering::Relaxed) {
         0 => SIGINT,
@@ -51,8 +51,8 @@ fn code(signal: c_int) -> c_int {
     128 + signal
 }
 
-/// Whether the program was started with the signal ignored, as `nohup` does and shells do for what runs in the background:
-/// that stays, where Linux tells.
+/// Whether the program was started with the signal ignored, as `nohup` does, and shells do for background jobs:
+/// it stays ignored, where Linux shows it.
 fn is_ignored(signal: c_int) -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

@@ -1,4 +1,4 @@
-//! From a command line to a scene that is ready to be rendered.
+//! From a command line to a scene ready to render.
 
 use std::time::Instant;
 
@@ -13,11 +13,11 @@ use vkpt::render::{Job, KernelChoice, Until};
 use vkpt::scene::{Diagnostic, Scene};
 use vkpt::settings::Settings;
 
-/// What a command line asks to be rendered.
+/// The rendering that a command line requests.
 pub struct Request<'a> {
     pub scene: &'a Source,
     pub settings: Settings,
-    /// The scene is to choose its integrator.
+    /// Whether the scene chooses its integrator.
     pub auto: bool,
     /// The name of a glTF file's camera.
     pub camera: Option<&'a str>,
@@ -26,30 +26,30 @@ pub struct Request<'a> {
     pub spp: u32,
     pub seed: u32,
     pub strict: bool,
-    /// Only warnings and errors are told.
+    /// Only warnings and errors are printed.
     pub quiet: bool,
 }
 
-/// A scene read, its warnings told.
+/// A scene that was read, its warnings printed.
 pub struct Loaded {
     pub scene: Scene,
-    /// What was read, line by line.
+    /// The text that was read, line by line.
     pub text: String,
-    /// Of lines that the file itself does not have.
+    /// Whether its lines are made up: the file itself has none.
     is_listing: bool,
     warnings: Vec<String>,
     read_s: f64,
 }
 
-/// A scene prepared, its warnings told.
+/// A prepared scene, its warnings printed.
 pub struct Ready {
     pub prepared: Prepared,
     pub settings: Settings,
-    /// Why the integrator was chosen, where the scene was to choose it.
+    /// Why the integrator was chosen, if the scene chose it.
     pub why: Option<&'static str>,
-    /// Those of reading it, too.
+    /// Includes those of reading it.
     pub warnings: Vec<String>,
-    /// The lines that messages mean, where the file itself has no such lines.
+    /// The lines that messages refer to, if the file itself has no lines.
     pub listing: Option<String>,
     pub read_s: f64,
     pub prepare_s: f64,
@@ -65,7 +65,7 @@ impl Loaded {
         let is_warning = |d: &Diagnostic| d.severity == Severity::Warning;
         let warnings = read.warnings.iter().filter(|d| is_warning(d));
         let warnings = warnings.map(ToString::to_string).collect();
-        // What is good to know, and no more, a quiet run does without.
+        // A quiet run omits notes.
         read.warnings.retain(|d| is_warning(d) || !request.quiet);
         point_out(read.warnings);
         Ok(Self {
@@ -108,7 +108,7 @@ impl Loaded {
         })
     }
 
-    /// Tells the lines that messages name, where nobody could look them up.
+    /// Prints the lines that messages name, if the file itself does not have them.
     fn tell_lines(&self, messages: &[String]) {
         if self.is_listing {
             let lines = listing::named(&self.text, &messages.join("\n"));
@@ -116,7 +116,7 @@ impl Loaded {
         }
     }
 
-    /// Where a line of the scene is, as messages say it of the file `name`.
+    /// The place of a line of the scene in messages about the file `name`.
     pub fn place(&self, name: &str, line: usize) -> String {
         match listing::line(&self.text, line).filter(|_| self.is_listing) {
             Some(text) => format!("{name}, `{text}`"),
@@ -124,7 +124,7 @@ impl Loaded {
         }
     }
 
-    /// The same, without a word about its warnings.
+    /// The same, without printing warnings.
     pub fn prepare_in_silence(&self, request: &Request) -> Result<Prepared, Failure> {
         prepared::prepare(&self.scene, &request.settings, request.size).map_err(Failure::Prepare)
     }

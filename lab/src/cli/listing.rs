@@ -1,6 +1,6 @@
-//! The lines of a scene that its file does not have, such as a glTF file: those that a message names are told with it.
+//! The lines of a scene whose file has none, such as a glTF file: a message prints the lines that it names.
 
-/// Line `number` of a text, from 1, blanks drawn together.
+/// Line `number` of a text, from 1, with blanks collapsed.
 pub fn line(text: &str, number: usize) -> Option<String> {
     let line = text.lines().nth(number.checked_sub(1)?)?;
     Some(line.split_whitespace().collect::<Vec<_>>().join(" "))

@@ -1,4 +1,4 @@
-//! What a scene takes of the host's memory, said before it does.
+//! The memory that a scene takes on the host, announced beforehand.
 
 use crate::cli::exit::{Failure, note, warn};
 use vkpt::memory::{free, held};
@@ -6,11 +6,10 @@ use vkpt::prepared::Footprint;
 use vkpt::report::human::{bytes, thousands};
 use vkpt::scene::Scene;
 
-/// Scenes that take more say so before they do.
+/// Scenes that take more are announced.
 const LARGE: u64 = 1 << 30;
 
-/// Says what a large scene will take; warns where that is not free without swapping, and fails where it is not free at
-/// all.
+/// Announces the memory of a large scene; warns if it is not free without swapping, and fails if it is not free at all.
 pub fn announce(scene: &Scene, quiet: bool) -> Result<(), Failure> {
     let footprint = Footprint::of(scene);
     let needed = footprint.peak();
@@ -19,16 +18,20 @@ pub fn announce(scene: &Scene, quiet: bool) -> Result<(), Failure> {
         parts(footprint),
         bytes(needed)
     );
-    // The scene itself is there already.
+    // The scene itself is already in memory.
     let held = held().unwrap_or(0);
     match free() {
         Some(free) if free.all + held < needed => {
             let had = bytes(free.all + held);
-            return Err(Failure::Memory(format!("{what}, and {had} can be had")));
+            return Err(Failure::Memory(format!(
+                "{what}, but only {had} is available"
+            )));
         }
         Some(free) if free.quick + held < needed => {
             let had = bytes(free.quick + held);
-            warn(&format!("{what}, and {had} can be had without swapping"));
+            warn(&format!(
+                "{what}, but only {had} is available without swapping"
+            ));
         }
         _ if needed > LARGE && !quiet => note(&what),
         _ => {}
@@ -36,7 +39,7 @@ pub fn announce(scene: &Scene, quiet: bool) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What takes the memory, in words.
+/// The contents of the memory, in words.
 fn parts(footprint: Footprint) -> String {
     let Footprint {
         triangles, texels, ..

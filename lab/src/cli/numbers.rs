@@ -21,8 +21,8 @@ pub struct SamplePath {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pause(pub Option<Duration>);
 
-/// Lets a flag that takes numbers have what begins with a minus, so that it says itself what is wrong with that. clap would
-/// take it for another flag.
+/// Lets a flag that takes numbers accept a leading minus, so that its own parser reports the error. clap would take the
+/// value for another flag.
 pub fn negative(flag: Arg) -> Arg {
     let taken = flag.get_value_parser().type_id();
     let numbers = [
@@ -52,7 +52,7 @@ pub fn whole(least: u32) -> impl Fn(&str) -> Result<u32, String> + Clone {
     }
 }
 
-/// The most that an error may be.
+/// An upper bound of an error.
 pub fn bound(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(bound) if bound >= 0.0 && bound.is_finite() => Ok(bound),
@@ -77,7 +77,7 @@ pub fn pause(text: &str) -> Result<Pause, String> {
         .ok_or("must be a finite number of seconds above 0, such as 60, or off".to_owned())
 }
 
-/// `A..B`, not empty.
+/// `A..B`, non-empty.
 pub fn sample_range(text: &str) -> Result<Range<u32>, String> {
     let ends = text.split_once("..");
     match ends.and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?))) {
@@ -87,7 +87,7 @@ pub fn sample_range(text: &str) -> Result<Range<u32>, String> {
     }
 }
 
-/// The relMSE to be reached.
+/// The relMSE to reach.
 pub fn target_error(text: &str) -> Result<f64, String> {
     positive(text).ok_or("must be a finite number above 0, such as 1e-3".to_owned())
 }
@@ -114,7 +114,7 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
     }
 }
 
-/// `X0,Y0,X1,Y1`, not empty.
+/// `X0,Y0,X1,Y1`, non-empty.
 pub fn crop(text: &str) -> Result<[u32; 4], String> {
     match numbers(text, ',') {
         Some([x0, y0, x1, y1]) if x0 < x1 && y0 < y1 => Ok([x0, y0, x1, y1]),

@@ -1,4 +1,4 @@
-//! Progress: a bar on a terminal, a line now and then elsewhere.
+//! Progress: a bar on a terminal, occasional lines elsewhere.
 
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
@@ -10,7 +10,7 @@ use super::streams::tell;
 use vkpt::render::Progress;
 use vkpt::report::human::duration;
 
-/// Time between two plain lines.
+/// Time between two lines.
 const PAUSE: Duration = Duration::from_secs(5);
 
 /// The bar's steps; it moves by fractions.
@@ -33,7 +33,7 @@ enum Form {
 }
 
 impl Display {
-    /// What suits stderr; silent if asked to be `quiet`.
+    /// The form that suits stderr; silent if `quiet`.
     pub fn new(quiet: bool) -> Self {
         let start = Instant::now();
         let form = match caller() {
@@ -45,13 +45,13 @@ impl Display {
         Self { start, form }
     }
 
-    /// Shows how far the rendering is.
+    /// Shows the progress of the rendering.
     pub fn update(&mut self, progress: Progress) {
         let elapsed = self.start.elapsed();
         self.show(progress.fraction, || of_rendering(&progress, elapsed));
     }
 
-    /// Shows how far the picture's light is split by classes of paths.
+    /// Shows the progress of splitting the picture's light by classes of paths.
     pub fn splitting(&mut self, progress: Progress) {
         let elapsed = self.start.elapsed();
         self.show(progress.fraction, || {
@@ -83,7 +83,7 @@ impl Display {
         }
     }
 
-    /// Makes room for what comes after.
+    /// Clears the line for what follows.
     pub fn finish(&mut self) {
         if let Form::Bar(bar) = &self.form {
             bar.finish_and_clear();
@@ -93,7 +93,7 @@ impl Display {
 
 fn bar() -> ProgressBar {
     let bar = ProgressBar::new(STEPS);
-    // The template is a constant; should it ever be wrong, the crate's own style shows as much.
+    // The template is a constant; if it is ever wrong, the crate's default style serves.
     if let Ok(style) = ProgressStyle::with_template("[{bar:30}] {percent:>3} %  {msg}") {
         bar.set_style(style.progress_chars("=> "));
     }
@@ -107,7 +107,7 @@ fn of_rendering(progress: &Progress, elapsed: Duration) -> String {
         spp,
         fraction,
     } = *progress;
-    // Nothing is said of the most samples where time or error are to end the rendering alone.
+    // The maximum is omitted if only time or error end the rendering.
     let most = match spp < u32::MAX {
         true => format!(" of {spp}"),
         false => String::new(),

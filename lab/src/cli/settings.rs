@@ -1,4 +1,4 @@
-//! The flags of the settings, which every command that renders takes.
+//! The flags of the settings, common to all commands that render.
 
 use super::numbers;
 use super::values::{self, IntegratorRule, Preset, choice};
@@ -13,8 +13,8 @@ const ESTIMATOR: &str = "Estimator (how fast it converges)";
 /// One flag per setting of the surface model.
 #[derive(clap::Args, Debug)]
 pub struct SettingArguments {
-    /// A preset. handout: all settings as the course's hand-out has them. Words in the scene beat
-    /// it, flags beat both
+    /// Preset. handout: all settings as in the course hand-out. Words in the scene override it, flags
+    /// override both
     #[arg(long, value_name = "PRESET", help_heading = MODEL)]
     #[arg(value_parser = choice::<Preset>(), hide_possible_values = true)]
     pub model: Option<Preset>,
@@ -24,14 +24,14 @@ pub struct SettingArguments {
     #[arg(value_parser = choice::<Fresnel>(), hide_possible_values = true)]
     pub fresnel: Option<Fresnel>,
 
-    /// Micro-normals: phong, beckmann, ggx, or auto: phong for an exponent and ggx for a width
+    /// Microfacet distribution: phong, beckmann, ggx, or auto (phong for an exponent, ggx for a width)
     /// [default: the scene's, else auto]
     #[arg(long, value_name = "NAME", help_heading = MODEL)]
     #[arg(value_parser = values::distribution(), hide_possible_values = true)]
     pub distribution: Option<DistributionRule>,
 
-    /// Absorb along every segment in a medium, or only in the transmission term as the hand-out
-    /// prints it: segment or term [default: segment]
+    /// Absorb along every segment in a medium, or only in the transmission term as in the hand-out:
+    /// segment or term [default: segment]
     #[arg(long, value_name = "WHERE", help_heading = MODEL)]
     #[arg(value_parser = choice::<Absorption>(), hide_possible_values = true)]
     pub absorption: Option<Absorption>,
@@ -45,51 +45,52 @@ pub struct SettingArguments {
     #[arg(long, value_name = "N", help_heading = MODEL, value_parser = numbers::whole(0))]
     pub max_depth: Option<u32>,
 
-    /// Which paths find the light: those from the eye; those from the lights, each vertex joined to
-    /// the eye, which see neither mirrors nor through smooth glass; or both, joined to each other: path,
-    /// light, bidirectional, or auto: what suits the scene [default: auto]
+    /// Integrator: path (paths from the eye), light (paths from the lights, each vertex connected to
+    /// the eye; sees neither mirrors nor through smooth glass), bidirectional (both, connected), or
+    /// auto (path or bidirectional, whichever suits the scene) [default: auto]
     #[arg(long, value_name = "PATHS", help_heading = ESTIMATOR)]
     #[arg(value_parser = values::integrator(), hide_possible_values = true)]
     pub integrator: Option<IntegratorRule>,
 
-    /// How a lobe is chosen: by its share of fresnel, or by the norms of Kd, Ks and Kt [default:
-    /// fresnel]
+    /// Choose a lobe by its share of the Fresnel reflectance, or by the norms of Kd, Ks and Kt:
+    /// fresnel or norms [default: fresnel]
     #[arg(long, value_name = "RULE", help_heading = ESTIMATOR)]
     #[arg(value_parser = choice::<LobeChoice>(), hide_possible_values = true)]
     pub lobe: Option<LobeChoice>,
 
-    /// Which micro-normals are drawn: the visible ones, or those of the whole distribution [default:
-    /// visible]
+    /// Sample only the visible micro-normals, or the whole distribution: visible or distribution
+    /// [default: visible]
     #[arg(long, value_name = "DENSITY", help_heading = ESTIMATOR)]
     #[arg(value_parser = choice::<Normals>(), hide_possible_values = true)]
     pub normals: Option<Normals>,
 
-    /// Let paths survive by their throughput, with a constant probability such as 0.8, or always:
+    /// Russian roulette: survival by throughput, with a constant probability P such as 0.8, or always:
     /// throughput, P or off [default: throughput]
     #[arg(long, value_name = "RULE", help_heading = ESTIMATOR, value_parser = numbers::roulette)]
     pub roulette: Option<Roulette>,
 
-    /// Find light by connecting to it, by paths that hit it, or by both, weighted: light, bsdf or
-    /// mis [default: mis]
+    /// Find light by connections, by paths that hit it, or by both, weighted: light, bsdf or mis
+    /// [default: mis]
     #[arg(long, value_name = "HOW", help_heading = ESTIMATOR)]
     #[arg(value_parser = choice::<Connect>(), hide_possible_values = true)]
     pub connect: Option<Connect>,
 
-    /// How the light that a connection leads to is picked: by what it brings to the vertex, or by its
-    /// power: contribution or power [default: contribution]
+    /// Pick the light of a connection by its contribution at the vertex, or by its power: contribution
+    /// or power [default: contribution]
     #[arg(long, value_name = "RULE", help_heading = ESTIMATOR)]
     #[arg(value_parser = choice::<Lights>(), hide_possible_values = true)]
     pub lights: Option<Lights>,
 
-    /// Numbers that the samples of a pixel draw: independent ones, or scrambled Sobol points, spread
-    /// evenly: random or sobol [default: sobol]
+    /// Random numbers of a pixel's samples: independent, or scrambled Sobol points, or these in four
+    /// independent groups: random, sobol or sobol-quarters [default: sobol; with --denoise
+    /// sobol-quarters]
     #[arg(long, value_name = "KIND", help_heading = ESTIMATOR)]
     #[arg(value_parser = choice::<Sampler>(), hide_possible_values = true)]
     pub sampler: Option<Sampler>,
 }
 
 impl SettingArguments {
-    /// The values that hold where no flag says otherwise, and where they come from.
+    /// The values that apply without flags, and their origin.
     pub fn preset(&self) -> (&'static str, Settings) {
         match self.model {
             Some(Preset::Handout) => ("--model handout", Settings::handout()),
@@ -97,18 +98,18 @@ impl SettingArguments {
         }
     }
 
-    /// Whether the scene is to choose its integrator.
+    /// Whether the scene chooses its integrator.
     pub fn auto(&self) -> bool {
         matches!(self.integrator, None | Some(IntegratorRule::Auto))
     }
 
-    /// The preset's values, or the defaults, with what the flags say put over them.
+    /// The preset's values, or the defaults, overridden by the flags.
     pub fn settings(&self) -> Settings {
         let (_, preset) = self.preset();
         self.over(preset)
     }
 
-    /// The same with what the flags of `others` say put over these; their preset, if they have one, under both.
+    /// The same overridden by the flags of `others`; their preset, if any, comes below both.
     pub fn with(&self, others: &Self) -> Settings {
         let (_, preset) = match others.model {
             Some(_) => others.preset(),

@@ -1,4 +1,4 @@
-//! Where a scene comes from: a file, or for `-` stdin.
+//! The source of a scene: a file, or stdin for `-`.
 
 use std::ffi::{OsStr, OsString};
 use std::io;
@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 
 use vkpt::scene::{self, Errors, Read};
 
-/// What the argument SCENE names.
+/// The value of the argument SCENE.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Source {
     /// `-`
     Stdin,
     File(PathBuf),
-    /// What a program that calls has in memory.
+    /// Text of a calling program.
     Text(String),
 }
 
@@ -26,8 +26,8 @@ impl From<OsString> for Source {
 }
 
 impl Source {
-    /// Reads the scene, seen by the camera of that name. Meshes are looked for in the folder of the file, all others' in the
-    /// working directory.
+    /// Reads the scene, with the camera of that name. Meshes of a file are searched in its folder, those of other sources in
+    /// the working directory.
     pub fn read(&self, strict: bool, camera: Option<&str>) -> Result<Read, Errors> {
         match self {
             Self::Stdin => scene::read_from(io::stdin(), Path::new(STDIN), strict, camera),
@@ -36,7 +36,7 @@ impl Source {
         }
     }
 
-    /// What messages and reports call it.
+    /// Its name in messages and reports.
     pub fn name(&self) -> String {
         match self {
             Self::Stdin => STDIN.to_owned(),
@@ -45,7 +45,7 @@ impl Source {
         }
     }
 
-    /// The word that names it on a command line.
+    /// Its name on a command line.
     pub fn word(&self) -> String {
         match self {
             Self::Stdin | Self::Text(_) => "-".to_owned(),
@@ -53,7 +53,7 @@ impl Source {
         }
     }
 
-    /// What pictures without a name of their own are called by.
+    /// The stem of the names of default outputs.
     pub fn stem(&self) -> Option<&OsStr> {
         match self {
             Self::Stdin | Self::Text(_) => Some(OsStr::new("stdin")),

@@ -7,7 +7,7 @@ use vkpt::image::{Picture, Precision};
 use vkpt::metrics::StandardErrors;
 use vkpt::report::{differences, digest, is_noted, noted_digest, noted_freedom};
 
-/// The standard errors of a file, with the degrees of freedom that it notes; those of other programs are taken for exact.
+/// The standard errors of a file, with the degrees of freedom that it notes; those of other programs are taken as exact.
 pub fn standard_errors(picture: &Picture) -> StandardErrors<'_> {
     StandardErrors {
         film: &picture.film,
@@ -15,9 +15,9 @@ pub fn standard_errors(picture: &Picture) -> StandardErrors<'_> {
     }
 }
 
-/// Refuses standard errors that were made with another picture, as both files note it; `advice` says what else helps.
+/// Refuses standard errors of another picture, according to the notes of both files; `advice` names another remedy.
 ///
-/// Of two files by other programs nothing is known. Where the picture alone is silent, somebody should look.
+/// Files of other programs have no notes. If only the picture lacks them, a warning is printed.
 pub fn belongs(
     (errors, theirs): (&Path, &Picture),
     (picture, its): (&Path, &Picture),
@@ -25,12 +25,12 @@ pub fn belongs(
 ) -> Result<(), String> {
     let (errors, picture) = (errors.display(), picture.display());
     let mut differences = differences(&theirs.notes, &its.notes);
-    // Other formats round: what is read from them is not what was digested.
+    // Other formats round: their values do not match the digest.
     let exact = its.precision == Precision::Single;
     if let Some(theirs) = noted_digest(&theirs.notes).filter(|_| exact) {
         let all = differences.get_or_insert_default();
         if all.is_empty() && theirs != digest(&its.film) {
-            all.push("it was made with a picture of other values, from another version of the scene perhaps".into());
+            all.push("it was made with a picture of other values, perhaps from another version of the scene".into());
         }
     }
     match differences.as_deref() {
@@ -42,7 +42,7 @@ pub fn belongs(
             ));
         }
         None if is_noted(&theirs.notes) => warn(&format!(
-            "{picture} does not say what it was made from: nobody knows whether {errors} belongs to it"
+            "{picture} does not record how it was made: cannot check whether {errors} belongs to it"
         )),
         None => {}
     }

@@ -1,4 +1,4 @@
-//! Stdout and stderr, without the panic of `println!` where nobody reads them.
+//! Stdout and stderr, without the panic of `println!` if the reader is gone.
 
 use std::fmt::Display;
 use std::io::{self, Write};
@@ -9,7 +9,7 @@ use vkpt::image::file::FileError;
 use vkpt::image::place::{Place, folder};
 use vkpt::image::straight::unless_gone;
 
-/// What the process was started with to write to.
+/// The standard streams for output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stream {
     Stdout,
@@ -17,8 +17,8 @@ pub enum Stream {
 }
 
 impl Stream {
-    /// The one that a file's name stands for: by its number, such as /dev/stdout and /dev/fd/1, or because it is
-    /// redirected into that very file.
+    /// The stream that a file name means: by number, such as /dev/stdout and /dev/fd/1, or because the stream is redirected
+    /// into that file.
     pub fn of(path: &Path) -> Option<Self> {
         match Place::of(path).ok()? {
             Place::Straight(path) if is_numbered(&path) => match path.file_name()?.to_str()? {
@@ -51,7 +51,7 @@ impl Stream {
         })
     }
 
-    /// What messages call it.
+    /// Its name in messages.
     pub fn name(self) -> PathBuf {
         match self {
             Self::Stdout => "stdout".into(),
@@ -60,13 +60,13 @@ impl Stream {
     }
 }
 
-/// Whether the name is that of one of this process's files by its number.
+/// Whether the name denotes a file of this process by number.
 fn is_numbered(path: &Path) -> bool {
     let numbers = Path::new("/dev/fd").canonicalize();
     numbers.is_ok_and(|numbers| folder(path).canonicalize().is_ok_and(|own| own == numbers))
 }
 
-/// Prints a line on stderr. Where that fails there is nowhere left to say so.
+/// Prints a line on stderr. If that fails, nothing can report it.
 pub fn tell(line: impl Display) {
     let _ = writeln!(io::stderr(), "{line}");
 }
@@ -76,7 +76,7 @@ pub fn put(bytes: &[u8]) -> Result<(), FileError> {
     Stream::Stdout.put(bytes)
 }
 
-/// Writes clap's help or version to stdout, in colours where that is a terminal.
+/// Writes clap's help or version to stdout, in colour on a terminal.
 pub fn print_help(text: &clap::Error) -> Result<(), FileError> {
     let printed = text.print().and_then(|()| io::stdout().flush());
     Stream::Stdout.written(printed)

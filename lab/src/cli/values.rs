@@ -29,7 +29,7 @@ pub fn distribution() -> impl TypedValueParser<Value = DistributionRule> {
     auto_or(DistributionRule::Auto, DistributionRule::Always)
 }
 
-/// Which integrator: the same for every scene, or the one that suits it.
+/// The integrator: the same for every scene, or the one that suits it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum IntegratorRule {
     Auto,
@@ -65,7 +65,7 @@ fn named<T: Copy + Send + Sync + 'static>(
     })
 }
 
-/// A file whose ending is .png, or what has no ending: stdout by any name, a device, a pipe.
+/// A file whose ending is .png, or stdout under any name, a device or a pipe.
 pub fn png() -> impl TypedValueParser<Value = Destination> {
     OsStringValueParser::new().try_map(|word| {
         let to = Destination::from(word);
@@ -86,11 +86,11 @@ pub fn device(text: &str) -> Result<Target, std::convert::Infallible> {
     })
 }
 
-/// What renders one picture.
+/// The devices that render one picture.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Devices {
     One(Target),
-    /// Each makes a part of the samples.
+    /// Each renders a part of the samples.
     Several(Vec<Target>),
 }
 
@@ -107,7 +107,10 @@ pub fn devices(text: &str) -> Result<Devices, String> {
             .map_err(|never| match never {});
     }
     match words.contains(&Target::CpuF64) {
-        true => Err("cpu-f64 rounds otherwise than all others: it renders alone".to_owned()),
+        true => Err(
+            "cpu-f64 rounds differently from all others and cannot share samples: name it alone"
+                .to_owned(),
+        ),
         false => Ok(Devices::Several(words)),
     }
 }
@@ -116,7 +119,7 @@ pub fn devices(text: &str) -> Result<Devices, String> {
 pub fn vulkan_device(text: &str) -> Result<Selector, String> {
     match device(text) {
         Ok(Target::Vulkan(selector)) => Ok(selector),
-        _ => Err("must be a Vulkan device: the reference renderers are there anyway".to_owned()),
+        _ => Err("must be a Vulkan device, not a reference renderer".to_owned()),
     }
 }
 

@@ -1,14 +1,14 @@
-//! The flags of what is looked at in a scene, which every command that reads one takes.
+//! The flags of the view of a scene, common to all commands that read one.
 
 use super::job::Request;
 use super::numbers;
 use super::settings::SettingArguments;
 use super::source::Source;
 
-/// Which pixels there are, and what is taken for wrong.
+/// The camera, the pixels, and how to treat warnings.
 #[derive(clap::Args, Debug)]
 pub struct ViewArguments {
-    /// See a glTF file by the camera of this name, that of its node, or this number [default: the first]
+    /// Camera of a glTF file, by its name, its node's name, or its number [default: the first]
     #[arg(long, value_name = "NAME")]
     pub camera: Option<String>,
 
@@ -16,17 +16,17 @@ pub struct ViewArguments {
     #[arg(long, value_name = "WxH", value_parser = numbers::size)]
     pub size: Option<[u32; 2]>,
 
-    /// Only these pixels, counted from the top left; X1 and Y1 are excluded
+    /// Render only these pixels, counted from the top left; X1 and Y1 are excluded
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::crop)]
     pub crop: Option<[u32; 4]>,
 
-    /// Take every warning about the scene as an error
+    /// Treat warnings about the scene as errors
     #[arg(long)]
     pub strict: bool,
 }
 
 impl ViewArguments {
-    /// What is to be rendered of `scene`.
+    /// The rendering of `scene`.
     pub fn request<'a>(
         &'a self,
         scene: &'a Source,

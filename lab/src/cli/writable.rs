@@ -1,5 +1,5 @@
-//! What is to be written, looked at before the work starts: that it can be, that nothing is lost by it, and that nobody else
-//! is at it.
+//! Checks outputs before the work starts: that they can be written, that nothing is lost, and that no other process is
+//! writing them.
 
 use std::path::{Path, PathBuf};
 
@@ -12,14 +12,14 @@ use vkpt::image::claim::Claim;
 use vkpt::image::file::check_writable;
 use vkpt::image::place::{Place, folder};
 
-/// Files that no other vkpt writes while this lives.
+/// Files that no other vkpt writes while this exists.
 #[derive(Debug, Default)]
 #[must_use = "the files are free again once this is dropped"]
 pub struct Claims {
     _all: Vec<Claim>,
 }
 
-/// Every file can be written, no two go to one place, and no other vkpt writes one.
+/// Checks that every file can be written, no two go to one place, and no other vkpt writes one.
 pub fn check<'a>(files: impl IntoIterator<Item = &'a Destination>) -> Result<Claims, Failure> {
     let files: Vec<&Destination> = files.into_iter().collect();
     let named = files.iter().filter(|file| file.stream().is_none());
@@ -33,7 +33,7 @@ pub fn check<'a>(files: impl IntoIterator<Item = &'a Destination>) -> Result<Cla
     Ok(Claims { _all: all })
 }
 
-/// No two go to one place.
+/// Checks that no two go to one place.
 fn apart(files: &[&Destination]) -> Result<(), Failure> {
     let goals: Vec<Option<Goal>> = files.iter().map(|file| Goal::of(file)).collect();
     let twice = |i: &usize| goals[*i].is_some() && goals[..*i].contains(&goals[*i]);
@@ -42,27 +42,30 @@ fn apart(files: &[&Destination]) -> Result<(), Failure> {
     };
     Err(Failure::Usage(match files[i].stream() {
         Some(stream) => format!(
-            "two outputs would be written to {}: give one of them a name",
+            "two outputs would be written to {}: give one of them a file name",
             stream.name().display()
         ),
-        None => format!("two outputs would be written to one file, {}", files[i]),
+        None => format!(
+            "two outputs would be written to the same file, {}",
+            files[i]
+        ),
     }))
 }
 
-/// Where one output alone may go.
+/// A place that only one output may use.
 #[derive(Debug, PartialEq, Eq)]
 enum Goal {
     Stream(Stream),
-    /// A file that is there.
+    /// An existing file.
     Known(Handle),
-    /// One to be made: its folder's own name, and the file's.
+    /// A new file: its folder's canonical name, and the file's.
     New(PathBuf),
-    /// A pipe, by its device and number: whoever reads it would get both in one.
+    /// A pipe, by its device and number: its reader would get both outputs in one.
     Pipe([u64; 2]),
 }
 
 impl Goal {
-    /// None for what any number of outputs may go to, such as /dev/null.
+    /// `None` for places that any number of outputs may use, such as /dev/null.
     fn of(to: &Destination) -> Option<Self> {
         if let Some(stream) = to.stream() {
             return Some(Self::Stream(stream));

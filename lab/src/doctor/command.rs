@@ -1,4 +1,4 @@
-//! `vkpt doctor`: what a device is like, and whether its pictures can be trusted.
+//! `vkpt doctor`: the properties of a device, and whether its pictures can be trusted.
 
 use crate::cli::console::Console;
 use crate::cli::destination::{Destination, all_written, json, whole};
@@ -11,35 +11,35 @@ use vkpt::gpu::{Device, Selector};
 
 const AFTER_HELP: &str = "\
 Exit codes:
-    0  healthy; bits may differ from the reference's where Vulkan allows it
-    1  something failed that pictures depend on, or the device gave up
+    0  healthy; bits may differ from the reference where Vulkan allows it
+    1  a test that pictures depend on failed, or the device stopped responding
     2  the command line is wrong
-    4  there is no such Vulkan device, or none at all
+    4  no Vulkan device, or none that matches --device
     5  the report or stdout could not be written
 
 Examples:
-  vkpt doctor                                   can the best device's pictures be trusted?
-  vkpt doctor --device 0 --json device.json     another one; all findings for scripts";
+  vkpt doctor                                   test the best device
+  vkpt doctor --device 0 --json device.json     test another one, and write all findings";
 
-/// How a device is examined.
+/// The flags of an examination.
 #[derive(clap::Args, Debug)]
 #[command(after_help = AFTER_HELP)]
 pub struct DoctorArguments {
-    /// A Vulkan device, by its index or part of its name [default: the best there is]
+    /// Vulkan device, by index or part of its name [default: the best]
     #[arg(long, value_name = "DEVICE", value_parser = values::vulkan_device)]
     device: Option<Selector>,
 
-    /// Hold vkpt's own functions against the reference at every 32-bit float instead of a million:
-    /// minutes
+    /// Compare vkpt's own functions with the reference at every 32-bit float instead of a million;
+    /// takes minutes
     #[arg(long)]
     exhaustive: bool,
 
-    /// Write all findings; - for stdout
+    /// Write all findings as JSON; - for stdout
     #[arg(long, value_name = "FILE")]
     json: Option<Destination>,
 }
 
-/// Prints the page, writes the record where it is asked for.
+/// Prints the page, and writes the record if requested.
 pub fn doctor(arguments: &DoctorArguments) -> Result<Ending, Failure> {
     let _claims = writable::check(&arguments.json)?;
     let selector = arguments.device.as_ref().unwrap_or(&Selector::Best);

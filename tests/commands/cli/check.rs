@@ -74,7 +74,7 @@ fn reports_that_cannot_be_written_are_told_before_the_work() {
         (
             &["--json", "r", "--html", "./r"],
             2,
-            "two outputs would be written to one file",
+            "two outputs would be written to the same file",
         ),
         (&["--html"], 2, "--html <FILE>"),
     ];

@@ -95,23 +95,23 @@ fn what_is_no_class_is_refused() {
     for (line, told) in [
         (
             "scene.scn --aov light:ED+ -o a.exr",
-            "error: invalid value 'light:ED+' for '--aov <WHAT>': \"ED+\" is no class of paths, no path matches it: E, the eye,",
+            "error: invalid value 'light:ED+' for '--aov <LAYERS>': \"ED+\" is not a class of paths, no path matches it. Write E for",
         ),
         (
             "scene.scn --aov light -o a.exr",
-            "error: invalid value 'light' for '--aov <WHAT>'\n  [possible values: stderr, albedo, normal, depth, position, shape, material, samples, albedo*, normal*, light:PATTERN]",
+            "error: invalid value 'light' for '--aov <LAYERS>'\n  [possible values: stderr, albedo, normal, depth, position, shape, material, samples, albedo*, normal*, light:PATTERN]",
         ),
         (
             "explain scene.scn --aov light:ED{2}L",
-            "error: invalid value 'light:ED{2}L' for '--aov <WHAT>': \"ED{2}L\" is no class of paths, '{' means nothing in it: E,",
+            "error: invalid value 'light:ED{2}L' for '--aov <LAYERS>': \"ED{2}L\" is not a class of paths, '{' has no meaning in it. Write",
         ),
         (
             "scene.scn --aov light:E.*L -o a.png",
-            "error: --aov light:E.*L is a layer of an EXR, and none is written: add -o NAME.exr",
+            "error: --aov light:E.*L is a layer of an EXR, but no EXR is written: add -o NAME.exr",
         ),
         (
             "merge a.vkpt --aov light:EL -o a.exr",
-            "error: --aov light:EL is seen in the scene, which parts do not hold: vkpt SCENE writes it",
+            "error: --aov light:EL needs the scene, which parts do not contain: render it with vkpt SCENE",
         ),
     ] {
         let run = words(folder.path(), line);
@@ -137,7 +137,8 @@ fn an_interruption_leaves_the_picture_without_classes() {
         );
         if picture.exists() {
             assert_eq!(run.code, Some(130), "{}", run.err);
-            let told = "warning: interrupted: the picture is written without --aov light\n";
+            let told =
+                "warning: interrupted: the picture is written without the layers of --aov light\n";
             assert!(run.err.contains(told), "{}", run.err);
             assert!(read_layer(&picture, "light:EL").is_err());
             assert!(folder.path().join("a.vkpt").exists());

@@ -134,7 +134,7 @@ fn two_pictures_against_a_third() {
         &[&arguments[..], &["--heatmap", "map.png"]].concat(),
     );
     assert_eq!(run.code, Some(0), "{}{}", run.out, run.err);
-    assert!(run.out.contains("against r.exr"), "{}", run.out);
+    assert!(run.out.contains("compared with r.exr"), "{}", run.out);
     assert!(run.out.contains("a.exr: the z-test passes"), "{}", run.out);
     assert!(run.out.contains("b.exr: the z-test fails"), "{}", run.out);
     let map = vkpt::image::read(&folder.path().join("map.png")).expect("a map");

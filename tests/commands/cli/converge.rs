@@ -51,8 +51,8 @@ fn a_curve_goes_to_table_csv_and_json() {
         "relMSE",
         "slope",
         "r.exr",
-        "nothing speaks against",
-        "of at most 1.00 s of sampling spent",
+        "no evidence against",
+        "of at most 1.00 s of sampling used",
     ] {
         assert!(done.out.contains(word), "{word}: {}", done.out);
     }
@@ -130,7 +130,7 @@ fn what_does_not_converge_is_a_warning_and_a_field() {
     );
     let (code, out, err, converges) = quiet("brighter.exr");
     assert_eq!((code, out, converges), (Some(0), nothing, false.into()));
-    let said = "warning: the pictures do not converge to the reference brighter.exr: relMSE ";
+    let said = "warning: the pictures do not converge to the reference (brighter.exr): relMSE ";
     assert!(err.starts_with(said), "{err}");
     assert_eq!(err.lines().count(), 1, "{err}");
 }
@@ -193,12 +193,12 @@ fn variants_are_compared_with_the_first() {
     let done = converge(folder.path(), &more.split(' ').collect::<Vec<_>>());
     assert_eq!(done.code, Some(0), "{}", done.err);
     assert!(
-        done.out.contains("by that of connect=light lobe=fresnel"),
+        done.out.contains("relative to connect=light lobe=fresnel"),
         "{}",
         done.out
     );
     assert!(
-        !done.out.contains("converge to different things"),
+        !done.out.contains("converge to different limits"),
         "{}",
         done.out
     );
@@ -226,7 +226,7 @@ fn where_the_model_varies_it_says_that_the_limits_differ() {
     let done = converge(folder.path(), &more);
     assert_eq!(done.code, Some(0), "{}", done.err);
     assert!(
-        done.out.contains("converge to different things"),
+        done.out.contains("converge to different limits"),
         "{}",
         done.out
     );
@@ -244,7 +244,7 @@ fn references_are_kept_and_trusted_only_whole() {
         assert_eq!(done.code, Some(0), "{}", done.err);
         let reference = json(folder, "c.json")["variants"][0]["reference"].clone();
         let name = reference["name"].as_str().expect("a name").to_owned();
-        (name.contains("kept"), reference["own"].clone())
+        (name.contains("cached"), reference["own"].clone())
     };
     let (kept, first) = own(&[]);
     assert!(!kept);

@@ -53,7 +53,7 @@ fn what_cannot_be_measured_is_a_wrong_command_line() {
     let rows: &[(&[&str], &str)] = &[
         (
             &["--replicates", "1"],
-            "one replicate tells nothing of chance: 2 or more are needed",
+            "one replicate gives no interval: 2 or more are needed",
         ),
         (&["--replicates", "0"], "from 2 to 1000"),
         (&["--replicates", "-8"], "from 2 to 1000"),
@@ -70,11 +70,11 @@ fn what_cannot_be_measured_is_a_wrong_command_line() {
         (&["--vary", "connect=all"], "invalid value 'all'"),
         (
             &["--vary", "connect=mis", "--vary", "connect=light"],
-            "there twice",
+            "given twice",
         ),
         (
             &["--html", "./c.json"],
-            "two outputs would be written to one file",
+            "two outputs would be written to the same file",
         ),
         (&["--crop", "0,0,13,8"], "outside the picture of 12x8"),
     ];
@@ -87,7 +87,7 @@ fn what_cannot_be_measured_is_a_wrong_command_line() {
 #[test]
 fn replicates_have_no_seed_of_the_reference() {
     let folder = folder(LIT);
-    let said = "its replicates would have the seeds of the reference";
+    let said = "its replicates would use the seeds of the reference";
     for seed in ["4294967287", "4294967294", "4294967295"] {
         refused(folder.path(), &["--seed", seed], 2, said);
     }

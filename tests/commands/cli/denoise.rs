@@ -38,10 +38,13 @@ fn denoised_pictures_stand_beside_noisy_ones() {
     assert_eq!(run.code, Some(0), "{}", run.err);
     let last = run.out.lines().last().unwrap_or_default();
     assert!(
-        last.contains("made from half of the samples has a relMSE of at most"),
+        last.contains("denoised from half of the samples has a relMSE of at most"),
         "{last}"
     );
-    assert!(last.contains("not of the noisy one"), "{last}");
+    assert!(
+        last.contains("not the error of the noisy picture"),
+        "{last}"
+    );
     let noisy = at("a.exr").film;
     let plain = "scene.scn --spp 16 --connect bsdf --device cpu-f32 --quiet --checkpoint off --sampler sobol-quarters -o b.exr";
     assert_eq!(words(folder.path(), plain).code, Some(0));
@@ -141,7 +144,7 @@ fn a_library_that_does_not_work_leaves_the_noisy_picture() {
         (
             "nowhere",
             false,
-            "--oidn nowhere: there is no libOpenImageDenoise.so.2: no denoised",
+            "no denoised picture will be written: --oidn nowhere: libOpenImageDenoise.so.2 does not exist",
         ),
         ("text.so", false, "--oidn text.so: "),
         (
@@ -152,7 +155,7 @@ fn a_library_that_does_not_work_leaves_the_noisy_picture() {
         (
             ".",
             true,
-            "no denoised picture is written: Open Image Denoise: out of patience",
+            "no denoised picture was written: Open Image Denoise: out of patience",
         ),
     ] {
         let mut line = format!("{RENDER} --quiet --denoise --oidn {library}");
@@ -186,16 +189,16 @@ fn what_cannot_be_denoised_is_refused() {
         ),
         (
             "scene.scn --samples 0..8 --denoise",
-            "--denoise needs all of it",
+            "--denoise needs all samples",
         ),
         ("scene.scn --denoise=blur", "auto, oidn, nlm"),
         (
             "scene.scn --denoise -o - --format png",
-            "--denoise writes beside a picture",
+            "--denoise writes next to a picture",
         ),
         (
             "scene.scn --denoise -o a.png -o a-denoised.png",
-            "would write over the picture a-denoised.png",
+            "would overwrite the picture a-denoised.png",
         ),
     ] {
         let run = words(folder.path(), line);

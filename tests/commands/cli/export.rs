@@ -64,7 +64,7 @@ fn what_has_no_equal_is_told_by_file_and_line_and_leaves_nothing() {
     let refused = run(folder.path(), &TO);
     assert_eq!((refused.code, refused.out.as_str()), (Some(3), ""));
     assert!(
-        refused.err.starts_with("error: scene.scn:5: Kd beside Ks"),
+        refused.err.starts_with("error: scene.scn:5: Kd with Ks"),
         "{}",
         refused.err
     );
@@ -135,7 +135,7 @@ fn a_detail_is_bounds_of_columns_then_rows_in_pbrt() {
     assert!(
         refused
             .err
-            .contains("--crop: glTF's cameras see whole pictures")
+            .contains("--crop: glTF's cameras show whole pictures")
     );
 }
 
@@ -165,7 +165,7 @@ fn what_another_model_makes_of_a_scene_is_warned_of_and_strict_refuses_it() {
     let line = "export scene.scn --to pbrt -o -";
     let warned = words(folder.path(), line);
     assert_eq!(warned.code, Some(0));
-    let said = "warning: scene.scn:3: a colour: pbrt makes a smooth spectrum";
+    let said = "warning: scene.scn:3: a colour: pbrt converts it to a smooth spectrum";
     assert!(warned.err.starts_with(said), "{}", warned.err);
     assert!(warned.out.contains("WorldBegin"));
     let strict = words(folder.path(), &format!("{line} --strict"));
@@ -188,8 +188,7 @@ fn a_gltf_file_renders_to_the_bits_of_its_scene() {
     let exported = words(folder.path(), "export scene.scn --to gltf");
     assert_eq!(exported.code, Some(0));
     // glTF knows the shape of a picture, and not its size.
-    let said =
-        "note: scene.scn:2: the size in pixels is not in glTF: render the file with --size 16x12";
+    let said = "note: scene.scn:2: glTF does not store the size in pixels: render the file with --size 16x12";
     assert_eq!(exported.err.trim_end(), said);
     let picture = |name: &str| {
         let flags = "--quiet --size 16x12 --spp 4 --device cpu-f32 -o a.exr";

@@ -57,7 +57,7 @@ fn no_file_is_written_over() {
     fs::write(folder.path().join("a.txt"), "mine").expect("a file");
     let before = names(folder.path());
     let run = words(folder.path(), "init a.txt");
-    let said = "error: cannot write a.txt: it is there already; give the scene another name\n";
+    let said = "error: cannot write a.txt: it exists already; give the scene another name\n";
     assert_eq!((run.code, run.err.as_str()), (Some(5), said));
     assert_eq!(
         fs::read_to_string(folder.path().join("a.txt")).expect("a file"),

@@ -40,9 +40,9 @@ fn what_bidirectional_paths_cannot_do_is_refused() {
     let rows: [(&[&str], &str); 2] = [
         (
             &["scene.scn", "--absorption", "term"],
-            "leave --integrator bidirectional out",
+            "omit --integrator bidirectional",
         ),
-        (&["scene.scn", "--connect", "bsdf"], "leave --connect out"),
+        (&["scene.scn", "--connect", "bsdf"], "omit --connect"),
     ];
     for (arguments, said) in rows {
         let folder = folder(SCENE);
@@ -75,7 +75,7 @@ fn what_light_paths_do_not_see_is_warned_of_once() {
             assert_eq!(run.code, Some(0), "{}", run.err);
             let told = run
                 .err
-                .matches("does not see what mirrors show, nor the background");
+                .matches("does not render reflections in mirrors or the background");
             assert_eq!(told.count(), warnings, "{integrator}: {}", run.err);
         }
     }
@@ -103,31 +103,31 @@ fn a_scene_chooses_its_integrator() {
             &lamp,
             &[],
             "path",
-            "the lights are large, and hit by paths from the eye",
+            "the lights are large, and paths from the eye hit them",
         ),
         (
             GLASS,
             &[],
             "bidirectional",
-            "small lights shine on what mirrors or refracts",
+            "small lights illuminate mirrors or glass",
         ),
         (
             GLASS,
             &["--absorption", "term"],
             "path",
-            "absorption by term has no path backwards",
+            "--absorption term has no adjoint for light paths",
         ),
         (
             GLASS,
             &["--connect", "light"],
             "path",
-            "--connect weighs paths from the eye alone",
+            "--connect applies only to paths from the eye",
         ),
         (
             &skies,
             &[],
             "path",
-            "most light is the background's, which paths from the eye find by themselves",
+            "most light comes from the background, which paths from the eye find",
         ),
         (&plaster, &[], "path", "nothing mirrors or refracts"),
     ];

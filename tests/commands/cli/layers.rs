@@ -102,11 +102,11 @@ fn layers_that_have_no_place_are_refused() {
     for (line, told) in [
         (
             "scene.scn --aov albedo -o a.png",
-            "error: --aov albedo is a layer of an EXR, and none is written: add -o NAME.exr",
+            "error: --aov albedo is a layer of an EXR, but no EXR is written: add -o NAME.exr",
         ),
         (
             "merge a.vkpt --aov depth -o a.exr",
-            "error: --aov depth is seen in the scene, which parts do not hold: vkpt SCENE writes it",
+            "error: --aov depth needs the scene, which parts do not contain: render it with vkpt SCENE",
         ),
         (
             "scene.scn --aov colour -o a.exr",

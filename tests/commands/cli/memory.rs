@@ -89,7 +89,7 @@ fn a_picture_that_cannot_fit_is_refused_before_its_first_sample() {
             "{line}: {err}"
         );
         assert!(
-            err.contains("--size or --crop make them smaller"),
+            err.contains("use --size or --crop for a smaller picture"),
             "{line}: {err}"
         );
     }
@@ -120,12 +120,12 @@ fn a_scene_that_cannot_fit_is_told_by_its_size() {
         let (code, err) = within(folder.path(), kib, line);
         let is_refused = err.starts_with("error: 302,580 triangles take about ");
         let has_failed = err.contains("memory allocation of ") && err.contains(" bytes failed")
-            || err.contains(" bytes of memory, and they are not there");
+            || err.contains(" bytes of memory, which are not available");
         match code {
             Some(0) => sufficed += 1,
             Some(6) if is_refused => refused += 1,
             Some(6) if has_failed => failed += 1,
-            Some(6) if err.starts_with("error: threads cannot be made: ") => {}
+            Some(6) if err.starts_with("error: cannot create threads: ") => {}
             _ => panic!("{kib} KiB: {code:?} {err}"),
         }
     }

@@ -119,7 +119,7 @@ fn a_camera_that_is_not_there_is_an_error_that_lists_them() {
     assert_eq!(run.code, Some(3));
     assert!(
         run.err
-            .contains("there is no camera `Back`: there is `Eye`"),
+            .contains("camera `Back` does not exist; its cameras are `Eye`"),
         "{}",
         run.err
     );

@@ -98,7 +98,7 @@ fn links_stay_and_lead_to_what_is_written() {
     assert_eq!(ran.code, Some(5));
     assert_eq!(
         ran.err,
-        "error: cannot write circle.exr: its links lead in a circle\n"
+        "error: cannot write circle.exr: its links form a cycle\n"
     );
     let twice = words(
         folder.path(),
@@ -115,11 +115,11 @@ fn nothing_is_written_beside_a_device() {
     for (line, said) in [
         (
             format!("{RENDER} -o /dev/null --format exr --aov stderr"),
-            "no place beside it: add -o FILE",
+            "do not allow: add -o FILE",
         ),
         (
             "export scene.scn --to mitsuba -o /dev/null".to_owned(),
-            "/dev/null has no place beside it: use -o FILE",
+            "cannot be written next to /dev/null: use -o FILE",
         ),
     ] {
         let ran = words(folder.path(), &line);

@@ -81,7 +81,7 @@ fn a_wrong_command_line_is_2() {
                 "-o",
                 "a-stderr.exr",
             ],
-            "over the picture a-stderr.exr",
+            "overwrite the picture a-stderr.exr",
         ),
         (&["scene.scn", "--connect", "x"], "mis, light, bsdf"),
         (
@@ -240,7 +240,7 @@ fn without_vulkan_the_reference_renders_and_says_so() {
     let output = blind(folder.path(), &["scene.scn", "-o", "blind.exr"]);
     let said = String::from_utf8_lossy(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{said}");
-    let last = "on cpu-f32, for want of a usable Vulkan device";
+    let last = "on cpu-f32, as no Vulkan device is usable";
     assert!(said.trim_end().ends_with(last), "{said}");
     let reference = ["scene.scn", "--device", "cpu-f32", "-o", "asked.exr"];
     let asked = run(folder.path(), &reference);

@@ -102,7 +102,7 @@ fn a_signal_leaves_a_part_to_go_on_from() {
         assert_eq!(ended.status.code(), Some(code));
         let said = String::from_utf8_lossy(&ended.stderr).into_owned();
         assert!(
-            said.contains("note: --resume goes on from a.vkpt"),
+            said.contains("note: continue with --resume, which reads a.vkpt"),
             "{said}"
         );
         assert_eq!(names(path), ["a.exr", "a.vkpt", "scene.scn"]);
@@ -183,13 +183,16 @@ fn it_goes_on_to_other_ends() {
     // Nothing there yet.
     let said = ok(&format!("{COMMON} --spp 2 --resume -o new.exr"));
     assert!(
-        said.contains("there is no new.vkpt: the rendering begins anew"),
+        said.contains("new.vkpt does not exist: rendering from the first sample"),
         "{said}"
     );
     // A part that is whole.
     ok(&format!("{COMMON} --samples 5..9 -o p.vkpt"));
     let said = ok(&format!("{COMMON} --samples 5..9 --resume -o p.vkpt"));
-    assert!(said.contains("all samples are there already"), "{said}");
+    assert!(
+        said.contains("the file already contains all samples"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -203,10 +206,13 @@ fn another_rendering_is_not_gone_on_from() {
         ("--spp 400 --seed 1", "--seed is 0 there and 1 here"),
         (
             "--spp 200",
-            "it has 300 samples a pixel already, more than the 200 asked for",
+            "it already has 300 samples per pixel, more than the 200 requested",
         ),
-        ("--samples 100..400", "it begins at sample 0, not 100"),
-        ("--spp 400 --device cpu-f64", "it is not of cpu-f64"),
+        ("--samples 100..400", "it starts at sample 0, not 100"),
+        (
+            "--spp 400 --device cpu-f64",
+            "it was not rendered by cpu-f64",
+        ),
         (
             "--spp 400 --aov stderr --sampler random -o a.exr",
             "--sampler is sobol there",
@@ -220,7 +226,7 @@ fn another_rendering_is_not_gone_on_from() {
         };
         let run = words(path, &line);
         assert_eq!(run.code, Some(3), "{flags}: {}", run.err);
-        let whole = format!("--resume cannot go on from a.vkpt: {said}");
+        let whole = format!("--resume cannot continue a.vkpt: {said}");
         assert!(run.err.contains(&whole), "{}", run.err);
         assert!(bytes(path, "a.vkpt") == before, "{flags}");
     }
@@ -228,7 +234,7 @@ fn another_rendering_is_not_gone_on_from() {
     let run = words(path, &format!("{COMMON} --spp 400 --resume -o a.vkpt"));
     assert_eq!(run.code, Some(3));
     assert!(
-        run.err.contains("it is no part of a rendering"),
+        run.err.contains("it is not a part of a rendering"),
         "{}",
         run.err
     );
@@ -254,7 +260,7 @@ fn a_part_that_could_be_gone_on_from_is_pointed_out() {
             "a.exr",
         ],
     );
-    let said = "note: a.vkpt has 300 samples a pixel of this rendering: --resume goes on from them";
+    let said = "note: a.vkpt contains 300 samples per pixel of this rendering: continue from them with --resume";
     assert!(told.err.contains(said), "{}", told.err);
     let other = run(
         path,
@@ -299,7 +305,7 @@ fn a_rendering_goes_on_where_no_checkpoint_can_be_written() {
     assert_eq!(run.code, Some(0), "{}", run.err);
     assert!(
         run.err
-            .contains("warning: no checkpoints can be written: a.vkpt"),
+            .contains("warning: cannot write checkpoints: a.vkpt"),
         "{}",
         run.err
     );

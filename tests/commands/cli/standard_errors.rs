@@ -159,8 +159,8 @@ fn errors_of_another_picture_are_refused() {
     );
     std::fs::remove_file(path("b-stderr.exr")).expect("removed");
     let ran = words(folder.path(), "compare a.exr b.exr");
-    let said = "error: a-stderr.exr does not belong to a.exr: it was made with a picture of other values, from another \
-        version of the scene perhaps; render again with --aov stderr, or name the right one with --stderr\n";
+    let said = "error: a-stderr.exr does not belong to a.exr: it was made with a picture of other values, perhaps from another \
+        version of the scene; render again with --aov stderr, or name the right one with --stderr\n";
     assert_eq!((ran.code, ran.err.as_str()), (Some(3), said));
 }
 
@@ -171,7 +171,7 @@ fn errors_beside_a_picture_without_notes_are_used_with_a_warning() {
     silent(folder.path(), &format!("{RENDER} -o a.png -o a.exr"));
     let ran = words(folder.path(), "compare a.png a.exr");
     assert_eq!(ran.code, Some(0), "{}", ran.err);
-    let said = "warning: a.png does not say what it was made from: nobody knows whether a-stderr.exr belongs to it\n";
+    let said = "warning: a.png does not record how it was made: cannot check whether a-stderr.exr belongs to it\n";
     assert_eq!(ran.err, said);
     assert!(ran.out.contains("z-test"), "{}", ran.out);
 }

@@ -123,7 +123,11 @@ fn a_kernel_and_a_heat_map_on_stdout_are_those_of_the_files() {
         run(folder.path(), &rendering(&["-o", name, "--seed", "7"]));
     }
     let rows: [(&[&str], &str, &str); 2] = [
-        (&["explain", "scene.scn", "--spirv"], "k.spv", "Left out"),
+        (
+            &["explain", "scene.scn", "--spirv"],
+            "k.spv",
+            "Not in the kernel",
+        ),
         (
             &["compare", "a.exr", "b.exr", "--heatmap"],
             "k.png",
@@ -261,7 +265,7 @@ fn what_stdout_cannot_take_is_refused_before_the_work() {
         ),
         (
             &["scene.scn", "-o", "a.png", "--json", "./a.png"],
-            "two outputs would be written to one file, ./a.png",
+            "two outputs would be written to the same file, ./a.png",
         ),
         (
             &["scene.scn", "-o", "-", "--format", "exr", "--aov", "stderr"],

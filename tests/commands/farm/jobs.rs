@@ -59,7 +59,7 @@ fn the_merge_says_which_parts_failed_and_how_to_render_them() {
     let commands: Vec<&str> = commands.collect();
     assert_eq!(commands.len(), 4, "{said}");
     assert!(
-        farm.logs("part").contains("--resume cannot go on"),
+        farm.logs("part").contains("--resume cannot continue"),
         "{said}"
     );
 
@@ -91,7 +91,7 @@ fn rounds_end_at_the_target_when_time_is_up_or_with_the_last_sample() {
     slurm.finish();
     for (farm, said) in [
         (&target, "the relMSE is below 0.000000005"),
-        (&late, "later than 0.001 s"),
+        (&late, "more than 0.001 s"),
         (&capped, "all samples are rendered"),
     ] {
         let log = farm.logs("merge");

@@ -46,7 +46,7 @@ fn scripts_are_written_again_until_parts_are_there() {
     fs::create_dir(&parts).expect("a folder");
     let refused = farm("8");
     assert_eq!((refused.code, refused.out.as_str()), (Some(2), ""));
-    for said in ["goes on with it", "Remove the folder"] {
+    for said in ["continue it with", "remove the folder"] {
         assert!(refused.err.contains(said), "{}", refused.err);
     }
     let text = fs::read_to_string(parts.with_file_name("parts.txt")).expect("a text");
@@ -68,13 +68,13 @@ fn what_cannot_be_rendered_leaves_no_folder() {
     let before = names(folder.path());
     for (line, code, said) in [
         ("-", 2, "write it to a file"),
-        ("scene.scn more/scene.txt -o a.exr", 2, "leave it out"),
+        ("scene.scn more/scene.txt -o a.exr", 2, "omit it"),
         ("scene.scn more/scene.txt", 2, "two scenes"),
         ("scene.scn --tasks 65", 2, "--spp 64"),
         ("scene.scn --tasks 10001 --spp 20000", 2, "at most 10000"),
         ("scene.scn --tasks 0", 2, "from 1 to"),
         ("scene.scn -o a.txt", 2, ".png, .hdr, .exr or .vkpt"),
-        ("scene.scn -o -", 2, "cannot be merged into"),
+        ("scene.scn -o -", 2, "-o stdout: the ending must be"),
         ("scene.scn -o none/a.exr", 5, "none/a.exr"),
         ("scene.scn --max-depth -1", 2, "whole number"),
         (

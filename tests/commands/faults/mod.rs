@@ -122,7 +122,9 @@ fn samples_that_are_done_are_left_as_a_picture_and_a_part() {
         assert!(matches!(trial.picture, Left::Whole(_)), "{fault}: {trial}");
         assert_eq!(trial.report, Ok(true), "{fault}: {trial}");
         assert!(
-            trial.err.contains("a.vkpt has the samples done by then"),
+            trial
+                .err
+                .contains("a.vkpt contains the samples done by then"),
             "{fault}: {trial}"
         );
         assert!(

@@ -13,10 +13,10 @@ use vkpt_lab::cli::inputs::{Input, spare};
 use vkpt_lab::cli::job::Loaded;
 use vkpt_lab::cli::writable;
 
-/// Writes the scene and what stands beside it, all that is said of it or nothing.
+/// Writes the scene and the files next to it, all of them or nothing.
 pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
     let to = output(arguments)?;
-    // What cannot be written is told before the work; it is claimed below, with the files beside it.
+    // Reports unwritable files before the work starts; files are claimed below, with those next to them.
     drop(writable::check([&to])?);
     let request = arguments.request();
     let model = &request.settings.model;
@@ -55,7 +55,7 @@ pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
     spare(&inputs, places.iter().chain([&to]))?;
     let written = (places.iter().zip(&export.beside))
         .map(|(to, file)| to.write(|out| out.write_all(&file.bytes)));
-    // The scene last: where it is, what it names is.
+    // The scene last: if it exists, so do the files that it names.
     all_written(written)?;
     all_written([to.write(|out| export.write(out))])?;
     Ok(Ending::Complete)
@@ -68,7 +68,7 @@ fn output(arguments: &ExportArguments) -> Result<Destination, Failure> {
     }
     let Some(stem) = arguments.scene.stem() else {
         return Err(Failure::Usage(
-            "the scene has no file name to call the export by: use -o".to_owned(),
+            "the scene has no file name to derive the export's name from: use -o FILE".to_owned(),
         ));
     };
     let mut name = stem.to_os_string();
@@ -76,12 +76,12 @@ fn output(arguments: &ExportArguments) -> Result<Destination, Failure> {
     Ok(Destination::File(name.into()))
 }
 
-/// Where a file beside the scene goes.
+/// The destination of a file next to the scene.
 fn beside(to: &Destination, name: &str) -> Result<Destination, Failure> {
     match to.neighbour() {
         Some(path) => Ok(Destination::File(path.with_file_name(name))),
         None => Err(Failure::Usage(format!(
-            "files are written beside the scene, and {to} has no place beside it: use -o FILE"
+            "the export consists of several files, which cannot be written next to {to}: use -o FILE"
         ))),
     }
 }

@@ -1,4 +1,4 @@
-//! What each of the other renderers takes.
+//! The exports to other renderers.
 
 use std::fmt::Display;
 use std::path::Path;
@@ -24,7 +24,7 @@ impl Named for Peer {
     ];
 }
 
-/// How its files' names end.
+/// The ending of its files' names.
 pub fn ending(peer: Peer) -> &'static str {
     match peer {
         Peer::Mitsuba => ".xml",
@@ -33,7 +33,7 @@ pub fn ending(peer: Peer) -> &'static str {
     }
 }
 
-/// The flag that it has no equal of, and why.
+/// The flag that it has no equivalent of, and why.
 pub fn setting(peer: Peer, model: &Model, crop: Option<[u32; 4]>) -> Option<&'static str> {
     match peer {
         Peer::Mitsuba => mitsuba::setting(model),
@@ -42,10 +42,10 @@ pub fn setting(peer: Peer, model: &Model, crop: Option<[u32; 4]>) -> Option<&'st
     }
 }
 
-/// The scene in its words, for a file of the name `to`.
+/// The scene in its language, for a file of the name `to`.
 ///
 /// # Errors
-/// Each line that it has no equal of, and why.
+/// Each line that it has no equivalent of, and why.
 pub fn export(
     peer: Peer,
     subject: &Subject,
@@ -62,7 +62,7 @@ fn told<R: Display>(refusals: Vec<Remark<R>>) -> Vec<Remark<String>> {
     refusals.into_iter().map(Remark::told).collect()
 }
 
-/// JSON where the name asks for it: a GLB is one file.
+/// JSON if the name ends in .gltf, else GLB, which is one file.
 fn container(to: Option<&Path>) -> Container {
     let ending = to.and_then(Path::extension);
     match ending.is_some_and(|ending| ending.eq_ignore_ascii_case("gltf")) {

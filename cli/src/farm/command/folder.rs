@@ -9,7 +9,7 @@ use vkpt::shell::quoted;
 use vkpt_lab::cli::destination::{Destination, all_written};
 use vkpt_lab::cli::exit::Failure;
 
-/// A farm, and where its scripts go.
+/// A farm, and the folder of its scripts.
 #[derive(Debug)]
 pub struct Folder {
     pub path: PathBuf,
@@ -17,18 +17,18 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// A folder whose name Slurm takes as it is, and in which nothing has been rendered.
+    /// A folder whose name Slurm accepts, and in which nothing has been rendered.
     pub fn new(path: PathBuf, farm: Farm) -> Result<Self, Failure> {
         let name = path.display();
         if farm.folder.contains(['%', '\\']) {
             return Err(Failure::Usage(format!(
-                "Slurm reads % and \\ in {name} as its own: give pictures another name or place by -o"
+                "Slurm gives % and \\ in {name} a meaning of its own: choose another name or folder with -o"
             )));
         }
         let folder = Self { path, farm };
         match folder.path.join("parts").exists() {
             true => Err(Failure::Usage(format!(
-                "{} contains parts of a rendering: `bash {}` goes on with it. Remove the folder to begin anew",
+                "{} contains parts of a rendering: continue it with `bash {}`, or remove the folder to start over",
                 folder.path.display(),
                 quoted(&folder.submit().to_string_lossy())
             ))),
@@ -41,7 +41,7 @@ impl Folder {
         self.path.join("submit.sh")
     }
 
-    /// Writes all its files, over those that are there.
+    /// Writes all its files, replacing existing ones.
     pub fn write(&self) -> Result<(), Failure> {
         let made = fs::create_dir_all(&self.path).map_err(|cause| FileError {
             path: self.path.clone(),
@@ -56,13 +56,13 @@ impl Folder {
     }
 }
 
-/// The absolute path of a file, as a script can contain it.
+/// The absolute path of a file, in a form that a script can contain.
 pub fn text(path: &Path) -> Result<String, Failure> {
     let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     match absolute.to_str() {
         Some(text) if !text.contains(char::is_control) => Ok(text.to_owned()),
         _ => Err(Failure::Usage(format!(
-            "{} cannot stand in a script: it must be UTF-8 without control characters. Give it another name",
+            "{} cannot be written in a script: rename it to UTF-8 without control characters",
             absolute.display()
         ))),
     }

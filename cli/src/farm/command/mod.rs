@@ -24,10 +24,10 @@ use vkpt_lab::cli::source::Source;
 use vkpt_lab::cli::streams::put;
 use vkpt_lab::cli::writable;
 
-/// The most tasks of a farm: Slurm knows 10,000 jobs at a time, unless its MaxJobCount says otherwise.
+/// The most tasks of a farm: Slurm keeps 10,000 jobs at a time, unless its MaxJobCount says otherwise.
 const MOST_TASKS: u32 = 10_000;
 
-/// Writes the scripts of every scene, and submits them where that is asked for.
+/// Writes the scripts of every scene, and submits them if requested.
 pub fn farm(arguments: &FarmArguments) -> Result<Ending, Failure> {
     let System::Slurm(arguments) = &arguments.system;
     check(arguments)?;
@@ -39,13 +39,13 @@ pub fn farm(arguments: &FarmArguments) -> Result<Ending, Failure> {
     let twice = |i: &usize| folders[..*i].iter().any(|f| f.path == folders[*i].path);
     if let Some(i) = (1..folders.len()).find(twice) {
         return Err(Failure::Usage(format!(
-            "two scenes would have their scripts in one folder, {}: give them other names, or a command each with -o",
+            "two scenes would write their scripts to one folder, {}: rename one, or use a command with -o for each",
             folders[i].path.display()
         )));
     }
     if arguments.tasks > 1 && arguments.spp() / arguments.tasks < BLOCK {
         note(&format!(
-            "parts of fewer than {BLOCK} samples are large, 12 bytes for each sample of a pixel: fewer --tasks make smaller ones"
+            "parts of fewer than {BLOCK} samples are large, 12 bytes for each sample of a pixel: use fewer --tasks for smaller files"
         ));
     }
     for folder in &folders {
@@ -59,42 +59,44 @@ pub fn farm(arguments: &FarmArguments) -> Result<Ending, Failure> {
     Ok(Ending::Complete)
 }
 
-/// What is to be done with a folder.
+/// The parts of a folder, and the command that submits them.
 fn summary(folder: &Folder) -> String {
     let submit = quoted(&folder.submit().to_string_lossy());
     let parts = match &folder.farm.rounds[..] {
         [one] => format!("parts: {}", one.len()),
         rounds => format!(
-            "parts: {} a round, {} rounds at most",
+            "parts: {} per round, at most {} rounds",
             rounds[0].len(),
             rounds.len()
         ),
     };
-    format!("{parts}; to submit them: bash {submit}\n")
+    format!("{parts}; submit them with: bash {submit}\n")
 }
 
-/// Finds what is wrong with the flags alone.
+/// Checks the flags.
 fn check(arguments: &SlurmArguments) -> Result<(), Failure> {
     let (tasks, spp) = (arguments.tasks, arguments.spp());
     let wrong = match () {
         () if arguments.scenes.contains(&Source::Stdin) => {
-            "a scene from stdin cannot be rendered elsewhere: write it to a file".to_owned()
+            "a scene from stdin cannot be rendered on other machines: write it to a file".to_owned()
         }
         () if arguments.scenes.len() > 1 && !arguments.output.is_empty() => {
-            "-o names the pictures of one scene: leave it out, or give one scene".to_owned()
+            "-o names the pictures of one scene: omit it, or give one scene".to_owned()
         }
         () if tasks > MOST_TASKS => {
-            format!("--tasks must be at most {MOST_TASKS}, the jobs that Slurm knows by default")
+            format!(
+                "--tasks must be at most {MOST_TASKS}, the default number of jobs that Slurm keeps"
+            )
         }
         () if tasks > spp => format!(
-            "--tasks {tasks} are more than the samples of a pixel, --spp {spp}: a part has one or more"
+            "--tasks {tasks} is more than --spp {spp}: each part needs at least one sample per pixel"
         ),
         () => return Ok(()),
     };
     Err(Failure::Usage(wrong))
 }
 
-/// The farm of one scene, which is read to find what is wrong with it.
+/// The farm of one scene, which is read to find its errors.
 fn folder(arguments: &SlurmArguments, scene: &Source) -> Result<Folder, Failure> {
     let pictures = pictures(arguments, scene)?;
     drop(writable::check(&pictures)?);
@@ -142,7 +144,7 @@ fn pictures(arguments: &SlurmArguments, scene: &Source) -> Result<Vec<Destinatio
     let all = &arguments.output;
     match all.iter().find(|to| !is_picture(to) && !is_part(to)) {
         Some(to) => Err(Failure::Usage(format!(
-            "-o {to} cannot be merged into: its ending must be .png, .hdr, .exr or .vkpt"
+            "-o {to}: the ending must be .png, .hdr, .exr or .vkpt"
         ))),
         None => Ok(all.clone()),
     }

@@ -1,18 +1,18 @@
-//! Hands the jobs of a folder to Slurm.
+//! Submits the jobs of a folder to Slurm.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 use vkpt_lab::cli::exit::Failure;
 
-/// Runs `submit.sh`; gives what it prints, the numbers of the jobs.
+/// Runs `submit.sh` and returns its output, the numbers of the jobs.
 pub fn submit(script: &Path) -> Result<String, Failure> {
     let output = Command::new("bash")
         .arg(script)
         .stdin(Stdio::null())
         .output();
     let failed = |why: &str| Failure::Submission(format!("{}: {why}", script.display()));
-    let output = output.map_err(|error| failed(&format!("bash cannot be run: {error}")))?;
+    let output = output.map_err(|error| failed(&format!("cannot run bash: {error}")))?;
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     match output.status.success() {
         true => Ok(text(&output.stdout)),

@@ -1,8 +1,8 @@
-//! Flags for another command line: read, so that what is wrong is found now, and as they were typed.
+//! Flags for another command line: parsed, so that errors are found now, and as they were typed.
 
 use clap::{ArgMatches, Args, Command, Error, FromArgMatches};
 
-/// A group of flags, and the words that gave them.
+/// A group of flags, and the words that were typed.
 #[derive(Debug)]
 pub struct Typed<T> {
     pub read: T,
@@ -32,7 +32,7 @@ impl<T: Args> FromArgMatches for Typed<T> {
     }
 }
 
-/// The flags of `T` with their values, in the order of their declaration; none that was left out.
+/// The flags of `T` with their values, in the order of their declaration; none that was omitted.
 fn words<T: Args>(matches: &ArgMatches) -> Vec<String> {
     let group = T::augment_args(Command::new(""));
     let mut words = Vec::new();

@@ -1,16 +1,16 @@
-//! The flags of those who look on.
+//! The flags of the live view.
 
 use crate::live::Address;
 
-/// Who may look on while the picture grows.
+/// The viewers of a growing picture.
 #[derive(clap::Args, Clone, Debug, Default)]
 pub struct LiveArguments {
-    /// Serve a page that shows the picture as it grows and can stop and save it, on 127.0.0.1 alone, at
-    /// this port [default: a free one, which is told]
+    /// Serve a page that shows the picture as it grows and can stop the rendering, on 127.0.0.1 only,
+    /// at this port [default: a free port, which is printed]
     #[arg(
         long,
         value_name = "PORT",
-        help_heading = "Looking on",
+        help_heading = "Live view",
         num_args = 0..=1,
         require_equals = true,
         default_missing_value = "0"
@@ -18,8 +18,8 @@ pub struct LiveArguments {
     #[arg(value_parser = port)]
     pub view: Option<u16>,
 
-    /// Send the picture as it grows to the viewer tev, which runs there [default port: 14158]
-    #[arg(long, value_name = "HOST[:PORT]", help_heading = "Looking on")]
+    /// Send the picture as it grows to the viewer tev at this address [default port: 14158]
+    #[arg(long, value_name = "HOST[:PORT]", help_heading = "Live view")]
     pub tev: Option<Address>,
 }
 

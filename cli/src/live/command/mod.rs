@@ -1,4 +1,4 @@
-//! Opening the doors to those who look on.
+//! Starting the live view.
 
 mod arguments;
 
@@ -10,18 +10,18 @@ use crate::live::{Address, Board, Onlookers, Server, Tev, listen};
 pub use arguments::LiveArguments;
 use vkpt_lab::cli::exit::{Failure, note, warn};
 
-/// What is asked for, and can be had.
+/// The requested ways to view, checked to be available.
 pub struct Doors {
     listener: Option<TcpListener>,
     tev: Option<Address>,
 }
 
 impl Doors {
-    /// Takes the port, before anything is rendered.
+    /// Binds the port, before anything is rendered.
     pub fn new(arguments: &LiveArguments) -> Result<Self, Failure> {
         let taken = |port| {
             listen(port).map_err(|error| {
-                Failure::Usage(format!("--view: port {port} can't be had: {error}"))
+                Failure::Usage(format!("--view: cannot listen on port {port}: {error}"))
             })
         };
         Ok(Self {
@@ -30,7 +30,7 @@ impl Doors {
         })
     }
 
-    /// Lets them look at the rendering `title`, whose first pixel is `origin` of the full picture, and set `stop`.
+    /// Shows the rendering `title`, whose first pixel is `origin` of the full picture, and lets viewers set `stop`.
     pub fn open(
         self,
         title: &str,
@@ -41,10 +41,8 @@ impl Doors {
             let port = listener.local_addr()?.port();
             let board = Arc::new(Board::new(title.to_owned(), stop.clone()));
             let server = Server::start(listener, board.clone())?;
-            // Told to the quiet too: nobody could guess it.
-            note(&format!(
-                "the picture as it grows: http://127.0.0.1:{port}/"
-            ));
+            // Printed with --quiet, too: nobody could guess it.
+            note(&format!("live view: http://127.0.0.1:{port}/"));
             Ok((board, server))
         });
         let tev = self

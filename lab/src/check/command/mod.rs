@@ -22,7 +22,7 @@ use vkpt::gpu::{Device, Selector};
 use vkpt::render::KernelChoice;
 use vkpt::settings::Integrator;
 
-/// Runs the cases, prints the table and tells what fails.
+/// Runs the cases, prints the table and reports failures.
 pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
     let all = match arguments.integrator {
         Integrator::Path => battery(),
@@ -62,13 +62,13 @@ pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
     ending(record, ran.error)
 }
 
-/// The command line names no case.
+/// No case matches the command line.
 fn unknown(arguments: &CheckArguments, all: &[Case]) -> Failure {
     let mut groups: Vec<&str> = all.iter().map(Case::group).collect();
     groups.dedup();
     let name = arguments.case.as_deref().unwrap_or_default();
     Failure::Usage(format!(
-        "--case '{name}' is no case: there are {}",
+        "--case '{name}' matches no case; the groups are {}",
         groups.join(", ")
     ))
 }
@@ -79,11 +79,11 @@ fn text(record: &Check) -> String {
 
 fn ending(record: &Check, error: Option<CheckError>) -> Result<Ending, Failure> {
     let mut failures = failures(record);
-    failures.extend(error.map(|e| format!("{e}: the other cases did not run")));
+    failures.extend(error.map(|e| format!("{e}: the remaining cases did not run")));
     match failures {
         failures if !failures.is_empty() => Err(Failure::Comparison(failures)),
         _ if record.interrupted => {
-            warn("interrupted: the other cases did not run");
+            warn("interrupted: the remaining cases did not run");
             Ok(Ending::Interrupted)
         }
         _ => Ok(Ending::Complete),

@@ -1,4 +1,4 @@
-//! The files that a run of the battery leaves.
+//! The files that a run of the battery writes.
 
 use std::io;
 
@@ -6,7 +6,7 @@ use super::arguments::CheckArguments;
 use crate::check::report::{Sheet, page};
 use crate::cli::destination::{Destination, Written, json, whole};
 
-/// Those that the command line asks for.
+/// The files that the command line requests.
 pub fn files(arguments: &CheckArguments) -> impl Iterator<Item = &Destination> {
     [&arguments.json, &arguments.html].into_iter().flatten()
 }

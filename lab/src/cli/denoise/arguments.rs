@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use crate::cli::values::choice;
 use vkpt::report::names::Named;
 
-/// What is to denoise.
+/// The denoiser.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
-    /// Open Image Denoise where its library is found, else non-local means.
+    /// Open Image Denoise if its library is found, else non-local means.
     Auto,
     Oidn,
     Nlm,
@@ -22,12 +22,12 @@ impl Named for By {
     ];
 }
 
-/// Whether to denoise, and by what.
+/// The flags of denoising.
 #[derive(clap::Args, Clone, Debug, Default)]
 pub struct DenoiseArguments {
-    /// Also write denoised pictures, NAME-denoised beside each: by Open Image Denoise (oidn), if its
-    /// library is there, else by vkpt's own non-local means (nlm). They have an error of their own,
-    /// for which the last lines give a bound
+    /// Also write denoised pictures, NAME-denoised next to each, by Open Image Denoise (oidn) or
+    /// vkpt's own non-local means (nlm) [default BY: oidn if its library is found, else nlm]. The last
+    /// lines of output bound their error
     #[arg(
         long,
         value_name = "BY",
@@ -39,8 +39,8 @@ pub struct DenoiseArguments {
     #[arg(value_parser = choice::<By>(), hide_possible_values = true)]
     pub denoise: Option<By>,
 
-    /// The library of Open Image Denoise 2, or its folder [default: VKPT_OIDN, or where the system's
-    /// loader, then Python's packages (pip install pyoidn) have it]
+    /// Library of Open Image Denoise 2, or its folder [default: VKPT_OIDN, then the system loader's
+    /// paths, then Python's packages (pip install pyoidn)]
     #[arg(long, value_name = "PATH", help_heading = "Picture")]
     pub oidn: Option<PathBuf>,
 }

@@ -9,10 +9,10 @@ use vkpt::denoise::{Denoiser, Oidn, usual_places};
 /// Names the library, as `--oidn` does.
 const VARIABLE: &str = "VKPT_OIDN";
 
-/// What denoises, as `by` says; `oidn` is the library or its folder, where one is named.
+/// Loads the denoiser `by`; `oidn` is the library or its folder, if named.
 ///
 /// # Errors
-/// A library that is asked for and not to be had, as a sentence.
+/// A requested library that is not available, as a sentence.
 pub fn load(oidn: Option<&Path>, by: By) -> Result<Denoiser, String> {
     if by == By::Nlm {
         return Ok(Denoiser::Nlm);
@@ -26,13 +26,13 @@ pub fn load(oidn: Option<&Path>, by: By) -> Result<Denoiser, String> {
     match (Oidn::found(&folders), by) {
         (Ok(Some(oidn)), _) => Ok(Denoiser::Oidn(oidn)),
         (Ok(None), By::Oidn) => Err(
-            "Open Image Denoise is not here: pip install pyoidn brings it, and --oidn PATH names its library"
+            "Open Image Denoise was not found: install it (pip install pyoidn), or name its library with --oidn PATH"
                 .to_owned(),
         ),
         (Err(error), By::Oidn) => Err(format!("Open Image Denoise: {error}")),
         (Err(error), _) => {
             warn(&format!(
-                "Open Image Denoise: {error}; vkpt's own non-local means denoise"
+                "Open Image Denoise: {error}; denoising with vkpt's own non-local means instead"
             ));
             Ok(Denoiser::Nlm)
         }
@@ -40,7 +40,7 @@ pub fn load(oidn: Option<&Path>, by: By) -> Result<Denoiser, String> {
     }
 }
 
-/// The library that is asked for, and by what.
+/// The requested library, and the flag or variable that names it.
 fn named(oidn: Option<&Path>) -> Option<(PathBuf, &'static str)> {
     let flag = oidn.map(|path| (path.to_owned(), "--oidn"));
     let variable = || std::env::var_os(VARIABLE).filter(|value| !value.is_empty());

@@ -1,4 +1,4 @@
-//! Denoised pictures beside noisy ones.
+//! Denoised pictures next to noisy ones.
 
 mod arguments;
 mod load;
@@ -16,7 +16,7 @@ use vkpt::render::{Job, Outcome, layers};
 use vkpt::report::Denoised;
 use vkpt::settings::{Sampler, Settings};
 
-/// Samples that a picture needs to be denoised: one for each quarter.
+/// The fewest samples of a picture that can be denoised: one for each quarter.
 pub const LEAST: u32 = 4;
 
 /// Settings under which quarters of the samples are independent.
@@ -28,21 +28,21 @@ pub fn quartered(mut settings: Settings) -> Settings {
     settings
 }
 
-/// What surfaces show of the pixels of `job`, by samples that its pictures have not.
+/// The surface features of the pixels of `job`, from samples that its pictures do not use.
 pub fn features(job: &Job) -> Option<Features> {
     let job = Job {
         aovs: &[Aov::AlbedoBehind, Aov::NormalBehind],
         seed: !job.seed,
         ..*job
     };
-    // By as many samples as layers ever have.
+    // With as many samples as layers ever have.
     Features::new(&layers(&job, u32::MAX), job.size())
 }
 
-/// The denoised picture, and what is known of its error.
+/// The denoised picture, and a bound of its error.
 ///
 /// # Errors
-/// Why there is none, as a sentence.
+/// The reason for failure, as a sentence.
 pub fn denoised(
     denoiser: &Denoiser,
     job: &Job,
@@ -52,10 +52,10 @@ pub fn denoised(
     let halves = outcome.state.part.quartered();
     let Some([first, second]) = halves else {
         return Err(format!(
-            "a picture of less than {LEAST} samples cannot be denoised"
+            "a picture of fewer than {LEAST} samples per pixel cannot be denoised"
         ));
     };
-    let features = features(job).ok_or("its surfaces cannot be seen")?;
+    let features = features(job).ok_or("it shows no surfaces to denoise by")?;
     let whole = Noisy {
         mean: &outcome.film,
         halves: [&first.mean, &second.mean],

@@ -1,4 +1,4 @@
-//! What a program that calls compares: pictures in files, or in memory.
+//! The pictures that a calling program compares, in files or in memory.
 
 use std::path::PathBuf;
 
@@ -7,10 +7,10 @@ use vkpt::film::Film;
 /// A picture to compare.
 #[derive(Clone, Debug)]
 pub enum Comparand {
-    /// With its standard errors beside it, where they are there.
+    /// With the standard errors next to it, if present.
     File(PathBuf),
     Memory {
-        /// What messages call it.
+        /// Its name in messages.
         name: String,
         film: Film,
         /// Column and row of its first pixel, if it is a crop.

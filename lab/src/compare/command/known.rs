@@ -1,4 +1,4 @@
-//! A picture and how well it is known.
+//! A picture and its standard errors.
 
 use std::path::{Path, PathBuf};
 
@@ -14,7 +14,7 @@ use vkpt::image::{self, Picture, Precision};
 use vkpt::metrics::StandardErrors;
 use vkpt::metrics::blocks::{Estimate, Stderr};
 
-/// A picture, and its standard errors where there are any.
+/// A picture, and its standard errors, if known.
 pub struct Known {
     pub path: PathBuf,
     pub picture: Picture,
@@ -30,7 +30,7 @@ struct Errors {
 }
 
 impl Known {
-    /// A picture that a program names or has.
+    /// A picture that a program names or passes.
     pub fn new(of: Comparand) -> Result<Self, Failure> {
         match of {
             Comparand::File(path) => {
@@ -76,11 +76,11 @@ impl Known {
         }
     }
 
-    /// All pictures of the command line, the one to judge by last.
+    /// All pictures of the command line, the reference last.
     pub fn read_all(arguments: &PictureArguments) -> Result<Vec<Self>, Failure> {
         let count = arguments.paths().count();
         let errors = match &arguments.stderr[..] {
-            // They are those of the picture, not of a layer.
+            // The files contain the errors of the picture, not of a layer.
             [] if arguments.layer.is_some() => arguments.paths().map(|_| None).collect(),
             [] => arguments
                 .paths()
@@ -89,7 +89,7 @@ impl Known {
             given if given.len() == count => given.iter().cloned().map(Some).collect(),
             given => {
                 return Err(Failure::Usage(format!(
-                    "--stderr must be given once for each picture, in the order A, B, reference: {} of {}",
+                    "--stderr must be given once for each picture, in the order A, B, reference: {} given, {} needed",
                     given.len(),
                     count
                 )));
@@ -109,7 +109,7 @@ impl Known {
         }
     }
 
-    /// Picture and standard errors, which must belong to it; otherwise everything that is wrong.
+    /// Picture and standard errors, which must belong to it; otherwise all errors.
     fn read(path: &Path, stderr: Option<PathBuf>, name: Option<&str>) -> Result<Self, Vec<String>> {
         let picture = match name {
             Some(name) => image::read_layer(path, &layer(name)),
@@ -152,11 +152,11 @@ impl Known {
         self.path.display().to_string()
     }
 
-    /// The picture with its standard errors; otherwise what is missing.
+    /// The picture with its standard errors; otherwise a message that says which are missing.
     pub fn estimate(&self) -> Result<Estimate<'_>, String> {
         let Errors { film, freedom, .. } = self.stderr.as_ref().ok_or_else(|| {
             format!(
-                "there are no standard errors of {}: vkpt writes them with --aov stderr to {}, --stderr names others",
+                "no standard errors of {}: render with --aov stderr, which writes them to {}, or name them with --stderr",
                 self.name(),
                 stderr_path(&self.path).display()
             )
@@ -171,7 +171,7 @@ impl Known {
         })
     }
 
-    /// Two crops of one size may still show different places.
+    /// Two crops of equal size may still show different places.
     pub fn same_place(&self, other: &Self) -> Result<(), Vec<String>> {
         let is_crop = |p: &Picture| p.full != [p.film.width, p.film.height];
         let (a, b) = (&self.picture, &other.picture);

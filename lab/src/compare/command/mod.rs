@@ -14,7 +14,7 @@ pub use comparand::Comparand;
 use paired::paired;
 use pictures::pictures;
 
-/// Compares what the command line names.
+/// Compares the pictures or renderers that the command line names.
 pub fn compare(arguments: &CompareArguments) -> Result<Ending, Failure> {
     match arguments.pictures.a {
         Some(_) => pictures(&arguments.pictures),

@@ -1,4 +1,4 @@
-//! `vkpt compare A B`: how far pictures are from one another, and whether that is chance.
+//! `vkpt compare A B`: the distance of pictures, and whether it is chance.
 
 use super::arguments::PictureArguments;
 use super::known::Known;
@@ -14,7 +14,7 @@ use vkpt::metrics::blocks::{ALPHA, BlockTest, z_test};
 use vkpt::metrics::flip::{Viewing, flip};
 use vkpt::metrics::{self, Errors, HEATMAP_RANGE, MetricsError, Pair, trimmed};
 
-/// Compares A with B, or both with the reference. The flags decide which differences are a failure.
+/// Compares A with B, or both with the reference. The flags decide which differences are failures.
 pub fn pictures(arguments: &PictureArguments) -> Result<Ending, Failure> {
     let _claims = writable::check(&arguments.heatmap)?;
     let known = Known::read_all(arguments)?;
@@ -35,7 +35,7 @@ pub fn pictures(arguments: &PictureArguments) -> Result<Ending, Failure> {
     verdict(arguments, &comparison)
 }
 
-/// Each of `tested` against the reference.
+/// Compares each of `tested` with the reference.
 pub fn compare(
     exposure: f64,
     tested: &[Known],
@@ -73,7 +73,7 @@ pub fn compare(
     Ok(comparison)
 }
 
-/// The z-test where both pictures have standard errors, otherwise why there is none.
+/// The z-test if both pictures have standard errors, otherwise why it was skipped.
 fn block_test(a: &Known, b: &Known) -> Result<Result<BlockTest, String>, MetricsError> {
     Ok(match (a.estimate(), b.estimate()) {
         (Ok(a), Ok(b)) => Ok(z_test(&a, &b, ALPHA)?),
@@ -101,11 +101,11 @@ fn write_heatmap(film: &Film, to: &Destination) -> Written {
     to.write(|mut out| encode(&Frame::whole(film), Format::Png, &labels, &mut out))
 }
 
-/// What the colours of a heat map mean.
+/// The meaning of a heat map's colours.
 fn legend(written: &Destination) -> String {
     let [low, high] = HEATMAP_RANGE;
     format!(
-        "\nwrote {written}: relMSE of each pixel, from black ({low:e} and less) over violet and orange to pale yellow ({high} and more)\n"
+        "\nwrote {written}: relMSE of each pixel, from black ({low:e} or less) through violet and orange to pale yellow ({high} or more)\n"
     )
 }
 

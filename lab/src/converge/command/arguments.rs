@@ -17,68 +17,68 @@ use vkpt::render::Target;
 
 const AFTER_HELP: &str = "\
 Exit codes:
-    0  measured, whatever was found: that pictures do not converge to the reference is a warning,
-       and `converges` is false in --json
-    1  rendering failed, by an error of the device or in a check of the samples
+    0  measured; if pictures do not converge to the reference, a warning is printed and `converges`
+       is false in --json
+    1  rendering failed (device error, or a failed check of the samples)
     2  the command line is wrong
     3  the scene, one of its meshes or the reference is wrong; nothing was written
-    4  there is no such Vulkan device, or none at all
+    4  no Vulkan device, or none that matches --device
     5  a file or stdout could not be written
-    6  there is not enough memory
-  130  interrupted by ctrl-c; what was measured by then is told
-  143  the same by SIGTERM, 129 by SIGHUP
+    6  not enough memory
+  130  interrupted by ctrl-c; the steps measured by then are reported
+  143  interrupted by SIGTERM; 129 by SIGHUP
 
 Examples:
-  vkpt converge scene.txt --time 60                      error against seconds
-  vkpt converge scene.txt --vary connect=mis,light,bsdf  which of the three is best?
-  vkpt converge scene.txt --reference other.exr          judged by another program's picture
-  vkpt converge scene.txt --html report.html             a page with plot and pictures";
+  vkpt converge scene.txt --time 60                      error over seconds
+  vkpt converge scene.txt --vary connect=mis,light,bsdf  compare three settings
+  vkpt converge scene.txt --reference other.exr          use another program's picture
+  vkpt converge scene.txt --html report.html             write a page with plot and pictures";
 
-/// What is to be measured.
+/// The experiment.
 #[derive(clap::Args, Debug)]
 #[command(after_help = AFTER_HELP)]
 pub struct ConvergeArguments {
     /// The scene file, text or glTF, or - for stdin
     pub scene: Source,
 
-    /// The most seconds of sampling, of all replicates and variants together; a step that would not
-    /// fit is not begun, which may leave up to half. Compiling, judging and the reference come on top
+    /// Sample for at most this many seconds, all replicates and variants together. A step that would
+    /// not fit is not started, so up to half may remain unused; compiling, judging and the reference
+    /// take extra time
     #[arg(long, value_name = "S", help_heading = EXPERIMENT, default_value = "60", value_parser = numbers::seconds)]
     pub time: f64,
 
-    /// Independent renderings of each variant, 2 to 1000; three or more tell whether they converge
-    /// to the reference
+    /// Independent renderings of each variant, 2 to 1000; testing whether they converge to the
+    /// reference takes three or more
     #[arg(long, value_name = "N", help_heading = EXPERIMENT, default_value = "8", value_parser = replicates)]
     pub replicates: u32,
 
-    /// The most samples per pixel
+    /// Maximum samples per pixel
     #[arg(long, value_name = "N", help_heading = EXPERIMENT, default_value = "1048576")]
     #[arg(value_parser = numbers::whole(1))]
     pub spp: u32,
 
-    /// Render with each of these values of a setting, such as connect=mis,light; repeated, with all
-    /// combinations. Any of the settings below, or denoise=off,nlm,oidn, seconds of denoising counted;
-    /// the first is what the others are compared with
+    /// Render with each of these values of a setting, such as connect=mis,light; if repeated, with all
+    /// combinations. NAME is any setting below, or denoise with the values off, nlm and oidn, whose
+    /// seconds count. The others are compared with the first
     #[arg(long, value_name = "NAME=VALUE,…", help_heading = EXPERIMENT, value_parser = vary)]
     pub vary: Vec<Vary>,
 
-    /// The library of Open Image Denoise, for --vary denoise=oidn, or its folder [default: as of vkpt
-    /// SCENE --denoise]
+    /// Library of Open Image Denoise for --vary denoise=oidn, or its folder [default: as for vkpt SCENE
+    /// --denoise]
     #[arg(long, value_name = "PATH", help_heading = EXPERIMENT)]
     pub oidn: Option<PathBuf>,
 
-    /// The picture to judge by: EXR, HDR or PNG, with the standard errors in NAME-stderr.exr beside
-    /// it where that is there [default: two of vkpt's own, each rendered for half of --time]
+    /// Picture to compare with: EXR, HDR or PNG; the standard errors in NAME-stderr.exr next to it are
+    /// used if present [default: two pictures that vkpt renders, each for half of --time]
     #[arg(long, value_name = "FILE", help_heading = EXPERIMENT)]
     pub reference: Option<PathBuf>,
 
-    /// Stops by which the pictures are brightened before FLIP looks at them as PNGs, and those of
-    /// --html
+    /// Brighten the pictures by this many stops for FLIP, which compares them as PNGs, and for --html
     #[arg(long, value_name = "EV", help_heading = EXPERIMENT, default_value = "0")]
     #[arg(value_parser = numbers::exposure)]
     pub exposure: f64,
 
-    /// Seed of the first replicate; the others have those that follow
+    /// Seed of the first replicate; the others use the next numbers
     #[arg(long, value_name = "N", help_heading = EXPERIMENT, default_value = "0")]
     #[arg(value_parser = numbers::whole(0))]
     pub seed: u32,
@@ -86,29 +86,28 @@ pub struct ConvergeArguments {
     #[command(flatten, next_help_heading = EXPERIMENT)]
     pub view: ViewArguments,
 
-    /// A Vulkan device by its index or part of its name, or the reference renderer: cpu-f64,
-    /// cpu-f32 [default: the best Vulkan device]
+    /// Vulkan device, by index or part of its name, or the reference renderer: cpu-f64 or cpu-f32
+    /// [default: the best Vulkan device]
     #[arg(long, value_name = "DEVICE", help_heading = EXPERIMENT, value_parser = values::device)]
     device: Option<Target>,
 
-    /// Write every figure, with those of each replicate; - for stdout
+    /// Write every figure as JSON, including each replicate's; - for stdout
     #[arg(long, value_name = "FILE", help_heading = REPORTS)]
     pub json: Option<Destination>,
 
-    /// Write a line for each variant and step; - for stdout
+    /// Write CSV, a line for each variant and step; - for stdout
     #[arg(long, value_name = "FILE", help_heading = REPORTS)]
     pub csv: Option<Destination>,
 
-    /// Write a plot of error over seconds, log–log, with intervals; - for stdout
+    /// Write an SVG plot of error over seconds, log–log, with intervals; - for stdout
     #[arg(long, value_name = "FILE", help_heading = REPORTS)]
     pub svg: Option<Destination>,
 
-    /// Write a page with all of it, and the pictures: one file that needs no network; - for
-    /// stdout
+    /// Write a self-contained HTML page with figures, plot and pictures; - for stdout
     #[arg(long, value_name = "FILE", help_heading = REPORTS)]
     pub html: Option<Destination>,
 
-    /// No progress and no table, only warnings and errors
+    /// Print only warnings and errors: no progress, no table
     #[arg(long, help_heading = REPORTS)]
     pub quiet: bool,
 
@@ -120,26 +119,26 @@ const EXPERIMENT: &str = "Experiment";
 const REPORTS: &str = "Reports";
 
 impl ConvergeArguments {
-    /// The scene and what is to be rendered of it by the settings of the command line.
+    /// The scene and the rendering requested, with the settings of the command line.
     pub fn request(&self) -> Request<'_> {
         self.view
             .request(&self.scene, &self.settings, self.spp, self.seed)
     }
 
-    /// What shall render.
+    /// The device that renders.
     pub fn target(&self) -> Target {
         self.device
             .clone()
             .unwrap_or(Target::Vulkan(Selector::Best))
     }
 
-    /// One a replicate.
+    /// A seed for each replicate.
     pub fn seeds(&self) -> Result<Vec<u32>, Failure> {
         let last = self.seed.checked_add(self.replicates - 1);
         match last.filter(|&last| last < HALVES[0]) {
             Some(last) => Ok((self.seed..=last).collect()),
             None => Err(Failure::Usage(format!(
-                "--seed {} is too large: its replicates would have the seeds of the reference",
+                "--seed {} is too large: its replicates would use the seeds of the reference",
                 self.seed
             ))),
         }
@@ -148,7 +147,7 @@ impl ConvergeArguments {
 
 fn replicates(text: &str) -> Result<u32, String> {
     match text.parse::<u32>() {
-        Ok(1) => Err("one replicate tells nothing of chance: 2 or more are needed".to_owned()),
+        Ok(1) => Err("one replicate gives no interval: 2 or more are needed".to_owned()),
         Ok(n @ 2..=1000) => Ok(n),
         _ => Err("must be a whole number from 2 to 1000".to_owned()),
     }

@@ -17,7 +17,7 @@ use vkpt::film::Film;
 use vkpt::metrics::flip::Viewing;
 use vkpt::render::{Engine, Job};
 
-/// What was measured, by what.
+/// The measurements and the references.
 pub struct Experiment {
     pub references: References,
     pub measured: Measured,
@@ -27,7 +27,7 @@ pub struct Experiment {
 }
 
 impl Experiment {
-    /// Renders and judges; `None` if it was interrupted before the references were there.
+    /// Renders and judges; `None` if it was interrupted before the references were ready.
     pub fn run(
         arguments: &ConvergeArguments,
         variants: &Variants,

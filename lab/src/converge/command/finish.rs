@@ -10,18 +10,18 @@ use vkpt::denoise::{Denoiser, Features, Noisy};
 use vkpt::film::Film;
 use vkpt::render::Job;
 
-/// What makes the pictures of a variant.
+/// The denoiser of a variant's pictures.
 pub struct Finisher {
     denoiser: Denoiser,
     features: Features,
-    /// What the features took, which any denoised picture takes.
+    /// Seconds that the features took; every denoised picture includes them.
     features_s: f64,
 }
 
-/// Those of all variants; `None` where nothing is done to their pictures.
+/// The finishers of all variants; `None` for those whose pictures stay as they are.
 ///
 /// # Errors
-/// A library that is not to be had.
+/// If the library is not available.
 pub fn finishers(
     combinations: &[Combination],
     jobs: &[Job],
@@ -31,8 +31,9 @@ pub fn finishers(
         let finisher = |by| {
             let denoiser = load(oidn, by).map_err(Failure::Usage)?;
             let began = Instant::now();
-            let features = features(job)
-                .ok_or_else(|| Failure::Usage("the surfaces cannot be seen".to_owned()))?;
+            let features = features(job).ok_or_else(|| {
+                Failure::Usage("the scene shows no surfaces to denoise by".to_owned())
+            })?;
             Ok(Finisher {
                 denoiser,
                 features,
@@ -48,7 +49,7 @@ impl Finisher {
     /// The denoised picture, and the seconds that it took with its features.
     ///
     /// # Errors
-    /// What the denoiser says.
+    /// The message of the denoiser.
     pub fn finish(&self, picture: &Film, halves: [&Film; 2]) -> Result<(Film, f64), String> {
         let began = Instant::now();
         let noisy = Noisy {

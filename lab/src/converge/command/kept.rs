@@ -1,4 +1,4 @@
-//! References of one's own, kept on disk for later runs.
+//! References that vkpt rendered itself, cached on disk for later runs.
 
 use std::fmt::{self, Write};
 use std::fs;
@@ -15,7 +15,7 @@ const ROOM: Room = Room {
     bytes: 1 << 30,
 };
 
-/// Where the halves of one job are kept, if anywhere.
+/// Where the halves of one job are cached, if anywhere.
 pub struct Kept {
     folder: Option<PathBuf>,
     key: String,
@@ -41,7 +41,7 @@ impl Kept {
         }
     }
 
-    /// What an earlier run left: of the crop's size, and rendered for `seconds` or more, by and large.
+    /// The halves of an earlier run: of the crop's size, and rendered for at least about `seconds`.
     pub fn read(&self, size: [u32; 2], seconds: f64) -> Option<Halves> {
         let folder = self.folder.as_deref()?;
         let bytes = CacheFolder::new(folder, ROOM).read(&self.key)?;
@@ -51,7 +51,7 @@ impl Kept {
         fits.then_some(halves)
     }
 
-    /// Leaves them for later runs. A cache that can't be written is no reason to fail.
+    /// Writes them for later runs. A cache that cannot be written is not an error.
     pub fn write(&self, halves: &Halves) {
         if let Some(folder) = self.folder.as_deref() {
             let _ = CacheFolder::new(folder, ROOM).write(&self.key, &halves.to_bytes());
@@ -59,11 +59,11 @@ impl Kept {
     }
 }
 
-/// All that the halves depend on but their number of samples: this build of vkpt, the model, and the scene as it was
-/// prepared, with every vertex of its meshes.
+/// Everything that the halves depend on, except the number of samples: this build of vkpt, the model, and the prepared
+/// scene with every vertex of its meshes.
 fn key(job: &Job) -> String {
     let mut scene = Hashed(DefaultHasher::new());
-    // A hasher takes all that it is given.
+    // A hasher accepts any text.
     let _ = write!(scene, "{:?}", job.prepared);
     format!(
         "reference\nvkpt {}\n{}\n{:?}\n{:?}\nscene {:016x}",
@@ -75,7 +75,7 @@ fn key(job: &Job) -> String {
     )
 }
 
-/// Size and date of the program: while it is being worked on, its version says too little.
+/// Size and date of the program: during development its version does not identify it.
 fn build() -> String {
     let metadata = std::env::current_exe().and_then(std::fs::metadata);
     metadata.map_or(String::new(), |m| {
@@ -83,7 +83,7 @@ fn build() -> String {
     })
 }
 
-/// Text that is hashed as it is written: of a large mesh it would not fit the memory.
+/// Hashes text as it is written: that of a large mesh would not fit into memory.
 struct Hashed(DefaultHasher);
 
 impl Write for Hashed {

@@ -1,4 +1,4 @@
-//! `vkpt converge`: how fast a scene converges, and by which settings faster.
+//! `vkpt converge`: how fast a scene converges under various settings.
 
 mod arguments;
 mod experiment;
@@ -23,14 +23,14 @@ use crate::converge::ConvergeError;
 use crate::converge::report::{Convergence, concerns, table};
 pub use arguments::ConvergeArguments;
 
-/// Renders replicates of every variant, judges them and tells what came out.
+/// Renders replicates of every variant, judges them and reports the result.
 pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
     let _claims = writable::check(outputs::files(arguments))?;
     let variants = Variants::new(arguments)?;
     spare(&variants.inputs, outputs::files(arguments))?;
     spare(&reference::inputs(arguments), outputs::files(arguments))?;
     let Some(experiment) = Experiment::run(arguments, &variants)? else {
-        warn("interrupted while the reference was rendered: nothing is told");
+        warn("interrupted while rendering the reference: no results");
         return Ok(Ending::Interrupted);
     };
     let record = experiment.record(arguments, &variants);
@@ -41,7 +41,7 @@ pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
     concerns(&record).iter().for_each(|concern| warn(concern));
     if experiment.denoises && !arguments.quiet {
         note(
-            "denoised pictures converge elsewhere: they keep an error that samples take away but slowly, and no noise tells of",
+            "denoised pictures converge to a biased picture: more samples reduce the bias only slowly, and noise does not show it",
         );
     }
     let (references, measured) = (&experiment.references, &experiment.measured);
@@ -49,13 +49,13 @@ pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
     let written = outputs::write(arguments, &parts.sheet(&record));
     all_written(written.into_iter().chain([told]))?;
     if measured.interrupted {
-        warn("interrupted: the step under way is not told");
+        warn("interrupted: the unfinished step is not reported");
         return Ok(Ending::Interrupted);
     }
     Ok(Ending::Complete)
 }
 
-/// The same for a program that calls, without files: `None` if it was interrupted before the references were there.
+/// The same for a calling program, without files: `None` if it was interrupted before the references were ready.
 pub fn converged(arguments: &ConvergeArguments) -> Result<Option<Convergence>, Failure> {
     let variants = Variants::new(arguments)?;
     let experiment = Experiment::run(arguments, &variants)?;

@@ -1,4 +1,4 @@
-//! The files that an experiment leaves.
+//! The files that an experiment writes.
 
 use std::io;
 
@@ -11,7 +11,7 @@ use vkpt::report::human::bytes;
 /// A page of more bytes than this is slow to open, and too large for most mail.
 const LARGE: usize = 50_000_000;
 
-/// Those that the command line asks for.
+/// The files that the command line requests.
 pub fn files(arguments: &ConvergeArguments) -> impl Iterator<Item = &Destination> {
     let ConvergeArguments {
         json,
@@ -34,13 +34,13 @@ pub fn write(arguments: &ConvergeArguments, sheet: &Sheet) -> [Written; 4] {
     ]
 }
 
-/// Pictures are embedded as they are, for a scaled one would hide what it is there to show.
+/// Pictures are embedded at full size: scaling would hide the noise.
 fn html(sheet: &Sheet) -> io::Result<String> {
     let text = page(sheet).map_err(io::Error::other)?;
     if text.len() > LARGE {
         let size = bytes(text.len() as u64);
         warn(&format!(
-            "the page takes {size}: --crop or --size make its pictures smaller, --spp their number"
+            "the page takes {size}: use --crop or --size for smaller pictures, or --spp for fewer"
         ));
     }
     Ok(text)

@@ -1,4 +1,4 @@
-//! What the page shows beside the record.
+//! The contents of the page that are not in the record.
 
 use super::arguments::ConvergeArguments;
 use super::reference::References;
@@ -8,7 +8,7 @@ use crate::cli::job::Request;
 use crate::converge::Measured;
 use crate::converge::report::{Convergence, Sheet, Shown};
 
-/// All but the record.
+/// Everything but the record.
 pub struct Parts<'a> {
     scene: &'a str,
     command: String,

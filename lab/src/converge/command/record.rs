@@ -1,4 +1,4 @@
-//! What was measured, put on record.
+//! The record of the measurements.
 
 use super::arguments::ConvergeArguments;
 use super::reference::References;

@@ -1,4 +1,4 @@
-//! What the pictures are judged by: a file, or two halves that vkpt renders itself.
+//! The reference: a file, or two halves that vkpt renders itself.
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -19,25 +19,25 @@ use vkpt::render::{Engine, Job};
 use vkpt::report::human::duration;
 use vkpt::settings::{Model, Settings};
 
-/// No reference of one's own has more samples per pixel.
+/// The most samples per pixel of a reference that vkpt renders itself.
 const MOST: u32 = 1 << 24;
 
-/// A reference, and what it is called.
+/// A reference and its name.
 pub struct Named {
     pub name: String,
     pub reference: Reference,
 }
 
-/// Of all jobs.
+/// The references of all jobs.
 pub enum References {
     /// The same for all.
     Given(Named),
-    /// One of vkpt's own for each model: they converge to different pictures.
+    /// One for each model, rendered by vkpt itself: models converge to different pictures.
     Own(Vec<(Model, Named)>),
 }
 
 impl References {
-    /// What is given, or else one for each model that the jobs have; `None` if ctrl-c came first.
+    /// The given reference, or one for each model of the jobs; `None` if ctrl-c came first.
     pub fn new(
         given: Option<Named>,
         jobs: &[Job],
@@ -64,7 +64,7 @@ impl References {
         Ok(Some(Self::Own(all)))
     }
 
-    /// What the pictures of one of the jobs are judged by.
+    /// The reference of one of the jobs.
     pub fn of(&self, job: &Job) -> &Named {
         match self {
             Self::Given(named) => named,
@@ -88,13 +88,12 @@ pub fn inputs(arguments: &ConvergeArguments) -> Vec<Input> {
             Input::new("its standard errors", &stderr_path(path)),
         ],
         None => (kept::files().iter())
-            .map(|path| Input::new("a reference that is kept", path))
+            .map(|path| Input::new("a cached reference", path))
             .collect(),
     }
 }
 
-/// The picture of `--reference`, with its standard errors where these stand beside it; `size` is that of the
-/// renderings.
+/// The picture of `--reference`, with the standard errors next to it, if present; `size` is that of the renderings.
 pub fn given(arguments: &ConvergeArguments, size: [u32; 2]) -> Result<Option<Named>, Failure> {
     let path = arguments.reference.as_deref();
     path.map(|path| from_file(path, size)).transpose()
@@ -119,7 +118,7 @@ fn from_file(path: &Path, size: [u32; 2]) -> Result<Named, Failure> {
     }
     if matches!(picture.precision, Precision::Srgb { .. }) {
         warn(&format!(
-            "{name} is a PNG: what it rounds or clips counts as error"
+            "{name} is a PNG: its rounding and clipping count as error"
         ));
     }
     let reference = Reference::picture(film, stderr.as_ref().map(standard_errors))
@@ -127,8 +126,8 @@ fn from_file(path: &Path, size: [u32; 2]) -> Result<Named, Failure> {
     Ok(Named { name, reference })
 }
 
-/// Two halves by the model of `job`, rendered as long as the plan samples. By the default estimator and the integrator that the
-/// scene chooses, whatever estimators are measured: none of them judges itself. `None` if ctrl-c came first.
+/// Two halves by the model of `job`, rendered as long as the plan samples. They use the default estimator and the integrator
+/// that the scene chooses, not the estimators that are measured: none judges itself. `None` if ctrl-c came first.
 fn own(
     job: &Job,
     engine: &Engine,
@@ -144,7 +143,7 @@ fn own(
     let job = Job { settings, ..*job };
     let kept = Kept::new(&job);
     if let Some(halves) = kept.read(job.size(), plan.seconds) {
-        return named(halves, ", kept from an earlier run", plan).map(Some);
+        return named(halves, ", cached by an earlier run", plan).map(Some);
     }
     let effort = (plan.seconds, MOST);
     let made = halves(&job, engine, effort, stop, &mut |p| {
@@ -161,6 +160,6 @@ fn named(halves: Halves, origin: &str, plan: &Plan) -> Result<Named, Failure> {
     let (spp, time) = (halves.spp, duration(halves.seconds));
     let [a, b] = halves.films;
     let reference = Reference::halves(a, b, &plan.viewing).map_err(ConvergeError::Metrics)?;
-    let name = format!("of two halves by {spp} spp, {time}{origin}");
+    let name = format!("two halves of {spp} spp each, {time}{origin}");
     Ok(Named { name, reference })
 }

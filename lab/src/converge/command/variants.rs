@@ -1,4 +1,4 @@
-//! The scene, prepared for every model that is rendered.
+//! The scene, prepared for every model.
 
 use super::arguments::ConvergeArguments;
 use super::vary::{Combination, combinations};
@@ -10,19 +10,19 @@ use vkpt::prepared::Prepared;
 use vkpt::render::{Job, KernelChoice, Until};
 use vkpt::settings::{Integrator, Model};
 
-/// What is rendered, with every setting.
+/// The renderings, with every setting.
 pub struct Variants {
     pub combinations: Vec<Combination>,
-    /// The scene by each model that occurs: a picture to converge to.
+    /// The scene for each model that occurs: a picture to converge to.
     pub models: Vec<(Model, Prepared)>,
     /// The text of the scene file.
     pub text: String,
-    /// What was read.
+    /// The files that were read.
     pub inputs: Vec<Input>,
 }
 
-/// Lets the scene choose the integrator of the combinations that leave it to the scene: the same for all of them, so that they
-/// differ in what is varied alone. Paths from the eye are there for all.
+/// Lets the scene choose the integrator of the combinations that leave it open: the same for all of them, so that they
+/// differ only in the settings that vary. Paths from the eye suit every scene.
 fn settle(combinations: &mut [Combination], models: &[(Model, Prepared)]) {
     let chosen = |c: &Combination| {
         let (_, prepared) = models
@@ -39,7 +39,7 @@ fn settle(combinations: &mut [Combination], models: &[(Model, Prepared)]) {
 }
 
 impl Variants {
-    /// Reads and prepares the scene; tells its warnings once.
+    /// Reads and prepares the scene; prints its warnings once.
     pub fn new(arguments: &ConvergeArguments) -> Result<Self, Failure> {
         let mut combinations = combinations(&arguments.settings, &arguments.vary)?;
         let loaded = Loaded::new(&arguments.request())?;
@@ -58,7 +58,7 @@ impl Variants {
                     ready.job(&request)?;
                     ready.prepared
                 }
-                // Its warnings were told.
+                // Its warnings have been printed.
                 false => loaded.prepare_in_silence(&request)?,
             };
             models.push((settings.model, prepared));
@@ -80,7 +80,7 @@ impl Variants {
         })
     }
 
-    /// Width and height of what is rendered of it.
+    /// Width and height of the part that is rendered.
     pub fn size(&self, arguments: &ConvergeArguments) -> [u32; 2] {
         let crop = arguments
             .view

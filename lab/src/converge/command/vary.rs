@@ -1,4 +1,4 @@
-//! Settings that vary: any that has a flag, by the name and in the words of its flag.
+//! Settings that vary: any that has a flag, with the flag's name and values.
 
 use clap::error::ErrorKind;
 use clap::{Args, Command, FromArgMatches};
@@ -10,7 +10,7 @@ use crate::cli::settings::SettingArguments;
 use vkpt::report::names::Named;
 use vkpt::settings::Settings;
 
-/// A setting and the values that it is to have.
+/// A setting and its values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Vary {
     name: String,
@@ -23,17 +23,17 @@ pub struct Combination {
     /// `connect=light normals=visible`; empty where nothing varies.
     pub name: String,
     pub settings: Settings,
-    /// The scene is to choose its integrator.
+    /// Whether the scene chooses its integrator.
     pub auto: bool,
-    /// What denoises the pictures before they are judged.
+    /// The denoiser of the pictures before they are judged.
     pub denoise: Option<By>,
 }
 
-/// What denoises: no setting of the rendering.
+/// The denoiser: not a setting of the rendering.
 const DENOISE: &str = "denoise";
 const NO_DENOISER: &str = "off";
 
-/// Variants that are worth a table each.
+/// The most variants, each of which gets a table.
 const MOST: usize = 64;
 
 /// `NAME=VALUE,VALUE…`, each a value that `--NAME` takes.
@@ -48,7 +48,7 @@ pub fn vary(text: &str) -> Result<Vary, String> {
             _ => flags(&[(name, value)]).map(|_| ()),
         }?;
         if values[..i].contains(value) {
-            return Err(format!("{value} is there twice"));
+            return Err(format!("{value} is given twice"));
         }
     }
     Ok(Vary {
@@ -57,7 +57,7 @@ pub fn vary(text: &str) -> Result<Vary, String> {
     })
 }
 
-/// All combinations, the last setting varying fastest, over what the other flags say.
+/// All combinations, the last setting varying fastest, applied over the other flags.
 pub fn combinations(
     settings: &SettingArguments,
     vary: &[Vary],
@@ -65,7 +65,7 @@ pub fn combinations(
     for (i, v) in vary.iter().enumerate() {
         if vary[..i].iter().any(|other| other.name == v.name) {
             return Err(Failure::Usage(format!(
-                "--vary {} is there twice: give all of its values at once",
+                "--vary {} is given twice: give all of its values at once",
                 v.name
             )));
         }
@@ -114,7 +114,7 @@ fn denoiser(value: &str) -> Result<Option<By>, String> {
         None => {
             let names: Vec<&str> = By::ALL.iter().map(|(_, name)| *name).collect();
             let names = names.join(", ");
-            Err(format!("denoise={value}: there are {NO_DENOISER}, {names}"))
+            Err(format!("denoise={value}: must be {NO_DENOISER}, {names}"))
         }
     }
 }
@@ -134,7 +134,10 @@ fn flags(pairs: &[(&str, &str)]) -> Result<SettingArguments, String> {
         .map(|(name, value)| format!("--{name}={value}"));
     let told = |error: clap::Error| match error.kind() {
         ErrorKind::UnknownArgument => {
-            format!("no such setting; there are {}, {DENOISE}", known.join(", "))
+            format!(
+                "no such setting; the settings are {}, {DENOISE}",
+                known.join(", ")
+            )
         }
         _ => first_paragraph(&error.to_string()),
     };
@@ -144,7 +147,7 @@ fn flags(pairs: &[(&str, &str)]) -> Result<SettingArguments, String> {
         .map_err(told)
 }
 
-/// What clap says before it points to the help.
+/// The first paragraph of clap's message, before its pointer to the help.
 fn first_paragraph(text: &str) -> String {
     let lines = text.lines().take_while(|line| !line.is_empty());
     let lines: Vec<&str> = lines.map(str::trim).collect();
@@ -203,13 +206,16 @@ mod tests {
     fn what_is_no_setting_or_value_is_told() {
         for (text, said) in [
             ("connect", "connect=mis,light"),
-            ("colour=red", "no such setting; there are model, fresnel"),
+            (
+                "colour=red",
+                "no such setting; the settings are model, fresnel",
+            ),
             ("help=1", "no such setting"),
             ("connect=mis,all", "invalid value 'all'"),
             ("connect=mis,all", "mis, light, bsdf"),
-            ("connect=mis,mis", "mis is there twice"),
+            ("connect=mis,mis", "mis is given twice"),
             ("connect=", "value"),
-            ("denoise=blur", "there are off, auto, oidn, nlm"),
+            ("denoise=blur", "must be off, auto, oidn, nlm"),
             ("max-depth=-1", "-1"),
         ] {
             let error = vary(text).expect_err("refused");

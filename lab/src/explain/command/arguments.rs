@@ -13,19 +13,19 @@ use vkpt::render::KernelChoice;
 const AFTER_HELP: &str = "\
 Exit codes:
     0  explained
-    1  the kernel does not compile, which is a mistake of vkpt's
+    1  the kernel does not compile, which is a bug in vkpt
     2  the command line is wrong
     3  the scene or one of its meshes is wrong; nothing was written
-    4  there is no such Vulkan device as --device asks for, or none for --statistics
+    4  no Vulkan device matches --device, or none is available for --statistics
     5  a file or stdout could not be written
-    6  there is not enough memory
+    6  not enough memory
 
 Examples:
-  vkpt explain scene.txt                          what the kernel holds and why
+  vkpt explain scene.txt                          the parts of the kernel, and why
   vkpt explain scene.txt --glsl > scene.glsl      its source
-  vkpt explain scene.txt --spirv scene.spv        the module that a device gets";
+  vkpt explain scene.txt --spirv scene.spv        the module for the device";
 
-/// What is to be explained.
+/// The flags of an explanation.
 #[derive(clap::Args, Debug)]
 #[command(after_help = AFTER_HELP)]
 pub struct ExplainArguments {
@@ -35,24 +35,24 @@ pub struct ExplainArguments {
     #[command(flatten)]
     pub view: ViewArguments,
 
-    /// What else is to be written of the pixels: stderr, or layers of the picture's EXR, light:PATTERN
-    /// among them
-    #[arg(long, value_name = "WHAT", value_delimiter = ',')]
+    /// Explain a rendering that also writes these: stderr, or layers of the picture's EXR, including
+    /// light:PATTERN
+    #[arg(long, value_name = "LAYERS", value_delimiter = ',')]
     #[arg(value_parser = BesideParser)]
     pub aov: Vec<Beside>,
 
-    /// Keep the limits of this Vulkan device, by its index or part of its name [default: the best
-    /// there is; where there is none, limits that most GPUs have]
+    /// Use the limits of this Vulkan device, by index or part of its name [default: the best device;
+    /// if none is available, limits common to most GPUs]
     #[arg(long, value_name = "DEVICE", value_parser = values::vulkan_device)]
     pub device: Option<Selector>,
 
-    /// What the kernel is to hold: composed, what scene and settings need, or full, what any scene
-    /// could need
+    /// Kernel to explain: composed, with only the parts that scene and settings need, or full, with
+    /// all parts
     #[arg(long, value_name = "KERNEL", default_value = "composed")]
     #[arg(value_parser = choice::<KernelChoice>(), hide_possible_values = true)]
     pub kernel: KernelChoice<'static>,
 
-    /// Print the kernel's GLSL, file by file, and nothing else
+    /// Print only the kernel's GLSL, file by file
     #[arg(long)]
     pub glsl: bool,
 
@@ -60,8 +60,8 @@ pub struct ExplainArguments {
     #[arg(long, value_name = "FILE")]
     pub spirv: Option<Destination>,
 
-    /// Compile the kernel for the device and print the driver's counts for its code: registers,
-    /// spills, instructions (VK_KHR_pipeline_executable_properties)
+    /// Compile the kernel for the device and print the driver's statistics: registers, spills,
+    /// instructions (VK_KHR_pipeline_executable_properties)
     #[arg(long, conflicts_with = "glsl")]
     pub statistics: bool,
 
@@ -70,9 +70,9 @@ pub struct ExplainArguments {
 }
 
 impl ExplainArguments {
-    /// The scene and what would be rendered of it.
+    /// The scene and the rendering to explain.
     pub fn request(&self) -> Request<'_> {
-        // No kernel and no buffer depends on samples and seed.
+        // Kernels and buffers depend on neither samples nor seed.
         self.view.request(&self.scene, &self.settings, 1, 0)
     }
 }

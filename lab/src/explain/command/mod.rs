@@ -1,4 +1,4 @@
-//! `vkpt explain SCENE`: what a rendering would bring to a device and why, without rendering.
+//! `vkpt explain SCENE`: the kernel and buffers of a rendering, and the reasons for them, without rendering.
 
 mod arguments;
 mod outputs;
@@ -18,9 +18,9 @@ use vkpt::kernel::{Composed, Spirv};
 use vkpt::render::{Job, KernelChoice, Plan, PlanLimits, statistics};
 use vkpt::settings::Integrator;
 
-/// Prints the page, or the kernel's GLSL; writes its SPIR-V where it is asked for.
+/// Prints the page, or the kernel's GLSL; writes its SPIR-V if requested.
 pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
-    // What cannot be written is told before the work; it is claimed below, with what goes beside it.
+    // Reports unwritable files before the work starts; files are claimed below, with those next to them.
     drop(writable::check(&arguments.spirv)?);
     let spirv_on_stdout = arguments.spirv.as_ref().is_some_and(Destination::is_stdout);
     if arguments.glsl && spirv_on_stdout {
@@ -77,10 +77,10 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
     Ok(Ending::Complete)
 }
 
-/// Whose limits hold where there is no device.
-const NO_DEVICE: &str = "those of most GPUs (there is no Vulkan device here)";
+/// The source of the limits if no device is available.
+const NO_DEVICE: &str = "those of most GPUs (no Vulkan device found)";
 
-/// The device that is asked for, else the best there is; where there is none, a kernel is explained all the same.
+/// The requested device, else the best; if none is available, the kernel is explained without one.
 fn device(arguments: &ExplainArguments) -> Result<Option<Device>, Failure> {
     let options = Options {
         statistics: arguments.statistics,
@@ -94,7 +94,7 @@ fn device(arguments: &ExplainArguments) -> Result<Option<Device>, Failure> {
     }
 }
 
-/// What the driver counts of the kernels.
+/// The driver's statistics of the kernels.
 fn counts(plan: &Plan, spirv: &[Spirv], device: &Device) -> Result<Vec<Count>, Failure> {
     let names: &[&str] = match plan.features.integrator {
         Integrator::Bidirectional => &["light paths", "eye paths"],
@@ -108,7 +108,7 @@ fn counts(plan: &Plan, spirv: &[Spirv], device: &Device) -> Result<Vec<Count>, F
         value: s.value.to_string(),
     };
     let told = names.iter().zip(told).flat_map(|(kernel, told)| {
-        // A hash only tells one kernel from another.
+        // A hash only identifies a kernel.
         let told = told
             .into_iter()
             .filter(|s| !s.name.to_lowercase().contains("hash"));

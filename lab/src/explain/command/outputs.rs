@@ -1,4 +1,4 @@
-//! The files that an explanation leaves: the SPIR-V of each kernel.
+//! The files that an explanation writes: the SPIR-V of each kernel.
 
 use super::arguments::ExplainArguments;
 use crate::cli::destination::{Destination, Written};
@@ -7,7 +7,7 @@ use crate::cli::inputs::{Input, spare};
 use crate::cli::writable::{self, Claims};
 use vkpt::kernel::Spirv;
 
-/// Where each of the kernels goes, known to be writable and claimed; nowhere if nobody asks.
+/// The destination of each kernel, checked to be writable and claimed; none if not requested.
 pub fn check(
     arguments: &ExplainArguments,
     kernels: usize,
@@ -17,7 +17,7 @@ pub fn check(
     let files: Vec<_> = to
         .flat_map(|to| (0..kernels).map(|i| numbered(to, i)))
         .collect();
-    // Where nothing can stand beside the first, all go there, one after the other.
+    // If no file can be written next to the first, all go there, one after the other.
     let mut distinct = files.clone();
     distinct.dedup();
     let claims = writable::check(&distinct)?;
@@ -32,7 +32,7 @@ pub fn write(files: &[Destination], spirv: &[Spirv]) -> Vec<Written> {
         .collect()
 }
 
-/// Where kernel `i` goes: the first to FILE itself, the next to FILE-2.
+/// The destination of kernel `i`: the first goes to FILE itself, the next to FILE-2.
 fn numbered(to: &Destination, i: usize) -> Destination {
     match (to.neighbour(), i) {
         (None, _) | (_, 0) => to.clone(),

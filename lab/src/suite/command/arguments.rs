@@ -13,49 +13,49 @@ use vkpt::render::Target;
 
 const AFTER_HELP: &str = "\
 Exit codes:
-    0  every scene makes its kept picture, or with --bless one that is kept now
-    1  a picture differs, is missing or could not be made
-    2  the command line is wrong, or there are no scenes
-    4  there is no such Vulkan device, or none at all
+    0  every scene matches its expected picture, or with --bless its picture is now kept
+    1  a picture differs, is missing or could not be rendered
+    2  the command line is wrong, or the folder contains no scenes
+    4  no Vulkan device, or none that matches --device
     5  a file or stdout could not be written
-    6  there is not enough memory
-  130  interrupted by ctrl-c; the scenes done by then are told
-  143  the same by SIGTERM, 129 by SIGHUP
+    6  not enough memory
+  130  interrupted by ctrl-c; the scenes done by then are reported
+  143  interrupted by SIGTERM; 129 by SIGHUP
 
 Examples:
-  vkpt test pictures --bless               keep the pictures of all scenes in pictures/
-  vkpt test pictures                       render them again: the same to the bit?
-  vkpt test pictures --junit results.xml   the same for a CI service
-  vkpt test pictures --html test.html      a page with the pictures of what differs
+  vkpt test pictures --bless               keep the pictures of all scenes in pictures/ as expected
+  vkpt test pictures                       render them again, and compare every bit
+  vkpt test pictures --junit results.xml   also write a report for a CI service
+  vkpt test pictures --html test.html      also write a page with the pictures that differ
   vkpt test pictures --device 0 --max-relmse 1e-3";
 
-/// Which scenes are rendered, and what is expected of them.
+/// The scenes to render, and the expected pictures.
 #[derive(clap::Args, Debug)]
 #[command(after_help = AFTER_HELP)]
 pub struct TestArguments {
-    /// The folder of the scenes, in it or below: NAME.txt, .scn, .gltf or .glb, each beside the picture
-    /// that it is to make, NAME.expected.exr
+    /// Folder of the scenes, searched recursively: NAME.txt, .scn, .gltf or .glb, each next to its
+    /// expected picture, NAME.expected.exr
     pub folder: PathBuf,
 
-    /// Keep the pictures that the scenes make now, where they differ from those kept before
+    /// Keep the new pictures as the expected ones where they differ
     #[arg(long)]
     pub bless: bool,
 
-    /// Allow pictures a relMSE of so much, in place of equal bits
+    /// Accept pictures with a relMSE up to this, instead of requiring equal bits
     #[arg(long, value_name = "X", value_parser = numbers::target_error, conflicts_with = "bless")]
     pub max_relmse: Option<f64>,
 
-    /// Folder for what differs, made where it is needed: NAME.actual.exr, NAME.difference.png,
-    /// and reports that go there
+    /// Folder for pictures that differ, NAME.actual.exr and NAME.difference.png, and for reports that
+    /// are written there; created if needed
     #[arg(long, value_name = "FOLDER", default_value = "test-results")]
     pub out: PathBuf,
 
-    /// Write the results as JUnit's XML, which CI services show; - for stdout
+    /// Write the results as JUnit XML, which CI services show; - for stdout
     #[arg(long, value_name = "FILE.xml")]
     pub junit: Option<Destination>,
 
-    /// Write a page with all scenes, and the pictures of what differs beside the kept ones: one file that
-    /// needs no network; - for stdout
+    /// Write a self-contained HTML page with all scenes, and the pictures that differ next to the
+    /// expected ones; - for stdout
     #[arg(long, value_name = "FILE.html")]
     pub html: Option<Destination>,
 
@@ -67,15 +67,15 @@ pub struct TestArguments {
     #[arg(long, value_name = "N", default_value = "0", value_parser = numbers::whole(0))]
     pub seed: u32,
 
-    /// What renders: cpu-f32, whose bits are the same on every machine, cpu-f64, or a Vulkan device by its
-    /// index or part of its name
+    /// Device: cpu-f32, whose bits are the same on every machine, cpu-f64, or a Vulkan device by index
+    /// or part of its name
     #[arg(long, value_name = "DEVICE", default_value = "cpu-f32", value_parser = values::device)]
     pub device: Target,
 
     #[command(flatten)]
     pub view: ViewArguments,
 
-    /// No progress and no lines, only what is wrong
+    /// Print only failures: no progress, no other lines
     #[arg(long)]
     pub quiet: bool,
 
@@ -89,7 +89,7 @@ impl TestArguments {
         self.junit.iter().chain(&self.html)
     }
 
-    /// What is to be rendered of a scene.
+    /// The rendering of a scene.
     pub fn request<'a>(&'a self, scene: &'a Source) -> Request<'a> {
         Request {
             quiet: true,

@@ -1,4 +1,4 @@
-//! `vkpt test FOLDER`: scenes against the pictures that are kept beside them.
+//! `vkpt test FOLDER`: compares scenes with the expected pictures next to them.
 
 mod arguments;
 mod picture;
@@ -23,13 +23,13 @@ use vkpt::film::Film;
 use vkpt::image::Picture;
 use vkpt::image::file::FileError;
 
-/// Renders every scene, compares it with its picture and prints a line of each.
+/// Renders every scene, compares it with its expected picture and prints a line for each.
 pub fn test(arguments: &TestArguments) -> Result<Ending, Failure> {
     let folder = &arguments.folder;
     let found = scenes(folder).map_err(|error| Failure::Usage(error.to_string()))?;
     if found.is_empty() {
         return Err(Failure::Usage(format!(
-            "there are no scenes in {}: files that end in .txt, .scn, .gltf or .glb",
+            "{} contains no scenes, which are files that end in .txt, .scn, .gltf or .glb",
             folder.display()
         )));
     }
@@ -45,11 +45,11 @@ pub fn test(arguments: &TestArguments) -> Result<Ending, Failure> {
         let case = match case(arguments, one, &stop, &mut display) {
             Ok(Some(case)) => case,
             Ok(None) => {
-                warn("interrupted: the other scenes are not tried");
+                warn("interrupted: the remaining scenes were not rendered");
                 ended = Ok(Ending::Interrupted);
                 break;
             }
-            // All others would end so, too.
+            // All others would fail in the same way.
             Err(failure) => {
                 ended = Err(failure);
                 break;
@@ -81,7 +81,7 @@ pub fn test(arguments: &TestArguments) -> Result<Ending, Failure> {
     }
 }
 
-/// Makes the folder for what differs where a report goes there, too.
+/// Creates the folder for pictures that differ, if a report goes there, too.
 fn make_room(arguments: &TestArguments) -> Result<(), Failure> {
     let mut folders = arguments
         .reports()
@@ -92,7 +92,7 @@ fn make_room(arguments: &TestArguments) -> Result<(), Failure> {
     }
 }
 
-/// Makes a folder and those that it is in.
+/// Creates a folder and its parents.
 fn make_folder(path: &Path) -> Result<(), Failure> {
     fs::create_dir_all(path).map_err(|cause| {
         let path = path.to_owned();
@@ -100,7 +100,7 @@ fn make_folder(path: &Path) -> Result<(), Failure> {
     })
 }
 
-/// Its file, or where that is gone its picture, seen from the folder.
+/// Its file, or if that is gone its picture, relative to the folder.
 fn name(found: &Found) -> String {
     let file = found.scene.as_ref().unwrap_or(&found.expected);
     let folder = found.stem.parent().unwrap_or(Path::new(""));
@@ -109,7 +109,7 @@ fn name(found: &Found) -> String {
         .replace(std::path::MAIN_SEPARATOR, "/")
 }
 
-/// One scene; `None` where a signal ended it. What is wrong with it alone is its verdict.
+/// One scene; `None` if a signal ended it. Errors of the scene itself become its verdict.
 fn case(
     arguments: &TestArguments,
     found: &Found,
@@ -132,7 +132,7 @@ fn case(
     }))
 }
 
-/// A verdict, and what shows it.
+/// A verdict, and the pictures that show it.
 struct Tried {
     verdict: Verdict,
     files: Vec<String>,
@@ -160,11 +160,11 @@ fn tried(
     display: &mut Display,
 ) -> Result<Option<Tried>, Failure> {
     let Some(scene) = &found.scene else {
-        let why = "there is no scene beside it: take the picture away, or bring the scene back";
+        let why = "no scene next to it: remove the picture, or restore the scene";
         return Ok(Some(failed(why.to_owned())));
     };
     let expected = match expected(&found.expected) {
-        // What can't be read is kept anew.
+        // A picture that cannot be read is replaced.
         Err(_) if arguments.bless => None,
         read => read?,
     };
@@ -180,14 +180,14 @@ fn tried(
             None => return Ok(None),
         },
         (None, false) => failed(format!(
-            "there is no {}: --bless keeps the picture that it makes now",
+            "{} does not exist: use --bless to keep the picture rendered now",
             found.expected.display()
         )),
     };
     Ok(Some(tried))
 }
 
-/// Keeps the picture, unless it is the one that is kept already.
+/// Keeps the picture, unless it equals the expected one.
 fn kept(found: &Found, made: &Rendered, expected: Option<&Picture>) -> Result<Tried, Failure> {
     if expected.is_some_and(|expected| difference(&made.picture, expected).is_none()) {
         return Ok(Verdict::Same.into());
@@ -197,7 +197,7 @@ fn kept(found: &Found, made: &Rendered, expected: Option<&Picture>) -> Result<Tr
     Ok(Verdict::Kept { instead }.into())
 }
 
-/// Compares the picture with the one that is kept, and shows where they differ.
+/// Compares the picture with the expected one, and shows where they differ.
 fn judged(
     arguments: &TestArguments,
     found: &Found,
@@ -226,13 +226,13 @@ fn judged(
     }
 }
 
-/// Writes the picture and where it differs, for people to look at; returns the names.
+/// Writes the picture and a map of its differences, for people to inspect; returns the names.
 fn show(stem: &Path, made: &Rendered, heat: Option<&Film>) -> Result<Vec<String>, Failure> {
     make_folder(stem.parent().unwrap_or(Path::new("")))?;
     let actual = beside(stem, ".actual.exr");
     all_written([put(&actual, &made.bytes)])?;
     let mut names = vec![actual.display().to_string()];
-    // Of pictures of one size.
+    // Only for pictures of equal size.
     if let Some(map) = heat {
         let difference = beside(stem, ".difference.png");
         all_written([put(&difference, &png(map)?)])?;

@@ -15,13 +15,13 @@ use vkpt::metrics::{Errors, Pair, heatmap};
 use vkpt::render::{End, Progress, render};
 use vkpt::report::{self, SOFTWARE, differences};
 
-/// The bytes of an EXR, and the picture that they are read as.
+/// The bytes of an EXR, and the picture that they decode to.
 pub struct Rendered {
     pub bytes: Vec<u8>,
     pub picture: Picture,
 }
 
-/// Renders a scene; `None` where a signal ended it.
+/// Renders a scene; `None` if a signal ended it.
 pub fn rendered(
     arguments: &TestArguments,
     scene: &Path,
@@ -46,7 +46,7 @@ pub fn rendered(
     }
     let camera = &ready.prepared.camera;
     let full = [camera.width, camera.height];
-    // The name alone: the same file wherever the folder is.
+    // Only the name: the file does not depend on the place of the folder.
     let record = report::Job {
         scene: name.to_owned(),
         camera: request.camera.map(str::to_owned),
@@ -75,7 +75,7 @@ pub fn rendered(
     Ok(Some(Rendered { bytes, picture }))
 }
 
-/// How a picture differs from the one that is expected, and by what relMSE if they are of one size; `None` where no bit does.
+/// How a picture differs from the expected one, and the relMSE if their sizes are equal; `None` if all bits are equal.
 pub fn difference(actual: &Picture, expected: &Picture) -> Option<(Option<f64>, String)> {
     if (actual.full, actual.origin) != (expected.full, expected.origin)
         || [actual.film.width, actual.film.height] != [expected.film.width, expected.film.height]
@@ -86,7 +86,7 @@ pub fn difference(actual: &Picture, expected: &Picture) -> Option<(Option<f64>, 
                 p.film.width, p.film.height, p.origin[0], p.origin[1], p.full[0], p.full[1]
             )
         };
-        let told = format!("it is {}; expected are {}", of(actual), of(expected));
+        let told = format!("it has {}; expected {}", of(actual), of(expected));
         return Some((None, told + &made_from(actual, expected)));
     }
     let bits = |rgb: [f32; 3]| rgb.map(f32::to_bits);
@@ -111,7 +111,7 @@ pub fn difference(actual: &Picture, expected: &Picture) -> Option<(Option<f64>, 
     Some((Some(rel_mse), told + &made_from(actual, expected)))
 }
 
-/// What else they were made from than one another, a line each.
+/// The differences in how they were made, a line each.
 fn made_from(actual: &Picture, expected: &Picture) -> String {
     let all = differences(&expected.notes, &actual.notes).unwrap_or_default();
     all.iter().map(|each| format!("\n{each}")).collect()
@@ -144,7 +144,7 @@ fn encoded(
     Ok(bytes.into_inner())
 }
 
-/// Reads the picture that is expected; `None` where there is none.
+/// Reads the expected picture; `None` if it does not exist.
 pub fn expected(path: &Path) -> Result<Option<Picture>, Failure> {
     match path.exists() {
         true => read(path)

@@ -1,4 +1,4 @@
-//! The scenes of a folder, and the pictures kept beside them.
+//! The scenes of a folder, and the expected pictures next to them.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -12,18 +12,18 @@ const EXPECTED: &str = ".expected.exr";
 /// A scene file, its picture, or both.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Found {
-    /// Path without ending, seen from the folder.
+    /// Path without ending, relative to the folder.
     pub stem: PathBuf,
-    /// `None` where a picture was kept of a scene that is gone.
+    /// `None` if only the expected picture exists.
     pub scene: Option<PathBuf>,
-    /// Whether it is there or not.
+    /// The path; the file may not exist.
     pub expected: PathBuf,
 }
 
-/// All of `folder` and the folders in it, by their names; what begins with a dot aside.
+/// All scenes of `folder` and the folders in it, sorted by name; names that begin with a dot are skipped.
 ///
 /// # Errors
-/// Folders that can't be read; two scenes with one picture.
+/// Folders that cannot be read; two scenes with one picture.
 pub fn scenes(folder: &Path) -> io::Result<Vec<Found>> {
     let mut files = Vec::new();
     walk(folder, &mut files)?;
@@ -33,7 +33,7 @@ pub fn scenes(folder: &Path) -> io::Result<Vec<Found>> {
         let expected = beside(&stem, EXPECTED);
         if all.iter().any(|other| other.expected == expected) {
             return Err(io::Error::other(format!(
-                "two scenes would have the picture {}: give one of them another name",
+                "two scenes would have the same expected picture, {}: give one of them another name",
                 expected.display()
             )));
         }
@@ -89,7 +89,7 @@ fn walk(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
         let kind = entry.file_type().map_err(named)?;
         match () {
             () if is_hidden => {}
-            // A link to a folder may lead around in circles.
+            // A link to a folder may lead in circles, so it is not followed.
             () if kind.is_dir() => walk(&entry.path(), files)?,
             () => files.push(entry.path()),
         }

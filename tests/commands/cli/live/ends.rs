@@ -109,7 +109,7 @@ fn where_nobody_looks_on_it_waits_for_nobody() {
     assert!(time < Duration::from_secs(2), "{time:?}");
     // The one thing that the quiet are told.
     assert!(
-        said.starts_with("note: the picture as it grows: http://127.0.0.1:"),
+        said.starts_with("note: live view: http://127.0.0.1:"),
         "{said}"
     );
     assert_eq!(said.lines().count(), 1, "{said}");
@@ -140,7 +140,7 @@ fn stopping_is_what_ctrl_c_is() {
     assert_eq!(code, Some(130), "{said}");
     assert!(start.elapsed() < PATIENCE / 2);
     assert!(
-        said.contains("note: --resume goes on from a.vkpt"),
+        said.contains("note: continue with --resume, which reads a.vkpt"),
         "{said}"
     );
     assert_eq!(

@@ -114,7 +114,7 @@ fn a_port_that_is_taken_is_told_before_anything_is_rendered() {
     let port = rendering.port;
     assert!(
         run.err
-            .contains(&format!("--view: port {port} can't be had")),
+            .contains(&format!("--view: cannot listen on port {port}")),
         "{}",
         run.err
     );

@@ -62,12 +62,12 @@ fn keys_do_what_the_pointer_does() {
     browser.wait("document.activeElement === document.querySelector('#yes')");
     browser.screenshot("live-sure");
     browser.key(" ", 32);
-    browser.wait("document.querySelector('#phase').textContent === 'Ended: the files are written'");
+    browser.wait("document.querySelector('#phase').textContent === 'Done: the files are written'");
     quiet(&browser, &rendering);
     let (code, said) = rendering.end();
     assert_eq!(code, Some(130), "{said}");
     assert!(
-        said.contains("note: --resume goes on from a.vkpt"),
+        said.contains("note: continue with --resume, which reads a.vkpt"),
         "{said}"
     );
     // The last picture stays, and its pixels are told.

@@ -61,7 +61,7 @@ impl Rendering {
         let mut lines = BufReader::new(child.stderr.take().expect("a pipe"));
         let mut first = String::new();
         lines.read_line(&mut first).expect("a line");
-        let address = "note: the picture as it grows: http://127.0.0.1:";
+        let address = "note: live view: http://127.0.0.1:";
         let port = first
             .strip_prefix(address)
             .and_then(|p| p.strip_suffix("/\n"));

@@ -38,7 +38,7 @@ fn stop_and_save(browser: &mut Browser) {
     browser.point("document.querySelector('#stop')", true);
     browser.wait("document.querySelector('#sure').open");
     browser.point("document.querySelector('#yes')", true);
-    browser.wait("document.querySelector('#phase').textContent === 'Ended: the files are written'");
+    browser.wait("document.querySelector('#phase').textContent === 'Done: the files are written'");
 }
 
 #[test]
@@ -159,7 +159,7 @@ fn two_tabs_both_get_the_last_picture() {
         ));
     }
     stop_and_save(&mut second);
-    first.wait("document.querySelector('#phase').textContent === 'Ended: the files are written'");
+    first.wait("document.querySelector('#phase').textContent === 'Done: the files are written'");
     assert!(asked(&first) > 0 && asked(&second) > 0);
     let (code, said) = rendering.end();
     assert_eq!(code, Some(130), "{said}");

@@ -12,7 +12,7 @@ fn a_page_finds_the_next_rendering_at_its_port() {
     };
     // Killed: nobody tells the page.
     drop(first);
-    browser.wait("document.querySelector('#phase').textContent.includes('cannot be reached')");
+    browser.wait("document.querySelector('#phase').textContent.includes('is unreachable')");
     assert_eq!(
         browser.value("document.querySelector('#stop').disabled"),
         true

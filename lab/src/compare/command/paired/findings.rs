@@ -1,4 +1,4 @@
-//! What three comparisons amount to.
+//! The findings of three comparisons.
 
 use vkpt::metrics::paired::{Comparison, Verdict};
 use vkpt::report::human::thousands;
@@ -17,7 +17,7 @@ pub struct Findings {
 }
 
 impl Findings {
-    /// What must not be: one line each.
+    /// Failures, one line each.
     pub fn failures(&self) -> Vec<String> {
         let bits = self.different_bits();
         let bias = PAIRS.iter().zip(&self.pairs).filter_map(|(name, pair)| {
@@ -25,7 +25,7 @@ impl Findings {
                 return None;
             };
             Some(format!(
-                "{name}: the paths that parted do not bring the same light on the mean (p = {p:.1e})"
+                "{name}: the mean radiance of the diverged paths differs (p = {p:.1e})"
             ))
         });
         bits.into_iter().chain(bias).collect()
@@ -35,7 +35,7 @@ impl Findings {
         let pair = &self.pairs[0];
         let first = pair.first_unequal.filter(|_| self.correctly_rounded)?;
         Some(format!(
-            "a driver of the CPU must equal cpu-f32 in every bit; {} of {} paths differ, the first at pixel {},{}, \
+            "a CPU's Vulkan driver must equal cpu-f32 in every bit; {} of {} paths differ, the first at pixel {},{}, \
              sample {}: {}",
             thousands(pair.paths - pair.equal),
             thousands(pair.paths),
@@ -48,7 +48,7 @@ impl Findings {
 
     /// The command line that shows a path that a pair differs in.
     pub fn command(&self, pair: usize, address: Address) -> String {
-        // Where the device equals cpu-f32, what there is to see is between the references.
+        // If the device equals cpu-f32, the difference is between the references.
         let on_device = pair == 0 || (pair == 1 && !self.pairs[0].is_equal());
         let show = &self.show[usize::from(!on_device)];
         let [x, y] = address.pixel;
@@ -61,7 +61,7 @@ mod tests {
     use super::*;
     use vkpt::sample::Path;
 
-    /// Forty samples: sample 20 is off by a bit in the pair `bit`, all part in the pair `bias`, one side brighter.
+    /// Forty samples: sample 20 is off by a bit in the pair `bit`, all diverge in the pair `bias`, one side brighter.
     fn findings(bit: usize, bias: usize, correctly_rounded: bool) -> Findings {
         let mut pairs: [Comparison; PAIRS.len()] = Default::default();
         for (k, pair) in pairs.iter_mut().enumerate() {

@@ -40,7 +40,7 @@ pub fn paired(arguments: &PairedArguments) -> Result<Ending, Failure> {
     }
     match findings.failures() {
         _ if interrupted => {
-            warn("interrupted: the other paths were not compared");
+            warn("interrupted: the remaining paths were not compared");
             Ok(Ending::Interrupted)
         }
         failures if failures.is_empty() => Ok(Ending::Complete),
@@ -48,7 +48,7 @@ pub fn paired(arguments: &PairedArguments) -> Result<Ending, Failure> {
     }
 }
 
-/// What there is to say of each pair, and whether ctrl-c came before the end.
+/// The comparison of each pair, and whether ctrl-c interrupted it.
 fn compare(
     job: &Job,
     device: &Device,
@@ -67,7 +67,7 @@ fn compare(
     Ok((pairs, ended.map_err(Failure::Render)?))
 }
 
-/// What is compared.
+/// The heading: scene, rendering and device.
 fn head(scene: &str, job: &Job, device: &Device) -> String {
     let (width, height) = (job.prepared.camera.width, job.prepared.camera.height);
     let info = device.info();

@@ -4,10 +4,10 @@ use super::findings::{Findings, PAIRS};
 use vkpt::metrics::paired::{Closeness, Comparison, Parted, Verdict};
 use vkpt::report::human::thousands;
 
-/// A label and what each pair has to say to it.
+/// A label and a cell for each pair.
 type Row = (&'static str, [String; PAIRS.len()]);
 
-/// The table, and the command lines that show what stands out.
+/// The table, and the command lines that trace the paths it singles out.
 pub fn text(findings: &Findings) -> String {
     let mut text = table(&rows(&findings.pairs));
     let device = &findings.pairs[0];
@@ -24,7 +24,7 @@ pub fn text(findings: &Findings) -> String {
             }
         };
         show("the worst", pair.closeness.worst.map(|w| w.address));
-        show("the first to part", pair.first_parted);
+        show("the first to diverge", pair.first_parted);
     }
     text
 }
@@ -38,12 +38,12 @@ fn rows(pairs: &[Comparison; PAIRS.len()]) -> Vec<Row> {
         ("paths", each(&|p| thousands(p.paths))),
         ("equal to the bit", each(&|p| percent(p.equal, p.paths))),
         ("stay together", each(&|p| percent(p.together, p.paths))),
-        ("  bring light", each(&|p| thousands(p.closeness.lit))),
+        ("  carry light", each(&|p| thousands(p.closeness.lit))),
         ("  relative difference, median", quantile(0.5)),
         ("    99 % are below", quantile(0.99)),
         ("    the worst", each(&worst)),
         ("    at pixel, sample", each(&worst_place)),
-        ("part", each(&|p| thousands(p.paths - p.together))),
+        ("diverge", each(&|p| thousands(p.paths - p.together))),
         ("  share", each(&|p| percent(p.paths - p.together, p.paths))),
         ("  mean difference, red", mean(0)),
         ("    green", mean(1)),
@@ -53,7 +53,7 @@ fn rows(pairs: &[Comparison; PAIRS.len()]) -> Vec<Row> {
     ]
 }
 
-/// Columns to the right, as wide as their widest cell, three blanks between them.
+/// Right-aligned columns, as wide as their widest cell, three blanks between them.
 fn table(rows: &[Row]) -> String {
     let width = |cell: &dyn Fn(&Row) -> usize| rows.iter().map(cell).max().unwrap_or(0);
     let first = width(&|(label, _)| label.chars().count());
@@ -67,7 +67,7 @@ fn table(rows: &[Row]) -> String {
     rows.iter().map(line).collect()
 }
 
-/// What there is not.
+/// A cell without a value.
 const NONE: &str = "–";
 
 fn of_light(closeness: &Closeness, f: impl Fn(&Closeness) -> Option<f64>) -> String {
@@ -100,7 +100,7 @@ fn mean_difference(parted: &Parted, channel: usize) -> String {
 fn verdict(parted: &Parted) -> String {
     match parted.verdict() {
         Verdict::TooFew if parted.paths == 0 => NONE.to_owned(),
-        Verdict::TooFew => "too few to tell".to_owned(),
+        Verdict::TooFew => "too few paths".to_owned(),
         Verdict::Unbiased(p) => format!("no, p = {p:.2}"),
         Verdict::Biased(p) => format!("yes, p = {p:.1e}"),
     }
@@ -115,7 +115,7 @@ fn small(x: f64) -> String {
     }
 }
 
-/// `100 %` and `0 %` of all and none; else with two digits of what is missing, to 0 or to 100: `99.9921 %`.
+/// `100 %` and `0 %` of all and none; else with two significant digits of the distance to 0 or 100: `99.9921 %`.
 fn percent(part: u64, whole: u64) -> String {
     if whole == 0 {
         return NONE.to_owned();
@@ -168,7 +168,7 @@ mod tests {
                     pixel: [12, 3],
                     index,
                 };
-                // The first pair is equal; of the others sample 2 is off and sample 3 parts.
+                // The first pair is equal; of the others sample 2 is off and sample 3 diverges.
                 let off = if i > 0 && index == 2 { 1.5 } else { 1.0 };
                 let parts = u32::from(i > 0 && index == 3);
                 pair.add(address, &path(1.0, 0), &path(off, parts));
@@ -191,7 +191,7 @@ mod tests {
         assert!(rest.starts_with("GPU – cpu-f32: 4 of 4 paths equal to the bit\n"));
         for line in [
             "GPU – cpu-f64, the worst: vkpt a.txt --device cpu-f64 --trace 12,3,2",
-            "cpu-f32 – cpu-f64, the first to part: vkpt a.txt --device cpu-f64 --trace 12,3,3",
+            "cpu-f32 – cpu-f64, the first to diverge: vkpt a.txt --device cpu-f64 --trace 12,3,3",
         ] {
             assert!(rest.lines().any(|l| l == line), "{text}");
         }
