@@ -40,7 +40,7 @@ const COMMANDS: [&str; 14] = [
 const SCENE: &str = "screen 8 6\ncamera 0 0 5 .3\nlight 1 1 1\nbox 0 0 1 .3 .3 .3\nbrdf .5 .5 .5 0 0 0 1\nbox -1 -1 -1 2 2 1.5\n";
 
 /// What is run in place of what takes long; the words are the same to the program.
-const CHEAPER: [(&str, &str); 10] = [
+const CHEAPER: [(&str, &str); 11] = [
     ("--size 640x480", "--size 8x6"),
     ("--time 60", "--time 0.2"),
     ("--time 3600", "--time 0.2"),
@@ -50,6 +50,7 @@ const CHEAPER: [(&str, &str); 10] = [
     ("--spp 65536", "--spp 64"),
     ("check --quick", "check --quick --case alpha/ggx/1e-3"),
     ("100,100,164,164", "1,1,5,4"),
+    ("178,8,256,104", "1,1,5,4"),
     // There is one device here.
     ("--device 1", "--device 0"),
     ("--submit", ""),
@@ -128,6 +129,12 @@ fn folder() -> TempDir {
         "pictures/ball.txt",
     ] {
         fs::write(at.join(name), SCENE).expect("a scene");
+    }
+    // tests/commands/tutorial.rs reads those of docs/tutorial/ themselves.
+    for name in names(&Path::new(ROOT).join("docs/tutorial")) {
+        if name.ends_with(".txt") {
+            fs::write(at.join(name), SCENE).expect("a scene");
+        }
     }
     let mut model = Model::seen_from([0.0, 0.0, 5.0], 0.5);
     model.document["cameras"][0]["name"] = "Front".into();
