@@ -129,7 +129,8 @@ fn the_page_shows_each_picture_that_the_script_makes() {
 fn cheap_pictures_are_made_again_to_the_bit() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_string_lossy();
-    let made = script(&[&[&*out], &CHEAP[..]].concat());
+    let arguments: Vec<&str> = [&*out].into_iter().chain(CHEAP).collect();
+    let made = script(&arguments);
     assert_eq!(made.code, Some(0), "{}", made.err);
     assert_eq!(names(folder.path()).len(), CHEAP.len());
     for name in CHEAP {
