@@ -8,7 +8,9 @@ use std::path::Path;
 
 const PAGE: &str = "docs/model.md";
 /// This file is no place to look in: it plants wrong citations.
-const FOLDERS: [&str; 6] = ["benches", "examples", "fuzz", "shaders", "src", "tests"];
+const FOLDERS: [&str; 8] = [
+    "benches", "cli", "examples", "fuzz", "lab", "shaders", "src", "tests",
+];
 const ENDINGS: [&str; 3] = ["rs", "glsl", "comp"];
 
 /// Comments that run over several lines, as one line.

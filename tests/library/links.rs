@@ -9,8 +9,8 @@ use std::path::{Component, Path, PathBuf};
 const SKIPPED: [&str; 3] = ["target", "node_modules", "test-results"];
 
 /// Folders whose sources name pages by their path, and the endings of such sources.
-const FOLDERS: [&str; 7] = [
-    "benches", "examples", "python", "scripts", "shaders", "src", "tests",
+const FOLDERS: [&str; 9] = [
+    "benches", "cli", "examples", "lab", "python", "scripts", "shaders", "src", "tests",
 ];
 const ENDINGS: [&str; 7] = ["rs", "glsl", "comp", "py", "pyi", "txt", ""];
 

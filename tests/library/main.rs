@@ -43,6 +43,7 @@ mod metrics;
 mod needs;
 mod no_allocation;
 mod parts;
+mod plain_words;
 mod prepared;
 mod report;
 mod sampling;

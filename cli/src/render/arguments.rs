@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-use crate::live::Onlookers;
+use crate::live::Viewers;
 use crate::live::command::{Doors, LiveArguments};
 use crate::outputs::OutputArguments;
 use vkpt::film::Aov;
@@ -191,7 +191,7 @@ impl RenderArguments {
     }
 
     /// The viewers, who may set `stop`.
-    pub fn onlookers(&self, doors: Doors, stop: &Arc<AtomicBool>) -> Result<Onlookers, Failure> {
+    pub fn viewers(&self, doors: Doors, stop: &Arc<AtomicBool>) -> Result<Viewers, Failure> {
         let [left, top, ..] = self.view.crop.unwrap_or_default();
         doors.open(&self.scene()?.name(), [left, top], stop)
     }

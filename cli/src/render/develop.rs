@@ -7,7 +7,7 @@ use super::arguments::RenderArguments;
 use super::record::{error_of, record};
 use super::split::split;
 use crate::keep::{Checkpoint, hint, resumed};
-use crate::live::Onlookers;
+use crate::live::Viewers;
 use vkpt::film::Channel;
 use vkpt::render::{
     self, Best, Job, NEAREST, Outcome, Progress, RenderError, Start, State, Watch, freedom,
@@ -47,7 +47,7 @@ pub fn develop(
     job: &Job,
     goal: Goal,
     stop: &AtomicBool,
-    onlookers: &mut Onlookers,
+    viewers: &mut Viewers,
 ) -> Result<Option<Made>, Failure> {
     let best = arguments.best(job);
     let labels = Labels {
@@ -68,13 +68,13 @@ pub fn develop(
         display: Display::new(arguments.outputs.quiet),
         checkpoint: pause.map(|(pause, path)| Checkpoint::new(path.to_owned(), pause, resumes)),
         labels: &labels,
-        onlookers,
+        viewers,
     };
     let outcome = arguments.develop(job, &best.target, &start, stop, &mut watcher);
     watcher.display.finish();
     let checkpointed = watcher.checkpoint.map_or(resumes, |c| c.written);
     let mut outcome = outcome.map_err(Failure::Render)?;
-    watcher.onlookers.rendered(&outcome);
+    watcher.viewers.rendered(&outcome);
     let mut channels = render::layers(job, outcome.spp);
     channels.extend(split(job, &mut outcome, stop, arguments.outputs.quiet));
     let header = labels.header(&outcome);
@@ -155,13 +155,13 @@ struct Watcher<'a> {
     display: Display,
     checkpoint: Option<Checkpoint>,
     labels: &'a Labels<'a>,
-    onlookers: &'a mut Onlookers,
+    viewers: &'a mut Viewers,
 }
 
 impl Watch for Watcher<'_> {
     fn progress(&mut self, progress: Progress) {
         self.display.update(progress);
-        self.onlookers.progress(progress);
+        self.viewers.progress(progress);
     }
 
     fn reached(&mut self, so_far: &dyn Fn() -> Outcome) {
@@ -171,12 +171,12 @@ impl Watch for Watcher<'_> {
                 (self.labels.header(&outcome), outcome.state.part)
             });
         }
-        self.onlookers.reached(so_far);
+        self.viewers.reached(so_far);
     }
 
     fn lost(&mut self, error: &RenderError, then: &str) {
         let words = format!("the device failed: {error}; {then}");
         warn(&words);
-        self.onlookers.trouble(&words);
+        self.viewers.trouble(&words);
     }
 }

@@ -71,13 +71,13 @@ pub fn render(arguments: &RenderArguments) -> Result<Ending, Failure> {
     let asked = arguments.beside();
     let job = arguments.job(&ready, &asked)?;
     let stop = stop_flag();
-    let mut onlookers = arguments.onlookers(doors, &stop)?;
-    let made = develop(arguments, &ready, &job, goal, &stop, &mut onlookers);
+    let mut viewers = arguments.viewers(doors, &stop)?;
+    let made = develop(arguments, &ready, &job, goal, &stop, &mut viewers);
     let ending = made.and_then(|made| match made {
         None => Ok(Ending::Complete),
         Some(made) => finish(&outputs, made, kept, denoiser, &job),
     });
-    onlookers.ended(ending.is_ok());
+    viewers.ended(ending.is_ok());
     ending
 }
 

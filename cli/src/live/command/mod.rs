@@ -6,7 +6,7 @@ use std::net::TcpListener;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use crate::live::{Address, Board, Onlookers, Server, Tev, listen};
+use crate::live::{Address, Board, Server, Tev, Viewers, listen};
 pub use arguments::LiveArguments;
 use vkpt_lab::cli::exit::{Failure, note, warn};
 
@@ -36,7 +36,7 @@ impl Doors {
         title: &str,
         origin: [u32; 2],
         stop: &Arc<AtomicBool>,
-    ) -> Result<Onlookers, Failure> {
+    ) -> Result<Viewers, Failure> {
         let page = self.listener.map(|listener| {
             let port = listener.local_addr()?.port();
             let board = Arc::new(Board::new(title.to_owned(), stop.clone()));
@@ -50,7 +50,7 @@ impl Doors {
             .map(|address| Tev::start(address, title.to_owned(), warn));
         let refused = |error: std::io::Error| Failure::Memory(error.to_string());
         let page = page.transpose().map_err(refused)?;
-        Ok(Onlookers::new(
+        Ok(Viewers::new(
             origin,
             page,
             tev.transpose().map_err(refused)?,

@@ -14,7 +14,7 @@ use vkpt::render::{ErrorAt, Outcome, Progress};
 
 /// A page, a viewer, both or none. Without any, all methods do nothing.
 #[derive(Debug, Default)]
-pub struct Onlookers {
+pub struct Viewers {
     /// Place of the first pixel in the full picture.
     origin: [u32; 2],
     page: Option<(Arc<Board>, Server)>,
@@ -24,7 +24,7 @@ pub struct Onlookers {
     count: u64,
 }
 
-impl Onlookers {
+impl Viewers {
     /// The viewers of a film whose first pixel is `origin` of the full picture.
     pub fn new(origin: [u32; 2], page: Option<(Arc<Board>, Server)>, tev: Option<Tev>) -> Self {
         Self {
