@@ -109,7 +109,7 @@ fn what_is_no_picture_is_refused() {
         (
             &good,
             &constant(3, 2, [f32::INFINITY; 3]),
-            "the half difference holds inf",
+            "invalid value inf in the half difference",
         ),
     ] {
         let error = rel_mse(mean, half).expect_err("no picture").to_string();

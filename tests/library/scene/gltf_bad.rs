@@ -47,12 +47,12 @@ const FAULTS: [(&str, &str, &str); 37] = [
     (
         "/meshes/0/primitives/0/attributes/POSITION",
         "9",
-        "mesh 0, primitive 0: accessor 9: there is none",
+        "mesh 0, primitive 0: accessor 9: it does not exist",
     ),
     (
         "/meshes/0/primitives/0/attributes/POSITION",
         "1",
-        "mesh 0, primitive 0: accessor 1: its elements are no VEC3",
+        "mesh 0, primitive 0: accessor 1: its elements are not VEC3",
     ),
     (
         "/meshes/0/primitives/0/attributes/NORMAL",
@@ -62,7 +62,7 @@ const FAULTS: [(&str, &str, &str); 37] = [
     (
         "/meshes/0/primitives/0/indices",
         "0",
-        "mesh 0, primitive 0: accessor 0: its elements are no SCALAR",
+        "mesh 0, primitive 0: accessor 0: its elements are not SCALAR",
     ),
     (
         "/accessors/1/componentType",

@@ -110,13 +110,13 @@ fn a_scene_without_triangles_gives_way_to_one_that_has_some() {
             json!([{"nodes": []}, {"nodes": [3]}, {"nodes": [1]}]),
             Value::Null,
             2.0,
-            "scene 0 has no triangles: scene 2 is read",
+            "scene 0 has no triangles: scene 2 is read instead",
         ),
         (
             json!([{"nodes": [0], "name": "Set"}, {"nodes": [2], "name": "Points"}]),
             json!(1),
             1.0,
-            "scene 1 (\"Points\") has no triangles: scene 0 (\"Set\") is read",
+            "scene 1 (\"Points\") has no triangles: scene 0 (\"Set\") is read instead",
         ),
     ];
     for (scenes, scene, x, warning) in rows {

@@ -211,7 +211,7 @@ const FAULTS: [(&str, &str, &str); 13] = [
     (
         "/skins/0/inverseBindMatrices",
         "2",
-        "skin 0 (\"Rig\"): accessor 2: its elements are no MAT4",
+        "skin 0 (\"Rig\"): accessor 2: its elements are not MAT4",
     ),
     (
         "/skins/0/inverseBindMatrices",

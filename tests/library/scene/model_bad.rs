@@ -103,7 +103,7 @@ fn what_is_not_there_is_told() {
     assert_eq!(errors(&model), ["m.glb: material 9: it does not exist"]);
     let mut model = block(lamp(1.0));
     model.add_node(json!({"extensions": {"KHR_lights_punctual": {"light": 3}}}));
-    assert_eq!(errors(&model), ["m.glb: node 2: there is no light 3"]);
+    assert_eq!(errors(&model), ["m.glb: node 2: light 3 does not exist"]);
     let model = Model::seen_from([0.0; 3], 1.0);
     assert_eq!(errors(&model), ["m.glb: it has no triangles"]);
 }
