@@ -1,17 +1,36 @@
 //! `vkpt doctor` on the device of the tests, and with mistakes planted in its kernels.
 
+use std::sync::atomic::AtomicBool;
+
 use vkpt::gpu::{Device, DeviceKind};
 use vkpt::kernel::{OwnFile, file};
+use vkpt::render::KernelChoice;
+use vkpt_lab::check::select::SHORT;
 use vkpt_lab::doctor::Examiner;
 use vkpt_lab::doctor::report::{Examination, Outcome, page};
 
 use crate::common;
 
-fn examine(device: &Device, own: &[OwnFile]) -> Examination {
-    let exhaustive = false;
-    Examiner { exhaustive, own }
-        .examine(device)
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+/// What decides, without the battery.
+const PROBES: Examiner = Examiner {
+    exhaustive: false,
+    all: false,
+    cases: &[],
+    own: &[],
+    kernel: KernelChoice::Composed,
+    stop: &NEVER,
+};
+
+fn examined(examiner: Examiner, device: &Device) -> Examination {
+    examiner
+        .examine(device, &mut |_, _| {})
         .expect("an examination")
+}
+
+fn examine(device: &Device, own: &[OwnFile]) -> Examination {
+    examined(Examiner { own, ..PROBES }, device)
 }
 
 /// The file's text with `from` replaced, which it must hold.
@@ -26,9 +45,28 @@ fn the_device_of_the_tests_is_healthy() {
     let Some(device) = common::device() else {
         return;
     };
-    let found = examine(device, &[]);
+    let mut pieces = Vec::new();
+    let short = Examiner {
+        cases: &SHORT,
+        ..PROBES
+    };
+    let found = short.examine(device, &mut |done, name| {
+        pieces.push((done, name.to_owned()))
+    });
+    let found = found.expect("an examination");
     let page = page(&found);
     assert!(found.verdict.healthy, "{page}");
+    assert_eq!(found.battery.check.cases.len(), SHORT.len());
+    assert_eq!(
+        found.battery.check.correctly_rounded,
+        found.verdict.equal_bits
+    );
+    assert!(pieces.is_sorted_by(|a, b| a.0 < b.0), "{pieces:?}");
+    let last = format!("case {0} of {0}: {1}", SHORT.len(), SHORT[SHORT.len() - 1]);
+    assert_eq!(pieces.last().map(|(_, name)| name), Some(&last));
+    for words in ["Nanoseconds", "GLSL", "by algebra"] {
+        assert!(!page.contains(words), "{words}: {page}");
+    }
     // CPU drivers round correctly; a GPU may divide otherwise.
     if device.info().kind == DeviceKind::Cpu {
         let own = found.own_functions.iter();
@@ -49,13 +87,22 @@ fn the_drivers_functions_are_measured_and_judged_by_vulkans_bounds() {
     let Some(device) = common::device() else {
         return;
     };
-    let found = examine(device, &[]);
-    for f in &found.driver_functions {
+    let all = Examiner {
+        all: true,
+        ..PROBES
+    };
+    let found = examined(all, device);
+    let page = page(&found);
+    for words in ["Nanoseconds", "GLSL", "fma"] {
+        assert!(page.contains(words), "{words}: {page}");
+    }
+    let functions = found.driver_functions.expect("they were examined");
+    for f in &functions {
         // Nothing but a correctly rounded function is 0.5 ulp off; nothing at all is less, over so many arguments.
         assert!(f.ulps.error > 0.49, "{f:?}");
         assert!(f.relative.error > 0.0 && f.absolute.error > 0.0, "{f:?}");
     }
-    let sine = &found.driver_functions[0];
+    let sine = &functions[0];
     assert_eq!(
         sine.within,
         Some(sine.absolute.error <= 2f64.powi(-11)),
@@ -65,10 +112,7 @@ fn the_drivers_functions_are_measured_and_judged_by_vulkans_bounds() {
         return;
     }
     // lavapipe has pow as exp2(y·log2 x): rounding y·log2(x), which goes to 117, alone makes it wrong by ½·2⁻¹⁷ ln 2.
-    let power = found
-        .driver_functions
-        .iter()
-        .find(|f| f.name.starts_with("pow"));
+    let power = functions.iter().find(|f| f.name.starts_with("pow"));
     assert!(power.is_some_and(|p| p.relative.error > 2f64.powi(-20)));
 }
 
@@ -175,4 +219,85 @@ fn moved_bits_that_change_are_found() {
     let moved = found.operations.iter().find(|o| o.name.contains("moved"));
     assert!(moved.is_some_and(|o| o.outcome == Outcome::Fails && o.example.is_some()));
     assert!(!found.verdict.healthy);
+}
+
+/// Twice the reflectance: all arithmetic is right, and a picture is wrong.
+#[test]
+fn a_case_of_the_battery_that_fails_is_named() {
+    let Some(device) = common::device() else {
+        return;
+    };
+    let name = "bsdf/fresnel/exact";
+    let text = altered(
+        name,
+        "min2(0.5 * a * a * (1.0 + b * b), 1.0)",
+        "min2(a * a * (1.0 + b * b), 1.0)",
+    );
+    let files = [OwnFile { name, text: &text }];
+    let planted = Examiner {
+        cases: &["light/in-glass"],
+        kernel: KernelChoice::Own(&files),
+        ..PROBES
+    };
+    let found = examined(planted, device);
+    let verdict = &found.verdict;
+    assert!(
+        !verdict.healthy && !verdict.equal_bits && !verdict.interrupted,
+        "{verdict:?}"
+    );
+    let [failure] = &verdict.failures[..] else {
+        panic!("{verdict:?}");
+    };
+    let next = format!(
+        "next: vkpt check --device {} --case light/in-glass",
+        device.info().index
+    );
+    assert!(
+        failure.contains("case light/in-glass: ") && failure.contains("energy "),
+        "{failure}"
+    );
+    assert!(failure.ends_with(&next), "{failure}");
+    let page = page(&found);
+    assert!(page.contains("NOT HEALTHY"), "{page}");
+    let row = page.lines().find(|l| l.starts_with("  light/in-glass"));
+    assert!(row.is_some_and(|row| row.contains("FAILS")), "{page}");
+}
+
+/// A kernel that cannot be made, as by a device that is lost: a file that no kernel contains.
+#[test]
+fn a_battery_that_cannot_be_rendered_fails() {
+    let Some(device) = common::device() else {
+        return;
+    };
+    let (name, text) = ("doctor/move.comp", "");
+    let planted = Examiner {
+        cases: &["light/tiny", "light/none"],
+        kernel: KernelChoice::Own(&[OwnFile { name, text }]),
+        ..PROBES
+    };
+    let found = examined(planted, device);
+    assert!(found.battery.check.cases.is_empty());
+    assert!(found.battery.error.is_some());
+    let verdict = found.verdict;
+    assert!(!verdict.healthy && !verdict.interrupted, "{verdict:?}");
+    assert!(verdict.failures[0].contains("light/tiny"), "{verdict:?}");
+}
+
+#[test]
+fn an_examination_that_is_stopped_is_no_verdict() {
+    let Some(device) = common::device() else {
+        return;
+    };
+    let stopped = Examiner {
+        exhaustive: true,
+        cases: &["light/tiny"],
+        stop: &AtomicBool::new(true),
+        ..PROBES
+    };
+    let found = examined(stopped, device);
+    assert!(found.own_functions.is_empty() && found.battery.check.cases.is_empty());
+    assert!(found.verdict.interrupted && !found.verdict.healthy);
+    let page = page(&found);
+    let first = page.lines().next().unwrap_or_default();
+    assert!(first.contains(": interrupted: "), "{page}");
 }

@@ -14,7 +14,7 @@ pub const ALPHA: f64 = 1e-3;
 /// The rules by which cases are judged.
 #[derive(Clone, Copy, Debug)]
 pub struct Judge {
-    /// The device rounds as the reference does: a CPU driver.
+    /// The device rounds as the reference does, as CPU drivers do.
     pub correctly_rounded: bool,
     /// Level of each statistical statement.
     pub level: f64,
@@ -67,7 +67,7 @@ impl Judge {
         held
     }
 
-    /// On a CPU driver the device equals cpu-f32.
+    /// Where the device rounds as the reference does, it equals cpu-f32.
     fn bits(&self, m: &Measured) -> Option<Held> {
         let unequal = (m.f32.paths - m.f32.equal) as f64;
         let why = "paths that differ from cpu-f32 in a bit, on a device that rounds like cpu-f32";

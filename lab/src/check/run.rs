@@ -8,7 +8,7 @@ use super::case::{Case, Expectation};
 use super::judge::{ALPHA, Judge};
 use super::measure::{CheckError, Measured, SEED, measure};
 use crate::check::report::{CaseRecord, Check, Shown};
-use vkpt::gpu::{Device, DeviceKind};
+use vkpt::gpu::Device;
 use vkpt::render::KernelChoice;
 use vkpt::report::SettingsRecord;
 use vkpt::sample::Address;
@@ -19,6 +19,8 @@ pub struct Bench<'a> {
     /// Composed of vkpt's own files, except where a fault is planted.
     pub kernel: KernelChoice<'a>,
     pub quick: bool,
+    /// The device must equal cpu-f32 in every bit, as CPU drivers must.
+    pub correctly_rounded: bool,
     pub stop: &'a AtomicBool,
 }
 
@@ -41,8 +43,7 @@ pub fn run(
 ) -> Ran {
     let start = Instant::now();
     let info = bench.device.info();
-    let correctly_rounded = info.kind == DeviceKind::Cpu;
-    let judge = Judge::new(all.iter(), correctly_rounded);
+    let judge = Judge::new(all.iter(), bench.correctly_rounded);
     let mut done: HashMap<&str, Measured> = HashMap::new();
     let (mut cases, mut shown, mut error) = (Vec::new(), Vec::new(), None);
     for (i, case) in selected.iter().enumerate() {
@@ -65,7 +66,7 @@ pub fn run(
         version: env!("CARGO_PKG_VERSION"),
         device: info.name.clone(),
         driver: info.driver.clone(),
-        correctly_rounded,
+        correctly_rounded: bench.correctly_rounded,
         quick: bench.quick,
         level: judge.level,
         alpha: ALPHA,

@@ -1,6 +1,38 @@
-//! The selection of cases by a pattern.
+//! The selection of cases: by a pattern, and that of `vkpt doctor`.
 
 use super::case::Case;
+
+/// The short selection, which `vkpt doctor` runs: quick cases of every group whose kernels differ most.
+/// 13 CPU-seconds on lavapipe, most of them to compile 27 kernels.
+pub const SHORT: [&str; 27] = [
+    "alpha/ggx/1e-3",
+    "alpha/beckmann/.3",
+    "alpha/phong/1e4",
+    "angle/1e-5/out",
+    "angle/critical/in",
+    "interface/ggx-0/0.666667/out",
+    "interface/ggx-0.3/1.5/in",
+    "interface/phong-0.01/1.0001/out",
+    "furnace/smooth-sphere/1e-30",
+    "furnace/smooth-mesh/1e5",
+    "furnace/rough-box/1",
+    "yardstick/1e-4",
+    "far/smooth-mesh",
+    "medium/glass-0.5/1e0",
+    "medium/glass-0.999999/1e6",
+    "light/tiny",
+    "light/in-glass",
+    "light/10000",
+    "surroundings/sun",
+    "camera/on-ball-in",
+    "lens/wide",
+    "bounces/glass-box",
+    "contact/slab-1e-6",
+    "coincident/cubes",
+    "coincident/flush-lamp",
+    "mesh/needle",
+    "beyond/too-narrow",
+];
 
 /// Whether `pattern` matches `name`: it is that case or one below it, or `*` matches the text between.
 pub fn matches(pattern: &str, name: &str) -> bool {
@@ -40,9 +72,32 @@ pub fn select<'a>(all: &'a [Case], pattern: Option<&str>, quick: bool) -> Vec<&'
         .collect()
 }
 
+/// The cases of these names, in the battery's order.
+pub fn named<'a>(all: &'a [Case], names: &[&str]) -> Vec<&'a Case> {
+    let meant = |case: &&Case| names.contains(&case.name.as_str());
+    all.iter().filter(meant).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::check::battery;
+
+    /// Each exists, none is slow, and every group has one.
+    #[test]
+    fn the_short_selection_is_of_cases_of_every_group() {
+        let all = battery();
+        let short = named(&all, &SHORT);
+        let names: Vec<&str> = short.iter().map(|case| case.name.as_str()).collect();
+        assert_eq!(names, SHORT);
+        assert!(short.iter().all(|case| !case.slow));
+        let groups = |cases: &[&Case]| {
+            let mut groups: Vec<String> = cases.iter().map(|c| c.group().to_owned()).collect();
+            groups.dedup();
+            groups
+        };
+        assert_eq!(groups(&short), groups(&all.iter().collect::<Vec<_>>()));
+    }
 
     #[test]
     fn a_name_what_lies_below_it_and_stars() {

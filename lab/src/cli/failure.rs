@@ -102,8 +102,8 @@ impl Failure {
             Self::Usage(message)
             | Self::NoDevice(message)
             | Self::Memory(message)
-            | Self::Submission(message) => vec![message.clone()],
-            Self::Unhealthy(device) => vec![format!("{device} is not healthy")],
+            | Self::Submission(message)
+            | Self::Unhealthy(message) => vec![message.clone()],
             Self::Lost { why, part } => {
                 let resume = part.as_ref().map_or(String::new(), |part| {
                     format!(

@@ -1,5 +1,7 @@
 //! Small kernels, run on the examined device.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use vkpt::gpu::{Buffer, BufferUse, Device, GpuError, Pipeline};
 use vkpt::kernel::{Composer, OwnFile, Slot, Spirv, compile, unaudited};
 use vkpt::layout::constants::workgroup::WORKGROUP;
@@ -9,6 +11,7 @@ pub struct Bench<'a> {
     pub device: &'a Device,
     /// Shader files in place of vkpt's.
     pub own: &'a [OwnFile<'a>],
+    pub stop: &'a AtomicBool,
 }
 
 /// The function that a kernel calls on each row of its arguments.
@@ -59,6 +62,11 @@ impl Subject {
 }
 
 impl<'a> Bench<'a> {
+    /// Whether the examination is to end.
+    pub fn stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
     fn composer(&self) -> Composer {
         let add = |composer: Composer, file: &OwnFile| composer.add(file.name, file.text);
         self.own.iter().fold(Composer::new(), add)

@@ -121,7 +121,7 @@ impl Found {
     }
 }
 
-/// Every function at about a million arguments throughout its range, or at `every` one.
+/// Every function at about a million arguments throughout its range, or at `every` one; fewer if the bench is stopped.
 pub fn functions(
     bench: &Bench,
     operations: &[Operation],
@@ -130,6 +130,7 @@ pub fn functions(
     let same = |o: &Operation| matches!(o.outcome, Outcome::Passes | Outcome::Avoided);
     let rounds = operations.iter().all(same);
     OWN.iter()
+        .take_while(|_| !bench.stopped())
         .map(|own| examine(bench, own, rounds, every))
         .collect()
 }
@@ -141,6 +142,9 @@ fn examine(bench: &Bench, own: &Own, rounds: bool, every: bool) -> Result<OwnFun
     let mut found = Found::default();
     let arguments = u64::from(own.last) / u64::from(stride) + 1;
     for begin in (0..arguments).step_by(ROWS as usize) {
+        if bench.stopped() {
+            break;
+        }
         let end = arguments.min(begin + u64::from(ROWS));
         // An argument's bits are below 2³².
         let bits = |k: u64| (k * u64::from(stride)) as u32;

@@ -1,7 +1,13 @@
 //! `vkpt doctor`: what it prints and writes, and how it ends.
 
 use std::fs;
+#[cfg(unix)]
+use std::{process::Stdio, time::Duration};
 
+use vkpt_lab::check::select::SHORT;
+
+#[cfg(unix)]
+use super::interrupt::send;
 use super::program::{command, finish, folder, names, run, without_vulkan};
 
 #[test]
@@ -10,8 +16,10 @@ fn the_page_begins_with_the_verdict_and_the_record_holds_every_finding() {
         return;
     }
     let folder = folder("");
-    let run = run(folder.path(), &["doctor", "--json", "doctor.json"]);
-    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{}", run.out);
+    let run = run(folder.path(), &["doctor", "--all", "--json", "doctor.json"]);
+    assert_eq!(run.code, Some(0), "{}{}", run.out, run.err);
+    // Nothing but progress, now and then.
+    assert!(run.err.lines().all(|l| l.contains(" %, ")), "{}", run.err);
     let first = run.out.lines().next().unwrap_or_default();
     assert!(first.contains(": healthy"), "{first}");
     for words in [
@@ -19,7 +27,10 @@ fn the_page_begins_with_the_verdict_and_the_record_holds_every_finding() {
         "loop with one exit",
         "x ÷ y",
         "sincos_2pi",
+        "Battery",
+        "light/in-glass",
         "Vulkan allows",
+        "Nanoseconds",
         "dispatches to take",
         "subgroup",
     ] {
@@ -35,10 +46,66 @@ fn the_page_begins_with_the_verdict_and_the_record_holds_every_finding() {
         "own_functions",
         "driver_functions",
         "costs",
+        "habits",
     ] {
-        assert!(json[list].as_array().is_some_and(|l| l.len() > 3), "{list}");
+        assert!(json[list].as_array().is_some_and(|l| l.len() > 2), "{list}");
     }
     assert_eq!(json["operations"][0]["outcome"], "passes");
+    let cases = json["battery"]["cases"].as_array().expect("cases");
+    assert_eq!(cases.len(), SHORT.len());
+    for (case, name) in cases.iter().zip(SHORT) {
+        assert_eq!(case["name"], name);
+        assert!(case["margin"].as_f64().is_some_and(|m| m <= 1.0), "{case}");
+    }
+}
+
+#[test]
+fn what_decides_nothing_is_examined_on_request_alone() {
+    if without_vulkan() {
+        return;
+    }
+    let folder = folder("");
+    let run = run(folder.path(), &["doctor", "--quiet", "--json", "-"]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{}", run.out);
+    let json: serde_json::Value = serde_json::from_str(&run.out).expect("JSON");
+    for list in ["habits", "driver_functions", "costs"] {
+        assert!(json[list].is_null(), "{list}");
+    }
+    assert_eq!(json["battery"]["passed"], true);
+}
+
+/// Met in the middle of an examination of minutes, it prints what it found.
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_the_findings_without_a_verdict() {
+    if without_vulkan() {
+        return;
+    }
+    let folder = folder("");
+    for delay in [1, 2, 4, 8, 16] {
+        let mut command = command(folder.path(), &["doctor", "--exhaustive"]);
+        let child = command
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("it runs");
+        std::thread::sleep(Duration::from_secs(delay));
+        send(child.id(), "INT");
+        let output = child.wait_with_output().expect("it ends");
+        // One that did not listen yet ended at once.
+        if output.status.code().is_none() {
+            continue;
+        }
+        let [out, err] =
+            [output.stdout, output.stderr].map(|o| String::from_utf8(o).expect("text"));
+        assert_eq!(output.status.code(), Some(130), "{out}{err}");
+        assert!(err.contains("warning: interrupted"), "{err}");
+        let first = out.lines().next().unwrap_or_default();
+        assert!(first.contains(": interrupted: "), "{out}");
+        assert!(out.contains("loop with one exit"), "{out}");
+        return;
+    }
+    panic!("it never listened");
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod told;
 
 use std::sync::atomic::AtomicBool;
 
+use vkpt::gpu::DeviceKind;
 use vkpt::kernel::OwnFile;
 use vkpt::render::KernelChoice;
 use vkpt_lab::check::report::Check;
@@ -41,6 +42,7 @@ fn ran_with_pictures(names: &[&str], files: &[OwnFile]) -> Option<Ran> {
         device,
         kernel,
         quick: true,
+        correctly_rounded: device.info().kind == DeviceKind::Cpu,
         stop: &stop,
     };
     let ran = run(&all, &selected, &bench, &mut |_, _| {});

@@ -18,7 +18,7 @@ use crate::cli::interrupt::stop_flag;
 use crate::cli::progress::Display;
 use crate::cli::writable;
 pub use arguments::CheckArguments;
-use vkpt::gpu::{Device, Selector};
+use vkpt::gpu::{Device, DeviceKind, Selector};
 use vkpt::render::KernelChoice;
 use vkpt::settings::Integrator;
 
@@ -41,6 +41,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
         device: &device,
         kernel: KernelChoice::Composed,
         quick: arguments.quick,
+        correctly_rounded: device.info().kind == DeviceKind::Cpu,
         stop: &stop,
     };
     let mut display = Display::new(arguments.quiet);

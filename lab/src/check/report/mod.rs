@@ -8,3 +8,4 @@ mod words;
 pub use page::{Sheet, Shown, page};
 pub use record::{CaseRecord, Check, Held};
 pub use table::{failures, table};
+pub use words::{decisive, margin, plain};

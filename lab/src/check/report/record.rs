@@ -8,7 +8,7 @@ pub struct Check {
     pub version: &'static str,
     pub device: String,
     pub driver: String,
-    /// A CPU driver: it must equal cpu-f32 in every bit.
+    /// It must equal cpu-f32 in every bit, as CPU drivers must.
     pub correctly_rounded: bool,
     pub quick: bool,
     /// Level of each statistical statement, so that all of them together have the level `alpha`.

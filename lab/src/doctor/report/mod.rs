@@ -6,7 +6,9 @@ mod verdict;
 
 use serde::Serialize;
 
-pub use page::page;
+use crate::check::report::Check;
+
+pub use page::{head, page};
 pub use verdict::{Verdict, verdict};
 
 /// All findings.
@@ -17,11 +19,22 @@ pub struct Examination {
     pub watchdog: Vec<String>,
     pub self_tests: Vec<SelfTest>,
     pub operations: Vec<Operation>,
-    /// How the driver compiles arithmetic that it may rewrite; vkpt's own it may not.
-    pub habits: Vec<Habit>,
     pub own_functions: Vec<OwnFunction>,
-    pub driver_functions: Vec<DriverFunction>,
-    pub costs: Vec<Cost>,
+    pub battery: Battery,
+    /// How the driver compiles arithmetic that it may rewrite; vkpt's own it may not. This and the next two are `None` if not
+    /// examined.
+    pub habits: Option<Vec<Habit>>,
+    pub driver_functions: Option<Vec<DriverFunction>>,
+    pub costs: Option<Vec<Cost>>,
+}
+
+/// Cases of `vkpt check`.
+#[derive(Clone, Debug, Serialize)]
+pub struct Battery {
+    #[serde(flatten)]
+    pub check: Check,
+    /// The error that ended the battery.
+    pub error: Option<String>,
 }
 
 /// The outcome of a test.

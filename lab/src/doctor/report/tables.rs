@@ -1,8 +1,11 @@
 //! The sections of the page.
 
-use super::{Cost, DeviceFacts, DriverFunction, Habit, Operation, Outcome, OwnFunction, SelfTest};
+use super::{
+    Battery, Cost, DeviceFacts, DriverFunction, Habit, Operation, Outcome, OwnFunction, SelfTest,
+};
+use crate::check::report::{CaseRecord, decisive, margin};
 use crate::table::{columns, hanging};
-use vkpt::report::human::{bytes, thousands};
+use vkpt::report::human::{bytes, duration, thousands};
 
 pub fn device(d: &DeviceFacts) -> String {
     let [major, minor, patch] = d.vulkan;
@@ -198,6 +201,26 @@ pub fn own_functions(functions: &[OwnFunction]) -> String {
         .chain(functions.iter().map(row))
         .collect();
     columns(&rows, [false, false, false, true, true, true, true, true])
+}
+
+pub fn battery(battery: &Battery) -> String {
+    let head = ["", "", "margin", "by", "time"].map(str::to_owned);
+    let row = |c: &CaseRecord| {
+        let outcome = match c.passed {
+            true => Outcome::Passes,
+            false => Outcome::Fails,
+        };
+        [
+            c.name.clone(),
+            word(outcome),
+            margin(c.margin),
+            decisive(c).map_or("–", |held| held.what).to_owned(),
+            duration(c.seconds),
+        ]
+    };
+    let cases = battery.check.cases.iter().map(row);
+    let rows: Vec<[String; 5]> = std::iter::once(head).chain(cases).collect();
+    columns(&rows, [false, false, true, false, true])
 }
 
 pub fn driver_functions(functions: &[DriverFunction]) -> String {

@@ -2,13 +2,14 @@
 
 use serde::Serialize;
 
-use super::{Operation, Outcome, OwnFunction, SelfTest};
+use super::{Battery, Operation, Outcome, OwnFunction, SelfTest};
+use crate::check::report::{CaseRecord, plain};
 use vkpt::report::human::thousands;
 
 /// What to expect of pictures.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Verdict {
-    /// No test that pictures depend on failed.
+    /// Nothing failed that pictures depend on, and nothing was left out.
     pub healthy: bool,
     /// Pictures equal those of the reference in f32, bit for bit.
     pub equal_bits: bool,
@@ -16,9 +17,27 @@ pub struct Verdict {
     pub failures: Vec<String>,
     /// Differences from the reference that Vulkan allows.
     pub differences: Vec<String>,
+    /// A signal ended the examination before all was examined.
+    pub interrupted: bool,
 }
 
-/// A pure function of the three decisive kinds of findings.
+impl Verdict {
+    /// The same with what the battery found, on the device of this index.
+    pub fn with(mut self, battery: &Battery, index: usize) -> Self {
+        let Battery { check, error } = battery;
+        let failed = check.cases.iter().filter(|case| !case.passed);
+        self.failures.extend(failed.map(|c| case(c, index)));
+        let error = error.as_ref();
+        self.failures
+            .extend(error.map(|e| format!("the battery ended early: {e}")));
+        self.interrupted = check.interrupted && error.is_none();
+        self.healthy = self.failures.is_empty() && !self.interrupted;
+        self.equal_bits &= self.healthy;
+        self
+    }
+}
+
+/// A pure function of the three kinds of findings that decide before the battery.
 pub fn verdict(tests: &[SelfTest], operations: &[Operation], own: &[OwnFunction]) -> Verdict {
     let (mut failures, mut differences) = (Vec::new(), kinds(operations));
     let normal = |o: &&Operation| o.outcome == Outcome::Fails || o.unequal > 0;
@@ -38,6 +57,7 @@ pub fn verdict(tests: &[SelfTest], operations: &[Operation], own: &[OwnFunction]
         equal_bits: failures.is_empty() && differences.is_empty(),
         failures,
         differences,
+        interrupted: false,
     }
 }
 
@@ -99,9 +119,24 @@ fn function(f: &OwnFunction) -> String {
     }
 }
 
+fn case(case: &CaseRecord, index: usize) -> String {
+    let beyond = case.held.iter().filter(|held| !held.passed());
+    let beyond = beyond.map(|held| {
+        let (measured, bound) = (plain(held.measured), plain(held.bound));
+        format!("{} {measured}, at most {bound}", held.what)
+    });
+    format!(
+        "case {}: {}; next: vkpt check --device {index} --case {}",
+        case.name,
+        beyond.collect::<Vec<_>>().join("; "),
+        case.name
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::check::report::{Check, Held};
 
     fn tested(outcome: Outcome) -> SelfTest {
         SelfTest {
@@ -145,6 +180,78 @@ mod tests {
             panic!("{found:?}");
         };
         assert!(difference.ends_with("x + y, x × y"), "{difference}");
+    }
+
+    /// A battery of two cases, the second of which has so many NaN.
+    fn battery(nan: f64) -> Battery {
+        let case = |name: &str, nan: f64| {
+            let held = vec![
+                Held::new("NaN", nan, 0.0, "none"),
+                Held::new("bias", 1.0, 2.0, ""),
+            ];
+            CaseRecord {
+                name: name.to_owned(),
+                about: String::new(),
+                samples: 16,
+                parted: 0,
+                median: None,
+                p99: None,
+                worst: None,
+                worst_at: None,
+                parted_at: None,
+                nan: nan as u64,
+                infinite: 0,
+                largest: 0.0,
+                mean: 0.0,
+                standard_error: 0.0,
+                expected: None,
+                seconds: 0.0,
+                warnings: Vec::new(),
+                margin: 0.5,
+                passed: nan == 0.0,
+                held,
+            }
+        };
+        let check = Check {
+            version: "",
+            device: String::new(),
+            driver: String::new(),
+            correctly_rounded: true,
+            quick: false,
+            level: 1e-6,
+            alpha: 1e-3,
+            seconds: 0.0,
+            interrupted: false,
+            passed: nan == 0.0,
+            cases: vec![case("a/b", 0.0), case("a/c", nan)],
+        };
+        Battery { check, error: None }
+    }
+
+    #[test]
+    fn a_case_that_fails_is_named_with_the_command_that_explains_it() {
+        let probed = verdict(&[], &[flushing("x + y")], &[]);
+        let healthy = probed.clone().with(&battery(0.0), 1);
+        assert_eq!(healthy, probed);
+        let found = probed.with(&battery(3.0), 1);
+        assert!(!found.healthy && !found.equal_bits);
+        assert_eq!(
+            found.failures,
+            ["case a/c: NaN 3, at most 0; next: vkpt check --device 1 --case a/c"]
+        );
+    }
+
+    #[test]
+    fn a_battery_that_ended_early_leaves_nobody_healthy() {
+        let mut battery = battery(0.0);
+        battery.check.interrupted = true;
+        let found = verdict(&[], &[], &[]).with(&battery, 0);
+        assert!(found.interrupted && found.failures.is_empty());
+        assert!(!found.healthy && !found.equal_bits);
+        battery.error = Some("a/c: the device was lost".to_owned());
+        let found = verdict(&[], &[], &[]).with(&battery, 0);
+        assert!(!found.interrupted && !found.healthy);
+        assert!(found.failures[0].contains("a/c: the device was lost"));
     }
 
     #[test]
