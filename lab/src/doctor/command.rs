@@ -14,6 +14,8 @@ use vkpt::gpu::{Device, Selector};
 use vkpt::render::KernelChoice;
 
 const AFTER_HELP: &str = "\
+The verdict comes from self-tests, arithmetic, vkpt's own functions and some cases of `vkpt check`.
+
 Exit codes:
     0  healthy; bits may differ from the reference where Vulkan allows it
     1  a test that pictures depend on failed, or the device stopped responding
@@ -22,9 +24,6 @@ Exit codes:
     5  the report or stdout could not be written
   130  interrupted by ctrl-c; the findings so far are printed
   143  the same by SIGTERM, 129 by SIGHUP
-
-This is the command that says whether to trust a device; `vkpt check` runs the whole battery, of which
-27 cases are run here.
 
 Examples:
   vkpt doctor                                   test the best device

@@ -6,6 +6,8 @@ use vkpt::gpu::Selector;
 use vkpt::settings::Integrator;
 
 const AFTER_HELP: &str = "\
+This is the whole battery. `vkpt doctor` runs some of its cases, and says whether to trust a device.
+
 Exit codes:
     0  every case is within its bounds
     1  a case fails or could not run
