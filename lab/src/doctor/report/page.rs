@@ -34,8 +34,7 @@ pub fn page(e: &Examination) -> String {
         section(title, &habits(found))
     }));
     sections.extend(e.driver_functions.as_deref().map(|found| {
-        let title =
-            "The driver's GLSL functions, compared with f64; vkpt calls none of them";
+        let title = "The driver's GLSL functions, compared with f64; vkpt calls none of them";
         section(title, &driver_functions(found))
     }));
     sections.extend(e.costs.as_deref().map(|found| {

@@ -9,7 +9,7 @@ use vkpt::report::human::thousands;
 /// What to expect of pictures.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Verdict {
-    /// Nothing failed that pictures depend on, and nothing was left out.
+    /// No test that pictures depend on failed, and none was skipped.
     pub healthy: bool,
     /// Pictures equal those of the reference in f32, bit for bit.
     pub equal_bits: bool,
