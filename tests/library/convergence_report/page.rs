@@ -140,11 +140,12 @@ fn a_reference_of_its_own_stands_beside_each_variant() {
 #[test]
 fn the_dark_theme_knows_every_colour_of_the_plot() {
     let page = one("a.scn", "");
-    let known: Vec<String> = Colour::all().map(Colour::hex).collect();
     let svg = &page[page.find("<svg").expect("a plot")..page.rfind("</svg>").expect("its end")];
-    for (at, _) in svg.match_indices("=\"#") {
-        let colour = svg[at + 2..at + 9].to_owned();
-        assert!(known.contains(&colour), "{colour}");
-        assert!(page.contains(&format!(".plot [fill=\"{colour}\"] {{ fill: #")));
+    for group in svg.match_indices(" color=\"#").map(|(at, _)| &svg[..at]) {
+        let name = group.rsplit('"').nth(1).expect("a class");
+        let colour = Colour::all().find(|c| c.name == name);
+        let colour = colour.unwrap_or_else(|| panic!("{name}"));
+        assert!(page.contains(&format!(" --{name}: {};", colour.dark)));
+        assert!(page.contains(&format!(".plot .{name} {{ color: var(--{name}); }}")));
     }
 }

@@ -1,7 +1,7 @@
 //! Points lie where logarithms between the labels of the ticks say.
 
 use roxmltree::{Document, Node};
-use vkpt_lab::converge::report::plot::palette::{Colour, GUIDE, OWN, PAPER, SERIES};
+use vkpt_lab::converge::report::plot::palette::{Colour, GUIDE, INK, MUTED, OWN, PAPER, SERIES};
 use vkpt_lab::converge::report::plot::{Form, plot};
 use vkpt_lab::converge::report::svg;
 
@@ -9,8 +9,8 @@ use super::records::{curve, experiment};
 
 type Place = [f64; 2];
 
-/// A tenth of a pixel is the unit of the SVG; places are rounded to it, each end of a difference once.
-const ROUNDING: f64 = 2.0;
+/// Places are rounded to a tenth of a pixel, each end of a difference once.
+const ROUNDING: f64 = 0.2;
 
 /// Seconds and relMSE of 1, 2, 4 … samples that are independent and cost a tenth of a second each.
 fn independent() -> Vec<(f64, f64)> {
@@ -20,13 +20,19 @@ fn independent() -> Vec<(f64, f64)> {
         .collect()
 }
 
+/// Whether an element is in a group of a colour.
+fn is_of(node: &Node, colour: Colour) -> bool {
+    let mut groups = node.ancestors();
+    groups.any(|g| {
+        g.attribute("class") == Some(colour.name) && g.attribute("color") == Some(colour.light)
+    })
+}
+
 /// The points of all lines of a colour.
 fn lines(svg: &str, colour: Colour) -> Vec<Vec<Place>> {
     let document = Document::parse(svg).expect("XML");
-    let of_colour = |n: &Node| {
-        n.has_tag_name(("http://www.w3.org/2000/svg", "polyline"))
-            && n.attribute("stroke") == Some(&colour.hex())
-    };
+    let of_colour =
+        |n: &Node| n.has_tag_name(("http://www.w3.org/2000/svg", "polyline")) && is_of(n, colour);
     let points = |n: Node| {
         let pairs = n.attribute("points").expect("points").split_whitespace();
         let number = |word: &str| word.parse::<f64>().expect("a number");
@@ -93,7 +99,7 @@ fn slope(line: &[Place]) -> f64 {
 #[test]
 fn points_lie_where_the_ticks_say() {
     let steps = independent();
-    let svg = svg(&experiment("a.scn", &[("", &curve(&steps))])).expect("a plot");
+    let svg = svg(&experiment("a.scn", &[("", &curve(&steps))]));
     let line = drawn(&svg);
     assert_eq!(line.len(), steps.len());
     for (&at, &step) in line.iter().zip(&steps) {
@@ -111,7 +117,7 @@ fn what_falls_by_the_root_of_time_is_parallel_to_the_guides() {
             .iter()
             .map(|&(s, _)| (s, 0.04 * s.powf(power)))
             .collect();
-        svg(&experiment("a.scn", &[("", &curve(&steps))])).expect("a plot")
+        svg(&experiment("a.scn", &[("", &curve(&steps))]))
     };
     let agree = |svg: &str| {
         let curve = slope(&drawn(svg));
@@ -141,7 +147,7 @@ fn bars_end_where_the_intervals_do() {
             figures.rel_mse.all = factor * middle;
         }
     }
-    let svg = svg(&experiment("a.scn", &[("", &wide)])).expect("a plot");
+    let svg = svg(&experiment("a.scn", &[("", &wide)]));
     let bars: Vec<_> = lines(&svg, SERIES[0])
         .into_iter()
         .filter(|l| l.len() == 2 && l[0][0] == l[1][0])
@@ -157,23 +163,32 @@ fn bars_end_where_the_intervals_do() {
 #[test]
 fn what_says_nothing_is_hollow_and_what_has_no_logarithm_is_left_out() {
     let filled = |steps: &[(f64, f64)]| {
-        let plot = plot(&experiment("a.scn", &[("", &curve(steps))]), Form::FILE).expect("a plot");
-        let document = Document::parse(&plot.svg).expect("XML");
-        let circles = |colour: Colour| {
+        let record = experiment("a.scn", &[("", &curve(steps))]);
+        let text = svg(&record);
+        let document = Document::parse(&text).expect("XML");
+        let markers = |class: &str, fill: &str, colour: Colour| {
             let all = document.descendants();
-            all.filter(|n| n.has_tag_name(("http://www.w3.org/2000/svg", "circle")))
-                .filter(|n| n.attribute("fill") == Some(&colour.hex()))
+            all.filter(|n| n.has_tag_name(("http://www.w3.org/2000/svg", "path")))
+                .filter(|n| {
+                    n.attribute("class") == Some(class) && n.attribute("fill") == Some(fill)
+                })
+                .filter(|n| is_of(n, colour))
                 .count()
         };
+        let hollow = |colour| markers("hollow", PAPER.light, colour);
         // One in the legend; hollow ones have another there.
-        (plot.points.len(), circles(SERIES[0]) - 1, circles(PAPER))
+        (
+            plot(&record, Form::FILE).points.len(),
+            markers("filled", "currentColor", SERIES[0]) - 1,
+            hollow(SERIES[0]) + hollow(MUTED),
+        )
     };
     assert_eq!(filled(&[(1.0, 0.1), (2.0, 0.05)]), (2, 2, 0));
     // The reference itself is off by about 1e-6.
     assert_eq!(filled(&[(1.0, 1e-5), (2.0, 1e-7)]), (2, 1, 1 + 1));
     // Below 0 by chance, as an unbiased estimate may be: it is also below the reference's own.
     assert_eq!(filled(&[(1.0, 1e-5), (2.0, -1e-7)]).0, 1);
-    let svg = svg(&experiment("a.scn", &[("", &curve(&[(1.0, 1e-5)]))])).expect("a plot");
+    let svg = svg(&experiment("a.scn", &[("", &curve(&[(1.0, 1e-5)]))]));
     assert!(!lines(&svg, OWN).is_empty(), "the reference's own error");
 }
 
@@ -183,7 +198,7 @@ fn variants_differ_in_colour_and_marker_and_names_are_text() {
     let name = "connect=<b>&\"mis\"";
     let names: Vec<String> = (0..40).map(|i| format!("{name} {i}")).collect();
     let variants: Vec<_> = names.iter().map(|n| (n.as_str(), &c)).collect();
-    let svg = svg(&experiment("<script>&\".scn", &variants)).expect("a plot");
+    let svg = svg(&experiment("<script>&\".scn", &variants));
     assert!(!svg.contains("<script") && !svg.contains("<b>"));
     let document = Document::parse(&svg).expect("XML");
     let texts: Vec<_> = document
@@ -203,6 +218,45 @@ fn variants_differ_in_colour_and_marker_and_names_are_text() {
         .filter(|n| n.has_tag_name(("http://www.w3.org/2000/svg", "text")))
     {
         let y: f64 = text.attribute("y").expect("y").parse().expect("a number");
-        assert!(y < 10.0 * height, "{:?} is cut off", text.text());
+        assert!(y < height, "{:?} is cut off", text.text());
+    }
+}
+
+/// Programs that know no CSS draw it as well: fonts and colours are attributes. What is seen has a name.
+#[test]
+fn a_file_needs_no_styles() {
+    let svg = svg(&experiment("a\u{1}b.scn", &[("", &curve(&independent()))]));
+    assert!(!svg.contains("<style") && !svg.contains("var("));
+    let document = Document::parse(&svg).expect("XML");
+    let root = document.root_element();
+    assert_eq!(root.attribute("role"), Some("img"));
+    let title = root
+        .first_element_child()
+        .filter(|n| n.has_tag_name(("http://www.w3.org/2000/svg", "title")));
+    assert_eq!(
+        title.and_then(|n| n.text()),
+        Some("Error of a\u{FFFD}b.scn over seconds")
+    );
+    let mut drawn = 0;
+    for node in document.descendants() {
+        for attribute in ["fill", "stroke"] {
+            if node.attribute(attribute) == Some("currentColor") {
+                drawn += 1;
+                assert!(Colour::all().any(|colour| is_of(&node, colour)), "{node:?}");
+            }
+        }
+    }
+    assert!(drawn > 50, "{drawn}");
+    let texts = document
+        .descendants()
+        .filter(|n| n.has_tag_name(("http://www.w3.org/2000/svg", "text")));
+    for text in texts {
+        for attribute in ["font-family", "font-size"] {
+            assert!(
+                text.ancestors().any(|n| n.has_attribute(attribute)),
+                "{text:?}"
+            );
+        }
+        assert!(is_of(&text, INK) || is_of(&text, MUTED), "{text:?}");
     }
 }

@@ -29,7 +29,7 @@ pub fn write(arguments: &ConvergeArguments, sheet: &Sheet) -> [Written; 4] {
     [
         whole(&arguments.json, || json(record)),
         whole(&arguments.csv, || Ok(csv(record))),
-        whole(&arguments.svg, || svg(record).map_err(io::Error::other)),
+        whole(&arguments.svg, || Ok(svg(record))),
         whole(&arguments.html, || html(sheet)),
     ]
 }

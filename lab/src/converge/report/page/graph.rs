@@ -1,10 +1,10 @@
 //! The plot in the page: it follows the reader's theme, and each point shows its figures.
 
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
 
 use super::super::Convergence;
 use super::super::plot::palette::Colour;
-use super::super::plot::{Form, Plot, PlotError, Point, UNITS, plot};
+use super::super::plot::{self, Form, Plot, Point};
 use super::super::words::{between, number, with_half_width};
 use vkpt::report::human::duration;
 
@@ -12,18 +12,14 @@ use vkpt::report::human::duration;
 const FORMS: [(&str, f64); 2] = [("wide", 960.0), ("narrow", 340.0)];
 
 /// The section with the plot.
-pub fn graph(e: &Convergence) -> Result<Markup, PlotError> {
-    let mut drawn = Vec::new();
-    for (class, width) in FORMS {
-        let title = false;
-        let plot = plot(e, Form { width, title })?;
-        drawn.push(html! { div class=(class) { (with_targets(e, &plot)) } });
-    }
-    Ok(html! {
+pub fn graph(e: &Convergence) -> Markup {
+    html! {
         section #plot {
             h2 { "Error over seconds" }
             figure.graph {
-                @for plot in drawn { (plot) }
+                @for (class, width) in FORMS {
+                    div class=(class) { (with_targets(e, &plot::plot(e, Form { width, title: false }))) }
+                }
                 div.tip role="status" hidden {}
                 figcaption {
                     "Mean of the replicates with its 95 % interval (Student’s t) over the seconds of sampling of one \
@@ -32,13 +28,15 @@ pub fn graph(e: &Convergence) -> Result<Markup, PlotError> {
                 }
             }
         }
-    })
+    }
 }
 
-/// The SVG with a target over each point, large enough for a finger, with a description of the point.
+/// The plot with a target over each point, large enough for a finger, with a description of the point. It is a group,
+/// because screen readers skip the parts of an image.
 fn with_targets(e: &Convergence, plot: &Plot) -> Markup {
-    let targets = html! {
-        g transform=(format!("scale({UNITS})")) {
+    html! {
+        svg.plot role="group" aria-label=(plot::name(e)) viewBox=(plot.view()) {
+            (plot.drawn)
             @for point in &plot.points {
                 @let told = told(e, point);
                 @let [x, y] = point.at;
@@ -49,11 +47,7 @@ fn with_targets(e: &Convergence, plot: &Plot) -> Markup {
                 }
             }
         }
-    };
-    // No longer an image, whose parts screen readers would skip.
-    let svg = plot.svg.replacen("role=\"img\"", "role=\"group\"", 1);
-    let content = svg.trim_end().strip_suffix("</svg>").unwrap_or_default();
-    PreEscaped(content.to_owned() + &targets.into_string() + "</svg>")
+    }
 }
 
 /// A line for each figure of a step.
@@ -84,14 +78,13 @@ fn told(e: &Convergence, point: &Point) -> String {
     lines.join("\n")
 }
 
-/// CSS that gives the plot's colours their counterparts on a dark page: a rule overrides an SVG attribute.
+/// CSS that gives the plot the colours of the reader's theme: a rule overrides an SVG attribute.
 pub fn colours() -> String {
-    let rule = |c: Colour| {
-        let (light, dark) = (c.hex(), c.dark_hex());
-        format!(
-            ".plot [fill=\"{light}\"] {{ fill: {dark}; }}\n.plot [stroke=\"{light}\"] {{ stroke: {dark}; }}\n"
-        )
-    };
-    let rules: String = Colour::all().map(rule).collect();
-    format!("@media screen and (prefers-color-scheme: dark) {{\n{rules}}}\n")
+    let each = |line: fn(Colour) -> String| Colour::all().map(line).collect::<String>();
+    let light = each(|c| format!(" --{}: {};", c.name, c.light));
+    let dark = each(|c| format!(" --{}: {};", c.name, c.dark));
+    let rules = each(|c| format!(".plot .{0} {{ color: var(--{0}); }}\n", c.name));
+    format!(
+        ".plot {{{light} }}\n@media screen and (prefers-color-scheme: dark) {{\n.plot {{{dark} }}\n}}\n{rules}"
+    )
 }

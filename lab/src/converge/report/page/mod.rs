@@ -10,7 +10,6 @@ mod worst;
 
 use maud::html;
 
-use super::plot::PlotError;
 use super::{Convergence, VariantRecord};
 use crate::page::Page;
 use vkpt::image::EncodeError;
@@ -44,8 +43,6 @@ pub struct Shown<'a> {
 #[derive(Debug, thiserror::Error)]
 pub enum PageError {
     #[error(transparent)]
-    Plot(#[from] PlotError),
-    #[error(transparent)]
     Picture(#[from] EncodeError),
     #[error(transparent)]
     Metrics(#[from] MetricsError),
@@ -66,7 +63,7 @@ pub fn page(sheet: &Sheet) -> Result<String, PageError> {
         }
         main {
             (findings::findings(sheet.record))
-            (graph::graph(sheet.record)?)
+            (graph::graph(sheet.record))
             (pictures::pictures(sheet)?)
             (worst::worst(sheet)?)
             (figures::figures(sheet.record))

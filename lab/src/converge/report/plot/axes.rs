@@ -1,12 +1,8 @@
-//! Two logarithmic axes: their spans, ticks and labels.
+//! Two logarithmic axes: their spans, and the places of values.
 
 use std::ops::Range;
 
-use plotters::coord::combinators::LogCoord;
-use plotters::prelude::*;
-
-use super::PlotError;
-use super::canvas::{Canvas, Place, pixels, units};
+use super::draw::{Place, rounded};
 
 /// Room around the data, as a factor.
 const MARGIN: f64 = 1.3;
@@ -14,41 +10,28 @@ const MARGIN: f64 = 1.3;
 /// No axis spans less than this factor.
 const LEAST: f64 = 12.0;
 
-/// Maps seconds and errors to the sheet.
-pub struct Axes<'a> {
-    chart: ChartContext<'a, SVGBackend<'a>, Cartesian2d<LogCoord<f64>, LogCoord<f64>>>,
+/// Where seconds and errors lie on the sheet.
+pub struct Axes {
     /// Seconds, and errors.
     pub spans: [Range<f64>; 2],
     /// Left, top, right, bottom of the plot in pixels.
     pub frame: [f64; 4],
 }
 
-impl<'a> Axes<'a> {
-    /// Over `frame` of a sheet of `size` pixels.
-    pub fn new(
-        canvas: &Canvas<'a>,
-        size: Place,
-        frame: [f64; 4],
-        spans: [Range<f64>; 2],
-    ) -> Result<Self, PlotError> {
-        let [left, top, right, bottom] = frame;
-        let [x, y] = spans.clone();
-        let chart = ChartBuilder::on(canvas.area())
-            .margin_left(units(left))
-            .margin_top(units(top))
-            .margin_right(units(size[0] - right))
-            .margin_bottom(units(size[1] - bottom))
-            .build_cartesian_2d(x.log_scale(), y.log_scale())?;
-        Ok(Self {
-            chart,
-            spans,
-            frame,
-        })
+impl Axes {
+    /// The place of an error after so many seconds, both above 0.
+    pub fn place(&self, seconds: f64, error: f64) -> Place {
+        rounded([self.x(seconds), self.y(error)])
     }
 
-    /// The place of an error after some seconds, both above 0.
-    pub fn place(&self, seconds: f64, error: f64) -> Place {
-        pixels(self.chart.backend_coord(&(seconds, error)))
+    pub fn x(&self, seconds: f64) -> f64 {
+        let [left, _, right, _] = self.frame;
+        left + (right - left) * share(&self.spans[0], seconds)
+    }
+
+    pub fn y(&self, error: f64) -> f64 {
+        let [_, top, _, bottom] = self.frame;
+        bottom + (top - bottom) * share(&self.spans[1], error)
     }
 
     /// The part of error = √(c/seconds) that lies on the plot, if any.
@@ -59,6 +42,11 @@ impl<'a> Axes<'a> {
         let to = x.end.min(c / (y.start * y.start));
         (from < to).then(|| [from, to].map(|s| self.place(s, (c / s).sqrt())))
     }
+}
+
+/// 0 at the start of the span, 1 at its end.
+fn share(span: &Range<f64>, value: f64) -> f64 {
+    (value / span.start).ln() / (span.end / span.start).ln()
 }
 
 /// The span of an axis that shows all of `values`, which are above 0; 1 to 10 if there are none.
@@ -74,89 +62,9 @@ pub fn span(values: impl Iterator<Item = f64>) -> Range<f64> {
     low / widen..high * widen
 }
 
-/// A value on an axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tick {
-    pub value: f64,
-    /// A power of ten.
-    pub decade: bool,
-    pub labelled: bool,
-}
-
-/// 1, 2, … 9 times each power of ten within the span; with at most `few` powers, 2 and 5 have labels, too.
-pub fn ticks(span: &Range<f64>, few: i32) -> Vec<Tick> {
-    let powers = span.end.log10().floor() as i32 - span.start.log10().ceil() as i32 + 1;
-    let few = powers <= few;
-    let first = span.start.log10().floor() as i32;
-    let last = span.end.log10().floor() as i32;
-    let tick = |(power, digit): (i32, u8)| Tick {
-        // Parsed rather than multiplied: 1e-3 is exactly that number.
-        value: format!("{digit}e{power}").parse().unwrap_or(f64::NAN),
-        decade: digit == 1,
-        labelled: digit == 1 || few && (digit == 2 || digit == 5),
-    };
-    (first..=last)
-        .flat_map(|power| (1..=9).map(move |digit| (power, digit)))
-        .map(tick)
-        .filter(|tick| span.contains(&tick.value))
-        .collect()
-}
-
-/// `20 µs`, `5 ms`, `100 s`
-pub fn seconds(value: f64) -> String {
-    let (scaled, unit) = match value {
-        s if s < 0.999e-3 => (s * 1e6, "µs"),
-        s if s < 0.999 => (s * 1e3, "ms"),
-        s => (s, "s"),
-    };
-    // Whole in every unit, except below a microsecond.
-    if scaled < 0.999 {
-        format!("{value:e} s")
-    } else {
-        format!("{scaled:.0} {unit}")
-    }
-}
-
-/// `20`, `0.05`, `1e-3`
-pub fn plain(value: f64) -> String {
-    match value {
-        0.009_99..9_999.0 => format!("{}", (value * 1e6).round() / 1e6),
-        _ => format!("{value:e}"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn ticks_are_the_round_numbers_within() {
-        let few = ticks(&(0.004..0.06), 1);
-        let labelled: Vec<f64> = few.iter().filter(|t| t.labelled).map(|t| t.value).collect();
-        assert_eq!(labelled, [0.005, 0.01, 0.02, 0.05]);
-        assert_eq!(few.len(), 6 + 5);
-        let many = ticks(&(0.5..2000.0), 3);
-        let labelled: Vec<f64> = many
-            .iter()
-            .filter(|t| t.labelled)
-            .map(|t| t.value)
-            .collect();
-        assert_eq!(labelled, [1.0, 10.0, 100.0, 1000.0]);
-        assert!(many.iter().all(|t| !t.labelled || t.decade));
-    }
-
-    #[test]
-    fn labels_are_round_in_their_unit() {
-        let of = [1e-7, 2e-5, 1e-3, 5e-2, 0.1, 1.0, 1e4].map(seconds);
-        assert_eq!(
-            of,
-            [
-                "1e-7 s", "20 µs", "1 ms", "50 ms", "100 ms", "1 s", "10000 s"
-            ]
-        );
-        let of = [1e-3, 5e-3, 0.01, 0.2, 1.0, 50.0, 1e4].map(plain);
-        assert_eq!(of, ["1e-3", "5e-3", "0.01", "0.2", "1", "50", "1e4"]);
-    }
 
     #[test]
     fn a_span_has_room_for_its_values() {

@@ -1,67 +1,74 @@
 //! The measurements, drawn on the scales.
 
-use super::canvas::{Marker, Place};
+use maud::{Markup, html};
+
+use super::axes::Axes;
+use super::draw::{Place, line, marker};
 use super::palette::{Colour, OWN};
-use super::scales::Sheet;
-use super::{PlotError, Point, error};
+use super::shown::error;
 use crate::converge::report::{Convergence, StepRecord};
 
-impl Sheet<'_> {
-    /// Lines at the references' own errors.
-    pub fn own_errors(&self, own: &[f64]) -> Result<(), PlotError> {
-        let [left, _, right, _] = self.axes.frame;
-        for y in own.iter().map(|&own| self.height_of(own)) {
-            self.canvas.line(&[[left, y], [right, y]], OWN, 1.4)?;
-        }
-        Ok(())
-    }
+/// A step of a variant, and its place in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    pub variant: usize,
+    pub step: usize,
+    pub at: Place,
+}
 
-    /// All lines before all points, so that no line hides a point.
-    pub fn curves(&self, e: &Convergence) -> Result<Vec<Point>, PlotError> {
-        let mut points = Vec::new();
-        for (variant, record) in e.variants.iter().enumerate() {
-            let place = |(step, s): (usize, &StepRecord)| {
-                let at = self.axes.place(s.wall_s.value, error(s)?.value);
-                Some(Point { variant, step, at })
-            };
-            let of_variant: Vec<Point> =
-                record.steps.iter().enumerate().filter_map(place).collect();
-            let line: Vec<Place> = of_variant.iter().map(|p| p.at).collect();
-            self.canvas.line(&line, Colour::of_variant(variant), 1.6)?;
-            points.extend(of_variant);
+/// Those of all steps that have a place.
+pub fn points(e: &Convergence, axes: &Axes) -> Vec<Point> {
+    let mut points = Vec::new();
+    for (variant, record) in e.variants.iter().enumerate() {
+        for (step, s) in record.steps.iter().enumerate() {
+            if let Some(error) = error(s) {
+                let at = axes.place(s.wall_s.value, error.value);
+                points.push(Point { variant, step, at });
+            }
         }
-        for point in &points {
-            let step = &e.variants[point.variant].steps[point.step];
-            self.interval(step, point)?;
-            let look = (
-                Marker::of_variant(point.variant),
-                Colour::of_variant(point.variant),
-            );
-            let hollow = step.errors.rel_mse.below_reference;
-            self.canvas.marker(point.at, look, hollow)?;
-        }
-        Ok(points)
     }
+    points
+}
 
-    /// From one end of the interval to the other, clipped to the plot.
-    fn interval(&self, step: &StepRecord, point: &Point) -> Result<(), PlotError> {
-        let Some(error) = error(step) else {
-            return Ok(());
-        };
-        let colour = Colour::of_variant(point.variant);
-        let up = &self.axes.spans[1];
-        let end = |e: f64| [point.at[0], self.height_of(e.clamp(up.start, up.end))];
-        let ends = [error.low, error.high];
-        self.canvas.line(&ends.map(end), colour, 1.2)?;
-        for e in ends.into_iter().filter(|e| up.contains(e)) {
-            let [x, y] = end(e);
-            self.canvas
-                .line(&[[x - 3.5, y], [x + 3.5, y]], colour, 1.2)?;
+/// All lines before all points, so that no line hides one.
+pub fn curves(e: &Convergence, axes: &Axes, points: &[Point]) -> Markup {
+    let variants = || points.chunk_by(|a, b| a.variant == b.variant);
+    let places = |of: &[Point]| -> Vec<Place> { of.iter().map(|point| point.at).collect() };
+    let colour = |of: &[Point]| Colour::of_variant(of[0].variant);
+    html! {
+        @for of in variants() { (colour(of).group(line(&places(of), 1.6))) }
+        @for of in variants() {
+            (colour(of).group(html! {
+                @for point in of {
+                    @let step = &e.variants[point.variant].steps[point.step];
+                    (interval(step, axes))
+                    (marker(point.variant, point.at, step.errors.rel_mse.below_reference))
+                }
+            }))
         }
-        Ok(())
     }
+}
 
-    fn height_of(&self, error: f64) -> f64 {
-        self.axes.place(self.axes.spans[0].start, error)[1]
+/// From one end of the interval to the other, as far as it lies on the plot.
+fn interval(step: &StepRecord, axes: &Axes) -> Markup {
+    let up = &axes.spans[1];
+    let x = axes.x(step.wall_s.value);
+    let ends = error(step).map(|error| [error.low, error.high]);
+    let y = |e: f64| axes.y(e.clamp(up.start, up.end));
+    html! {
+        @if let Some([low, high]) = ends {
+            (line(&[[x, y(low)], [x, y(high)]], 1.2))
+            @for y in [low, high].into_iter().filter(|e| up.contains(e)).map(y) {
+                (line(&[[x - 3.5, y], [x + 3.5, y]], 1.2))
+            }
+        }
     }
+}
+
+/// Where the references stop being references.
+pub fn own_errors(own: &[f64], axes: &Axes) -> Markup {
+    let [left, _, right, _] = axes.frame;
+    OWN.group(html! {
+        @for y in own.iter().map(|&own| axes.y(own)) { (line(&[[left, y], [right, y]], 1.4)) }
+    })
 }

@@ -1,30 +1,18 @@
 //! The legend of the plot's lines and markers.
 
-use plotters::style::text_anchor::HPos;
+use maud::{Markup, html};
 
-use super::canvas::{Canvas, Marker, Place, Type};
+use super::FONT;
+use super::draw::{Place, line, marker, text, translate};
 use super::palette::{Colour, GUIDE, INK, MUTED, OWN};
-use super::{LABEL, PlotError};
 use crate::converge::report::{Convergence, VariantRecord};
 
 /// Entries in columns of one width.
 pub struct Legend {
-    entries: Vec<Entry>,
+    /// A sample, drawn from 0,0 to the right, and its label.
+    entries: Vec<(Markup, String)>,
     columns: usize,
     column: f64,
-}
-
-struct Entry {
-    look: Look,
-    text: String,
-}
-
-#[derive(Clone, Copy)]
-enum Look {
-    Variant(usize),
-    /// An inconclusive point.
-    Hollow,
-    Line(Colour),
 }
 
 /// Between two lines of text.
@@ -35,28 +23,30 @@ const SAMPLE: f64 = 34.0;
 impl Legend {
     /// For a plot of `width` pixels, with the references' own errors if `own`. A single variant needs no name.
     pub fn new(e: &Convergence, own: bool, width: f64) -> Self {
-        let mut entries: Vec<Entry> = Vec::new();
-        let mut add = |look, text: &str| {
-            let text = text.to_owned();
-            entries.push(Entry { look, text });
+        let sample = |width| line(&[[0.0, 0.0], [26.0, 0.0]], width);
+        let middle = [13.0, 0.0];
+        let of_variant = |(i, variant): (usize, &VariantRecord)| {
+            let look = html! { (sample(1.6)) (marker(i, middle, false)) };
+            let name = match variant.name.as_str() {
+                "" => "mean, 95 % interval",
+                name => name,
+            };
+            (Colour::of_variant(i).group(look), name.to_owned())
         };
-        for (i, variant) in e.variants.iter().enumerate() {
-            match variant.name.as_str() {
-                "" => add(Look::Variant(i), "mean, 95 % interval"),
-                name => add(Look::Variant(i), name),
-            }
-        }
+        let mut entries: Vec<_> = e.variants.iter().enumerate().map(of_variant).collect();
+        let mut add = |look, words: &str| entries.push((look, words.to_owned()));
         let hollow = |v: &VariantRecord| v.steps.iter().any(|s| s.errors.rel_mse.below_reference);
         if e.variants.iter().any(hollow) {
-            add(Look::Hollow, "within the reference’s own error");
+            let look = MUTED.group(marker(0, middle, true));
+            add(look, "within the reference’s own error");
         }
         if own {
-            add(Look::Line(OWN), "the reference’s own error");
+            add(OWN.group(sample(1.4)), "the reference’s own error");
         }
-        add(Look::Line(GUIDE), "slope −½: equal efficiency");
-        // No font is available to measure: letters of common fonts are about half as wide as high.
-        let longest = entries.iter().map(|entry| entry.text.chars().count()).max();
-        let column = SAMPLE + 0.54 * LABEL.size * longest.unwrap_or(0) as f64 + 18.0;
+        add(GUIDE.group(sample(1.4)), "slope −½: equal efficiency");
+        // No font is at hand to be measured: a letter of the usual ones is about half as wide as high.
+        let longest = entries.iter().map(|(_, words)| words.chars().count()).max();
+        let column = SAMPLE + 0.54 * FONT * longest.unwrap_or(0) as f64 + 18.0;
         let columns = ((width - 68.0) / column).floor().max(1.0) as usize;
         Self {
             entries,
@@ -70,33 +60,16 @@ impl Legend {
     }
 
     /// From `at`, the top left.
-    pub fn draw(&self, canvas: &Canvas, at: Place) -> Result<(), PlotError> {
-        let words = Type {
-            colour: INK,
-            anchor: HPos::Left,
-            ..LABEL
-        };
-        for (i, entry) in self.entries.iter().enumerate() {
+    pub fn draw(&self, at: Place) -> Markup {
+        let place = |i: usize| {
             let x = at[0] + (i % self.columns) as f64 * self.column;
-            let y = at[1] + (i / self.columns) as f64 * LINE;
-            entry.look.draw(canvas, [x, y])?;
-            canvas.text(&entry.text, [x + SAMPLE, y], words)?;
-        }
-        Ok(())
-    }
-}
-
-impl Look {
-    fn draw(self, canvas: &Canvas, [x, y]: Place) -> Result<(), PlotError> {
-        let line = [[x, y], [x + 26.0, y]];
-        let middle = [x + 13.0, y];
-        match self {
-            Self::Line(colour) => canvas.line(&line, colour, 1.4),
-            Self::Hollow => canvas.marker(middle, (Marker::Circle, MUTED), true),
-            Self::Variant(i) => {
-                let colour = Colour::of_variant(i);
-                canvas.line(&line, colour, 1.6)?;
-                canvas.marker(middle, (Marker::of_variant(i), colour), false)
+            [x, at[1] + (i / self.columns) as f64 * LINE]
+        };
+        html! {
+            @for (i, (sample, words)) in self.entries.iter().enumerate() {
+                @let [x, y] = place(i);
+                g transform=(translate([x, y])) { (sample) }
+                (INK.group(text(words, [x + SAMPLE, y], "start")))
             }
         }
     }

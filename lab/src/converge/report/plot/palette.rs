@@ -1,46 +1,58 @@
-//! The plot's colours. The SVG names the light ones; a page that follows its reader's dark theme swaps each for its
-//! counterpart by a rule of CSS ([`Colour::all`]).
+//! The plot's colours. The SVG has the light ones as attributes, which every program reads; a page gives each class its
+//! counterpart in the reader's theme by a rule of CSS.
 
-/// A colour in the SVG, and its counterpart on a dark page.
+use maud::{Markup, html};
+
+/// The colour of a part of the plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Colour {
-    pub light: [u8; 3],
-    pub dark: [u8; 3],
+    /// The class of its groups.
+    pub name: &'static str,
+    pub light: &'static str,
+    pub dark: &'static str,
+    /// Lengths of dashes and gaps of its lines.
+    dashes: Option<&'static str>,
 }
 
-const fn colour(light: u32, dark: u32) -> Colour {
-    let [_, r, g, b] = light.to_be_bytes();
-    let [_, dark_r, dark_g, dark_b] = dark.to_be_bytes();
+const fn colour(name: &'static str, light: &'static str, dark: &'static str) -> Colour {
     Colour {
-        light: [r, g, b],
-        dark: [dark_r, dark_g, dark_b],
+        name,
+        light,
+        dark,
+        dashes: None,
     }
 }
 
 /// The background.
-pub const PAPER: Colour = colour(0xff_ff_ff, 0x16_18_1b);
+pub const PAPER: Colour = colour("paper", "#ffffff", "#16181b");
 /// Titles and axes.
-pub const INK: Colour = colour(0x1f_23_28, 0xe3_e6_ea);
+pub const INK: Colour = colour("ink", "#1f2328", "#e3e6ea");
 /// Labels of ticks.
-pub const MUTED: Colour = colour(0x57_60_6a, 0xa3_ab_b4);
+pub const MUTED: Colour = colour("muted", "#57606a", "#a3abb4");
 /// Lines across the plot.
-pub const GRID: Colour = colour(0xe6_e9_ec, 0x2b_2f_34);
+pub const GRID: Colour = colour("grid", "#e6e9ec", "#2b2f34");
 /// Lines of slope −½; dashed.
-pub const GUIDE: Colour = colour(0xa9_b1_b9, 0x5e_67_70);
+pub const GUIDE: Colour = Colour {
+    dashes: Some("6 4"),
+    ..colour("guide", "#a9b1b9", "#5e6770")
+};
 /// The reference's own error; dotted.
-pub const OWN: Colour = colour(0x4b_53_5c, 0xbd_c4_cc);
+pub const OWN: Colour = Colour {
+    dashes: Some("1.2 2.8"),
+    ..colour("own", "#4b535c", "#bdc4cc")
+};
 
 /// The variants' colours, distinguishable by colour-blind people: those of Okabe and Ito (Color Universal Design, 2008)
 /// without yellow, which is hard to see on paper; some are darkened for the same reason. From the eighth variant on
 /// they repeat, with another marker.
 pub const SERIES: [Colour; 7] = [
-    colour(0x00_66_a6, 0x5a_b4_ee),
-    colour(0xc9_52_00, 0xff_94_4d),
-    colour(0x00_87_62, 0x3c_cf_a4),
-    colour(0xb4_55_8c, 0xe8_9c_c8),
-    colour(0xa8_74_00, 0xf0_b9_3a),
-    colour(0x2f_9b_d6, 0x9b_d5_f7),
-    colour(0x55_55_5d, 0xb9_bc_c6),
+    colour("series-0", "#0066a6", "#5ab4ee"),
+    colour("series-1", "#c95200", "#ff944d"),
+    colour("series-2", "#008762", "#3ccfa4"),
+    colour("series-3", "#b4558c", "#e89cc8"),
+    colour("series-4", "#a87400", "#f0b93a"),
+    colour("series-5", "#2f9bd6", "#9bd5f7"),
+    colour("series-6", "#55555d", "#b9bcc6"),
 ];
 
 impl Colour {
@@ -56,33 +68,34 @@ impl Colour {
         SERIES[i % SERIES.len()]
     }
 
-    /// `#0066A6`: the light one, as in the SVG.
-    pub fn hex(self) -> String {
-        hex(self.light)
+    /// A group drawn in it.
+    pub fn group(self, content: Markup) -> Markup {
+        html! { g class=(self.name) color=(self.light) stroke-dasharray=[self.dashes] { (content) } }
     }
-
-    /// The dark one in the same form.
-    pub fn dark_hex(self) -> String {
-        hex(self.dark)
-    }
-}
-
-fn hex([r, g, b]: [u8; 3]) -> String {
-    format!("#{r:02X}{g:02X}{b:02X}")
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use std::collections::BTreeSet;
 
-    /// A rule of CSS finds a role by its colour.
+    use super::*;
+    use crate::page::COLOURS;
+
     #[test]
     fn no_colour_has_two_roles() {
-        let mut all: Vec<String> = Colour::all().map(Colour::hex).collect();
-        let count = all.len();
-        all.sort();
-        all.dedup();
-        assert_eq!(all.len(), count);
-        assert_eq!(SERIES[0].hex(), "#0066A6");
+        let of: [fn(Colour) -> &'static str; 3] = [|c| c.name, |c| c.light, |c| c.dark];
+        for of in of {
+            let all: BTreeSet<&str> = Colour::all().map(of).collect();
+            assert_eq!(all.len(), Colour::all().count());
+        }
+    }
+
+    #[test]
+    fn paper_and_ink_are_the_page_s() {
+        for colour in [PAPER, INK, MUTED] {
+            for value in [colour.light, colour.dark] {
+                assert!(COLOURS.contains(&format!("--{}: {value};", colour.name)));
+            }
+        }
     }
 }
