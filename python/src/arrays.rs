@@ -5,7 +5,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use vkpt::film::Film;
 
-/// The pixels as an array of shape (height, width, 3) that cannot be written to; they are moved, not copied.
+/// The pixels as a read-only array of shape (height, width, 3); they are moved, not copied.
 pub fn array<'py>(py: Python<'py>, film: Film) -> PyResult<Bound<'py, PyArray3<f32>>> {
     let Film { width, height, rgb } = film;
     let shape = [height as usize, width as usize, 3];
@@ -14,7 +14,7 @@ pub fn array<'py>(py: Python<'py>, film: Film) -> PyResult<Bound<'py, PyArray3<f
     Ok(array)
 }
 
-/// Makes that nobody writes to the array.
+/// Makes the array read-only.
 pub fn read_only(array: &Bound<PyAny>) -> PyResult<()> {
     let flags = pyo3::types::PyDict::new(array.py());
     flags.set_item("write", false)?;
@@ -22,7 +22,7 @@ pub fn read_only(array: &Bound<PyAny>) -> PyResult<()> {
     Ok(())
 }
 
-/// The pixels of an array of shape (height, width, 3), copied.
+/// A copy of the pixels of an array of shape (height, width, 3).
 pub fn film(array: &PyReadonlyArray3<f32>) -> PyResult<Film> {
     let shape = array.shape();
     let &[height, width, 3] = shape else {

@@ -10,16 +10,16 @@ use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use vkpt_lab::cli::caller::{Called, Caller, called};
 
-/// Time between two looks at Python: the GIL is not free.
+/// Time between two calls into Python: taking the GIL costs time.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// What Python hears of a command.
+/// The warnings and the progress of a command, for Python.
 struct Ears {
     warnings: Vec<String>,
     progress: Option<Py<PyAny>>,
     looked: Instant,
     stop: Arc<AtomicBool>,
-    /// What `progress` raised.
+    /// The exception that `progress` raised.
     raised: Option<PyErr>,
 }
 
@@ -34,7 +34,7 @@ impl Caller for Ears {
         }
         self.looked = Instant::now();
         Python::attach(|py| {
-            // Ctrl-c ends the work with what is there.
+            // Ctrl-c ends the work with the samples done.
             if py.check_signals().is_err() {
                 self.stop.store(true, Ordering::Relaxed);
             }
@@ -48,7 +48,7 @@ impl Caller for Ears {
     }
 }
 
-/// Does the work of a command without the GIL; `progress` is called with the part that is done, in [0, 1], and words. Warnings
+/// Does the work of a command without the GIL; `progress` is called with the fraction done, in [0, 1], and a text. Warnings
 /// become Python's.
 pub fn call<T: Send>(
     py: Python,
@@ -76,7 +76,7 @@ pub fn call<T: Send>(
     Ok(made)
 }
 
-/// Warns where the function of the package was called, one frame above this one's.
+/// Warns at the call of the package's function, one frame above this one.
 pub fn warn(py: Python, warnings: Vec<String>) -> PyResult<()> {
     let category = py.get_type::<PyUserWarning>();
     for warning in warnings {

@@ -16,7 +16,7 @@ use crate::caller::call;
 use crate::failure::raise;
 use crate::picture::{Picture, finite};
 
-/// A picture that a program means.
+/// A picture that a program passes.
 #[derive(FromPyObject)]
 pub enum Pictured<'py> {
     #[pyo3(transparent)]
@@ -42,7 +42,7 @@ impl Pictured<'_> {
     }
 }
 
-/// How far picture `a` is from `b`, as a dict.
+/// Compares picture `a` with the reference `b`; returns a dict.
 #[pyfunction]
 pub fn compare<'py>(
     py: Python<'py>,

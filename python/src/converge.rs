@@ -11,7 +11,7 @@ use crate::caller::call;
 use crate::failure::raise;
 use crate::scene::Scene;
 
-/// Measures how fast a scene converges; `words` are flags of `vkpt converge`. Returns what `--json` writes.
+/// Measures how fast a scene converges; `words` are flags of `vkpt converge`. Returns the contents of `--json`.
 #[pyfunction]
 pub fn converge(
     py: Python,

@@ -5,7 +5,7 @@ use pyo3::types::PyDict;
 use vkpt::scene::Diagnostic;
 use vkpt_lab::cli::exit::Failure;
 
-/// The exception: its text is what the command line says, its attributes are parts of that.
+/// The exception: its text is the command line's, and its attributes are parts of it.
 pub fn raise(py: Python, failure: Failure) -> PyErr {
     exception(py, &failure).unwrap_or_else(|error| error)
 }

@@ -1,4 +1,4 @@
-//! A rendering in a thread of its own, whose pictures are handed over while it goes on.
+//! A rendering in a separate thread that delivers pictures as it runs.
 
 use std::cell::RefCell;
 use std::ffi::OsString;
@@ -20,23 +20,23 @@ use crate::picture::Picture;
 use crate::render::arguments;
 use crate::scene::Scene;
 
-/// Time between two looks for ctrl-c.
+/// Time between two checks for ctrl-c.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// What the thread hands over.
+/// A message from the thread.
 enum News {
     Warning(String),
     Picture(Box<Rendered>),
-    /// The last picture; `None` where it was stopped before there was any.
+    /// The last picture; `None` if the rendering was stopped before the first sample.
     Last(Box<Result<Option<Rendered>, Failure>>),
 }
 
-/// An iterator over the pictures of a rendering while it grows; the last is the finished one.
+/// An iterator over the pictures of a rendering as they grow; the last is the finished one.
 #[pyclass(frozen, module = "vkpt")]
 pub struct Growing {
     news: Mutex<Option<Receiver<News>>>,
     stop: Arc<AtomicBool>,
-    /// Somebody waits for a picture: others are not made.
+    /// Whether a picture was requested: none is made otherwise.
     waits: Arc<AtomicBool>,
 }
 
@@ -65,7 +65,7 @@ impl Growing {
     }
 
     fn __next__(&self, py: Python) -> PyResult<Option<Picture>> {
-        // Nothing stays locked while this waits: another thread may have the GIL.
+        // No lock is held while this waits, because another thread may have the GIL.
         let Some(mut news) = self.news().take() else {
             return Ok(None);
         };
@@ -88,7 +88,7 @@ impl Growing {
                         None => Err(PyKeyboardInterrupt::new_err(())),
                     };
                 }
-                // Ctrl-c ends it with what is there.
+                // Ctrl-c ends the rendering with the samples done.
                 Err(RecvTimeoutError::Timeout) if py.check_signals().is_err() => {
                     self.stop.store(true, Ordering::Relaxed);
                 }
@@ -111,19 +111,19 @@ impl Drop for Growing {
     }
 }
 
-/// Hears for the thread that waits.
+/// Sends warnings to the thread that waits.
 struct Ears(Sender<News>);
 
 impl Caller for Ears {
     fn warn(&mut self, message: &str) {
-        // Where nobody waits any more, nobody is to be warned.
+        // If the receiver is gone, the warning is dropped.
         let _ = self.0.send(News::Warning(message.to_owned()));
     }
 
     fn progress(&mut self, _: f64, _: &dyn Fn() -> String) {}
 }
 
-/// Renders, and hands over a picture where one is waited for and `pause` has passed.
+/// Renders, and sends a picture when one was requested and `pause` has passed.
 fn grow(
     arguments: &RenderArguments,
     pause: Duration,
@@ -135,7 +135,7 @@ fn grow(
     let mut growing = |so_far: &dyn Fn() -> Rendered| {
         if last.elapsed() >= pause && waits.swap(false, Ordering::Relaxed) {
             let picture = so_far();
-            // The last one comes with its layers.
+            // The last one is sent with its layers instead.
             if picture.record.job.ended == "interrupted" {
                 let _ = to.send(News::Picture(Box::new(picture)));
             }

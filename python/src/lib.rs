@@ -1,4 +1,4 @@
-//! vkpt as a Python module: `vkpt/` has what people call, this what it calls.
+//! vkpt as a Python module: the package in `vkpt/` is the public interface and calls this one.
 //!
 //! Arguments arrive as the words of a command line and go through the command line's own parser, so names, defaults, ranges
 //! and messages are the same.

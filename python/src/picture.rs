@@ -1,4 +1,4 @@
-//! A picture as Python has it.
+//! A picture, for Python.
 
 use std::path::PathBuf;
 
@@ -16,7 +16,7 @@ use vkpt_lab::compare::command::Comparand;
 use crate::arrays::{array, film, read_only};
 use crate::failure::raise;
 
-/// A picture, what was asked for beside it, and what it took.
+/// A picture, its layers, and how it was rendered.
 #[pyclass(frozen, module = "vkpt")]
 pub struct Picture {
     #[pyo3(get)]
@@ -27,13 +27,13 @@ pub struct Picture {
     denoised: Option<Py<PyArray3<f32>>>,
     #[pyo3(get)]
     layers: Py<PyDict>,
-    /// All but the films, whose pixels the arrays have.
+    /// All but the films, whose pixels are in the arrays.
     rest: Rendered,
     /// More samples follow.
     grows: bool,
 }
 
-/// How large the error of a picture was estimated to be at one time.
+/// The estimated error of a picture at one time.
 #[pyclass(frozen, get_all, module = "vkpt")]
 #[derive(Clone)]
 pub struct ErrorAt {
@@ -133,7 +133,7 @@ impl Picture {
         self.rest.record.warnings.clone()
     }
 
-    /// What `vkpt SCENE --json FILE` writes.
+    /// The contents of `vkpt SCENE --json FILE`.
     #[getter]
     fn record<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let text = serde_json::to_string(&self.rest.record);
@@ -160,7 +160,7 @@ impl Picture {
         Ok(PyBytes::new(py, &bytes))
     }
 
-    /// What a notebook shows.
+    /// The PNG that a notebook shows.
     fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         self.png(py, 0.0)
     }
@@ -201,7 +201,7 @@ impl ErrorAt {
     }
 }
 
-/// Refuses stops that no picture can be brightened by.
+/// Refuses an exposure that is not finite.
 pub fn finite(py: Python, exposure: f64) -> PyResult<()> {
     match exposure.is_finite() {
         true => Ok(()),

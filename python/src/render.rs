@@ -28,7 +28,7 @@ pub fn render(
     }
 }
 
-/// What the words ask to be rendered of the scene.
+/// The arguments of a rendering of the scene, from flags of `vkpt SCENE`.
 pub fn arguments(
     scene: Scene,
     mut words: Vec<OsString>,

@@ -1,4 +1,4 @@
-//! The scene that a program means.
+//! The scene that a program passes.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ use vkpt_lab::cli::source::Source;
 pub enum Scene {
     #[pyo3(transparent)]
     File(PathBuf),
-    /// A tuple of one, so that a text is not taken for a path.
+    /// In a tuple, because a text would otherwise be read as a path.
     Text((String,)),
 }
 

@@ -1,4 +1,4 @@
-"""Scenes that tests render, and the command line beside the module."""
+"""Scenes that tests render, and the command line installed with the module."""
 
 import subprocess
 import sys
@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-# Small, of glass, with more than one way to the light.
+# Small, with glass and more than one path to the light.
 SCENE = """screen 40 30
 camera 0 -4 1  .36  x 76
 background .5 .6 .7
@@ -29,7 +29,7 @@ def scene(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def command(tmp_path: Path) -> Command:
-    """Runs `vkpt WORDS…`, as it was installed with the module, in the folder of the scene."""
+    """Runs the installed `vkpt WORDS…` in the folder of the scene."""
     program = Path(sys.executable).with_name("vkpt")
 
     def run(*words: str) -> "subprocess.CompletedProcess[str]":

@@ -1,4 +1,4 @@
-"""What a first picture needs in a fresh interpreter: nothing that is not used is imported."""
+"""The cost of a first picture in a fresh interpreter: nothing unused is imported."""
 
 import subprocess
 import sys

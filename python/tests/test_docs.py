@@ -1,4 +1,4 @@
-"""What docs/python.md and python/README.md show is run."""
+"""The examples in docs/python.md and python/README.md run."""
 
 import re
 from pathlib import Path
@@ -15,7 +15,7 @@ def test_every_block_runs(page: str, scene: Path, monkeypatch: pytest.MonkeyPatc
     monkeypatch.chdir(scene.parent)
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(encoding="utf-8"), re.DOTALL)
     assert blocks
-    # What a page takes for granted.
+    # Names that the pages do not define.
     names = {"vkpt": vkpt, "vertices": CUBE, "faces": SIDES}
     for block in blocks:
         exec(block, names)

@@ -1,4 +1,4 @@
-"""What is wrong is said as the command line says it."""
+"""Errors have the command line's text."""
 
 import pytest
 import vkpt

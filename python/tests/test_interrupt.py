@@ -1,4 +1,4 @@
-"""Ctrl-c ends a rendering with what is there."""
+"""Ctrl-c ends a rendering with the samples done."""
 
 import signal
 import subprocess
@@ -24,8 +24,8 @@ for picture in vkpt.progressive(sys.argv[1], time=60, pause=0.1):
 
 
 def interrupted(program: str, *words: str) -> str:
-    """What the program prints that is interrupted after its first line."""
-    # Under a shell that runs it in the background ctrl-c may be ignored: that is inherited.
+    """The output of a program that is interrupted after its first line."""
+    # A shell that runs this in the background may ignore ctrl-c, and the program would inherit that.
     usual = signal.signal(signal.SIGINT, signal.default_int_handler)
     process = subprocess.Popen([sys.executable, "-c", program, *words], stdout=subprocess.PIPE, text=True)
     signal.signal(signal.SIGINT, usual)
@@ -55,7 +55,7 @@ def test_pictures_grow_to_the_one_that_is_rendered_at_once() -> None:
     assert [picture.ended for picture in pictures[:-1]] == [None] * (len(pictures) - 1)
     whole = vkpt.render(SCENE, spp=2000, device="cpu-f32", progress=False)
     assert pictures[-1].rgb.tobytes() == whole.rgb.tobytes()
-    # Each is the picture of so many samples.
+    # Each is the picture with that many samples.
     first = vkpt.render(SCENE, spp=samples[0], device="cpu-f32", progress=False)
     assert pictures[0].rgb.tobytes() == first.rgb.tobytes()
 

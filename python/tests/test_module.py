@@ -1,4 +1,4 @@
-"""The module as it is installed: its command, its types, what importing it costs."""
+"""The installed module: its command, its types, the cost of importing it."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""The notebook in docs/ runs, and shows what it promises."""
+"""The notebook in docs/ runs, and shows a picture and a plot."""
 
 from pathlib import Path
 from typing import Any

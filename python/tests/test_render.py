@@ -8,7 +8,7 @@ import pytest
 import vkpt
 from conftest import SCENE, Command
 
-# What the command line is told, and the same in Python.
+# Flags of the command line, and the same settings in Python.
 SETTINGS = [
     ([], {}),
     (["--spp", "5", "--seed", "3"], {"spp": 5, "seed": 3}),
@@ -88,12 +88,12 @@ def test_pixels_are_shared_and_cannot_be_written_to(scene: Path) -> None:
 def test_a_picture_knows_its_error(scene: Path) -> None:
     picture = vkpt.render(scene, spp=64, progress=False)
     assert [error.spp for error in picture.errors] == [1, 2, 4, 8, 16, 32, 64]
-    assert picture.errors[0].rel_mse is None, "one sample tells nothing of its error"
+    assert picture.errors[0].rel_mse is None, "one sample gives no estimate of its error"
     error = picture.error
     assert error is not None and error.rel_mse is not None
     assert error.low is not None and error.high is not None
     assert error.low < error.rel_mse < error.high
-    # By a picture of other, many more samples.
+    # Compared with a picture of many more samples with another seed.
     truth = vkpt.render(scene, spp=4096, seed=1, progress=False)
     assert error.low / 2 < vkpt.compare(picture, truth)["rel_mse"] < error.high * 2
 

@@ -6,8 +6,8 @@
 ((300, 400, 3), 0.0021)
 
 A scene is a path, the text of a scene file, or a `Scene` that a program builds. Settings are the flags of the command
-line, with `_` for `-`: `max_depth=5`, `integrator="bidirectional"`, `size=(400, 300)`; `vkpt --help` explains them. What
-is wrong raises an exception of `vkpt.errors`, whose text is the command line's; warnings are Python's.
+line, with `_` for `-`: `max_depth=5`, `integrator="bidirectional"`, `size=(400, 300)`; `vkpt --help` explains them.
+Errors raise an exception of `vkpt.errors`, whose text is the command line's; warnings are Python's.
 """
 
 from __future__ import annotations
@@ -75,11 +75,12 @@ def render(
 ) -> Picture:
     """Renders a scene.
 
-    `spp` are the samples per pixel, the most where `time` or `target_error` end it sooner: 64 by default, with one of
-    those no end. `device` is a Vulkan device by index or name, or "cpu-f32" or "cpu-f64", the reference; by default the
-    best one. `progress` shows a bar on stderr, or calls a function with the part that is done, in [0, 1], and words.
+    `spp` is the number of samples per pixel, or its upper limit if `time` or `target_error` is set: 64 by default, without
+    limit if one of those is set. `device` is a Vulkan device by index or name, or "cpu-f32" or "cpu-f64", the reference; by
+    default the best one. `progress` shows a bar on stderr, or is a function called with the fraction done, in [0, 1], and a
+    text.
 
-    Ctrl-c ends the rendering with the samples that are there: `picture.ended` is then "interrupted".
+    Ctrl-c ends the rendering with the samples done: `picture.ended` is then "interrupted".
     """
     line = words("render", {"spp": spp, "device": device, **settings})
     with _source(scene) as source, _shown(progress) as show:
@@ -93,11 +94,11 @@ def progressive(
     pause: float = 0.5,
     **settings: Unpack[Settings],
 ) -> Iterator[Picture]:
-    """Renders a scene and yields its pictures while they grow, each with all samples so far; the last is the finished one.
+    """Renders a scene and yields the picture as it grows, each time with all samples so far; the last is the finished one.
 
-    A picture is made only when the loop asks for the next one, and `pause` seconds after the last at the earliest. The
-    rendering goes on in a thread of its own meanwhile; leaving the loop ends it. Layers, `stderr` aside, come with the last
-    picture alone.
+    A picture is made only when the loop requests the next one, and `pause` seconds after the last at the earliest. The
+    rendering continues in a separate thread meanwhile; leaving the loop ends it. Only the last picture has layers, except
+    `stderr`, which all have.
 
     >>> for picture in vkpt.progressive("scene.txt", time=10):
     ...     print(picture.spp, picture.error)
@@ -115,11 +116,11 @@ def converge(
     progress: Progress = True,
     **settings: Unpack[ConvergeSettings],
 ) -> dict[str, Any]:
-    """Measures how fast a scene converges: independent renderings of 1, 2, 4 … samples per pixel, judged by a reference.
+    """Measures how fast a scene converges: independent renderings of 1, 2, 4 … samples per pixel, compared with a reference.
 
-    `time` are the seconds of sampling in all, the reference aside. `vary` has settings and their values, such as
-    `{"connect": ["mis", "light"]}`: all combinations are measured. Returned is what `vkpt converge --json` writes; the rows
-    of a variant become a table by `pandas.json_normalize(result["variants"][0]["steps"])`.
+    `time` is the total sampling time in seconds, without the reference. `vary` maps settings to lists of values, as in
+    `{"connect": ["mis", "light"]}`: all combinations are measured. Returns the contents of `vkpt converge --json`; the steps
+    of a variant become a table with `pandas.json_normalize(result["variants"][0]["steps"])`.
     """
     given = {"time": time, "vary": vary, "device": device, **settings}
     line = words("converge", {k: v for k, v in given.items() if v is not None})
@@ -132,18 +133,18 @@ def compare(
     b: Picture | npt.ArrayLike | str | os.PathLike[str],
     exposure: float = 0,
 ) -> dict[str, Any]:
-    """How far picture `a` is from `b`, by which it is judged.
+    """Compares picture `a` with the reference `b`.
 
-    Pictures are those of `render`, arrays of shape (height, width, 3) in linear RGB, or files (EXR, HDR, PNG). Returned are
-    mse, rmse, rel_mse, smape and flip, each also without the worst 1 % of pixels; the means of both; and whether a z-test
-    of blocks passes where both have standard errors (`aov="stderr"`), else what it lacks. FLIP brightens both pictures by
-    `exposure` stops.
+    Pictures are those of `render`, arrays of shape (height, width, 3) in linear RGB, or files (EXR, HDR, PNG). Returns mse,
+    rmse, rel_mse, smape and flip, each also without the worst 1 % of pixels; the means of both; and whether a z-test of
+    blocks passes if both have standard errors (`aov="stderr"`), else the reason why there is no test. FLIP brightens both
+    pictures by `exposure` stops.
     """
     return _vkpt.compare(_picture(a), _picture(b), exposure)
 
 
 def read(path: str | os.PathLike[str], layer: str | None = None) -> npt.NDArray[np.float32]:
-    """Reads a picture of any renderer (EXR, HDR, PNG), or a layer of an EXR: linear RGB, shape (height, width, 3)."""
+    """Reads any renderer's picture (EXR, HDR, PNG), or a layer of an EXR: linear RGB, shape (height, width, 3)."""
     return _vkpt.read(os.fspath(path), layer)
 
 
@@ -158,7 +159,7 @@ def _picture(of: Any) -> Any:
 
 @contextmanager
 def _source(scene: AnyScene) -> Iterator[Any]:
-    """The scene as a path, or in a tuple as a text, which has more than one line."""
+    """The scene as a path, or as a text in a tuple; a text has more than one line."""
     if isinstance(scene, Scene) and scene._meshes:
         with TemporaryDirectory(prefix="vkpt-") as folder:
             path = Path(folder, "scene.txt")

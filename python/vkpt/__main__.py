@@ -1,4 +1,4 @@
-"""The command `vkpt`, as the wheel brings it."""
+"""The command `vkpt` of the wheel."""
 
 import signal
 import sys
@@ -7,7 +7,7 @@ from . import _vkpt
 
 
 def main() -> int:
-    # vkpt has a handler of its own, after which Python's would raise an exception. Where ctrl-c is ignored, it stays so.
+    # vkpt has its own handler, after which Python's would raise an exception. If ctrl-c is ignored, it stays ignored.
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
     return _vkpt.run(["vkpt", *sys.argv[1:]])

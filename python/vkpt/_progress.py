@@ -3,12 +3,12 @@
 import sys
 import time
 
-# Seconds between two lines where nothing can be overwritten, as the command line has it.
+# Seconds between two lines where nothing can be overwritten, as in the command line.
 _PAUSE = 5.0
 
 
 class Bar:
-    """Called with the part that is done, in [0, 1], and words."""
+    """Called with the fraction done, in [0, 1], and a text."""
 
     def __init__(self) -> None:
         self._in_place = sys.stderr.isatty() or "ipykernel" in sys.modules
@@ -26,7 +26,7 @@ class Bar:
         sys.stderr.flush()
 
     def finish(self) -> None:
-        """Makes room for what comes after."""
+        """Clears the line for later output."""
         if self._width:
             sys.stderr.write("\r" + " " * self._width + "\r")
             sys.stderr.flush()

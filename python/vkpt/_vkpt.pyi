@@ -11,26 +11,26 @@ Array: TypeAlias = npt.NDArray[np.float32]
 Progress: TypeAlias = Callable[[float, str], object] | None
 
 class ErrorAt:
-    """An estimate of the error of a picture at one time."""
+    """The estimated error of a picture at one time."""
 
     @property
     def spp(self) -> int:
-        """Samples per pixel by then."""
+        """Samples per pixel at that time."""
     @property
     def seconds(self) -> float:
-        """Seconds of rendering by then."""
+        """Seconds of rendering until then."""
     @property
     def rel_mse(self) -> float | None:
-        """Mean of (x - r)^2/(r^2 + 0.01) over pixels and channels, r the truth; `None` of one sample."""
+        """Mean of (x - r)^2/(r^2 + 0.01) over pixels and channels, r the truth; `None` for one sample."""
     @property
     def low(self) -> float | None:
-        """Lower end of its 95 % interval; `None` where a few pixels are most of the error."""
+        """Lower end of its 95 % interval; `None` if most of the error is in a few pixels."""
     @property
     def high(self) -> float | None:
         """Upper end of its 95 % interval."""
 
 class Picture:
-    """A picture, what was asked for beside it, and what it took. Its arrays cannot be written to."""
+    """A picture, its layers, and how it was rendered. Its arrays are read-only."""
 
     @property
     def rgb(self) -> Array:
@@ -52,22 +52,22 @@ class Picture:
         """The same after 1, 2, 4 ... samples per pixel and after the last."""
     @property
     def seconds(self) -> float:
-        """Seconds of rendering, reading and compiling apart; `record["seconds"]` has all."""
+        """Seconds of rendering, without reading and compiling; `record["seconds"]` has all."""
     @property
     def spp(self) -> int:
         """Samples per pixel."""
     @property
     def ended(self) -> str | None:
-        """`complete`, `time`, `target-error` or `interrupted`; `None` where more samples follow."""
+        """`complete`, `time`, `target-error` or `interrupted`; `None` if more samples follow."""
     @property
     def device(self) -> str:
-        """The name of what rendered."""
+        """The name of the device."""
     @property
     def warnings(self) -> list[str]:
-        """What the author of the scene should know."""
+        """Warnings about the scene."""
     @property
     def record(self) -> dict[str, Any]:
-        """What `vkpt SCENE --json FILE` writes."""
+        """The contents of `vkpt SCENE --json FILE`."""
     def save(self, path: str | os.PathLike[str], exposure: float = 0.0) -> None:
         """Writes the file that the command line would write: .exr and .hdr linear, .png brightened by `exposure` stops."""
     def png(self, exposure: float = 0.0) -> bytes:

@@ -1,4 +1,4 @@
-"""Keyword arguments as the words of a command line, whose parser then judges them."""
+"""Keyword arguments as the words of a command line, whose parser then checks them."""
 
 import difflib
 from collections.abc import Iterable, Mapping, Sized
@@ -8,7 +8,7 @@ from . import _vkpt
 
 _FLAGS = _vkpt.command_flags()
 
-# What writes files, and what a caller has by other means.
+# Flags that write files, and flags that a caller replaces by other means.
 _NOT_HERE = {
     "render": {
         "output", "format", "json", "quiet", "exposure", "resume", "checkpoint",
@@ -17,7 +17,7 @@ _NOT_HERE = {
     "converge": {"csv", "html", "json", "quiet", "svg"},
 }  # fmt: skip
 
-# Numbers that belong together, and what stands between them.
+# Separators between the numbers of a setting, where not a comma.
 _BETWEEN = {"size": "x"}
 
 
@@ -28,7 +28,7 @@ def names(command: str) -> set[str]:
 
 
 def words(command: str, settings: Mapping[str, Any]) -> list[str]:
-    """The flags of a command line that say the same; `None` and an empty list say nothing."""
+    """The equivalent flags of a command line; `None` and an empty list give none."""
     known = names(command)
     line: list[str] = []
     for name, value in settings.items():

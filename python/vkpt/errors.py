@@ -1,26 +1,26 @@
-"""What can go wrong: the command line's messages, as exceptions."""
+"""Errors: the command line's messages, as exceptions."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class Diagnostic:
-    """What is wrong with a scene file, and where."""
+    """An error or a warning about a scene file, and its place."""
 
     severity: str
     """`error`, `warning` or `advice`."""
     message: str
     file: str
     line: int | None
-    """From 1; `None` where it is the whole file."""
+    """From 1; `None` for the whole file."""
     column: int | None
     """From 1, in characters."""
     culprit: str | None
     """The text that is wrong."""
     label: str
-    """Stands under the culprit."""
+    """Printed under the culprit."""
     help: str | None
-    """What to do about it."""
+    """How to fix it."""
 
 
 class Error(Exception):
@@ -35,11 +35,11 @@ class Error(Exception):
     ) -> None:
         super().__init__(text)
         self.messages = messages
-        """Each message by itself."""
+        """Each message separately."""
         self.code = code
         """The exit code of the command line."""
         self.diagnostics = diagnostics
-        """Of a scene file: all that is wrong, in the order of the file."""
+        """All errors of a scene file, in the order of the file."""
 
 
 class ArgumentError(Error, ValueError):

@@ -20,8 +20,8 @@ Orientation = str | Sequence[float] | None
 class Scene:
     """A scene of `width` by `height` pixels.
 
-    A material or light is for the shapes that follow it, up to the next one. Lengths are in units of the scene, radiance
-    is in W/(sr m2) of linear RGB; a colour is three numbers, or one for all of them. `text` is the scene as a file has it.
+    A material or light applies to the shapes that follow it, up to the next one. Lengths are in units of the scene, radiance
+    is in W/(sr m2) of linear RGB; a colour is three numbers, or one for all of them. `text` is the text of the scene file.
 
     >>> scene = (
     ...     Scene(400, 300)
@@ -48,18 +48,18 @@ class Scene:
         return f"<vkpt.Scene of {len(self._lines)} lines>"
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the scene file, and beside it a PLY file for each mesh that was given as arrays."""
+        """Writes the scene file, and next to it a PLY file for each mesh that was given as arrays."""
         path = Path(path)
         for name, ply in self._meshes.items():
             path.with_name(name).write_bytes(ply)
         path.write_text(self.text, encoding="utf-8")
 
     def line(self, text: str) -> Scene:
-        """Adds a line of the scene language as it stands."""
+        """Adds a line of the scene language verbatim."""
         self._lines.append(text)
         return self
 
-    # What is seen.
+    # View and background.
 
     def camera(
         self,
@@ -72,7 +72,7 @@ class Scene:
     ) -> Scene:
         """Looks from `eye` to `target`; `fov` is the vertical field of view in degrees.
 
-        In place of `target`, `orientation` turns a camera that looks along -Z with Y up: words such as "x 90 z 30", or a
+        Instead of `target`, `orientation` turns a camera that looks along -Z with Y up: words such as "x 90 z 30", or a
         quaternion (w, x, y, z).
         """
         if (target is None) == (orientation is None):
@@ -83,7 +83,7 @@ class Scene:
         return self._add("camera", eye, half, _oriented(orientation))
 
     def lens(self, radius: float, focus: float) -> Scene:
-        """A thin lens of that radius; what is `focus` away along the view is sharp."""
+        """A thin lens of that radius; points at the distance `focus` along the view are sharp."""
         return self._add("lens", radius, focus)
 
     def background(
@@ -93,7 +93,7 @@ class Scene:
         scale: float = 1,
         orientation: Orientation = None,
     ) -> Scene:
-        """Radiance of all that is outside: a colour, or a picture in latitude and longitude (EXR or HDR)."""
+        """Radiance from outside the scene: a colour, or a picture in latitude and longitude (EXR or HDR)."""
         if isinstance(what, (str, os.PathLike)):
             name = os.fspath(what)
             return self._add("background", name, scale, _oriented(orientation))
@@ -124,8 +124,8 @@ class Scene:
         alpha: float = 0,
         ks: Color | None = None,
     ) -> Scene:
-        """Glass that lets `kt` through per unit of length; `ks` is its reflectance at normal incidence, by default that of
-        its index.
+        """Glass with the transmittance `kt` per unit of length; `ks` is its reflectance at normal incidence, by default from
+        its index of refraction.
         """
         if ks is None:
             ks = ((ior - 1) / (ior + 1)) ** 2
@@ -162,7 +162,7 @@ class Scene:
         return self._add("box", corner, diagonal)
 
     def cylinder(self, base: Vector, axis: Vector, radius: float) -> Scene:
-        """Closed; the centre of its base, and the way from there to the centre of its top."""
+        """A closed cylinder: the centre of its base, and the vector from there to the centre of its top."""
         return self._add("cylinder", base, axis, radius)
 
     def mesh(
@@ -197,7 +197,7 @@ class Scene:
 def _words(part: Any) -> str:
     if isinstance(part, str):
         return part
-    # Seventeen digits and no more where fewer say the same number.
+    # Up to seventeen digits: the fewest that give the same number.
     return " ".join(repr(float(x)) for x in np.atleast_1d(part))
 
 

@@ -1,4 +1,4 @@
-"""The settings that functions take, for type checkers; `vkpt --help` and `vkpt converge --help` explain each."""
+"""The settings of functions, for type checkers; `vkpt --help` and `vkpt converge --help` explain each."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Crop = str | tuple[int, int, int, int]
 
 
 class ModelSettings(TypedDict, total=False):
-    """What is seen, what the picture converges to, and how fast."""
+    """Settings of the view, of the model and of the estimator."""
 
     camera: str
     size: Size
@@ -37,7 +37,7 @@ class ModelSettings(TypedDict, total=False):
 
 
 class Settings(ModelSettings, total=False):
-    """Those of `render` and `progressive`."""
+    """The settings of `render` and `progressive`."""
 
     time: float
     """Seconds of rendering."""
@@ -49,7 +49,7 @@ class Settings(ModelSettings, total=False):
 
 
 class ConvergeSettings(ModelSettings, total=False):
-    """Those of `converge`."""
+    """The settings of `converge`."""
 
     spp: int
     replicates: int
