@@ -116,11 +116,11 @@ def converge(
     progress: Progress = True,
     **settings: Unpack[ConvergeSettings],
 ) -> dict[str, Any]:
-    """Measures how fast a scene converges: independent renderings of 1, 2, 4 … samples per pixel, compared with a reference.
+    """Measures how fast a scene converges: independent renderings of 1, 2, 4 … samples per pixel, against a reference.
 
     `time` is the total sampling time in seconds, without the reference. `vary` maps settings to lists of values, as in
-    `{"connect": ["mis", "light"]}`: all combinations are measured. Returns the contents of `vkpt converge --json`; the steps
-    of a variant become a table with `pandas.json_normalize(result["variants"][0]["steps"])`.
+    `{"connect": ["mis", "light"]}`: all combinations are measured. Returns the contents of `vkpt converge --json`; the
+    steps of a variant become a table with `pandas.json_normalize(result["variants"][0]["steps"])`.
     """
     given = {"time": time, "vary": vary, "device": device, **settings}
     line = words("converge", {k: v for k, v in given.items() if v is not None})

@@ -20,8 +20,9 @@ Orientation = str | Sequence[float] | None
 class Scene:
     """A scene of `width` by `height` pixels.
 
-    A material or light applies to the shapes that follow it, up to the next one. Lengths are in units of the scene, radiance
-    is in W/(sr m2) of linear RGB; a colour is three numbers, or one for all of them. `text` is the text of the scene file.
+    A material or light applies to the shapes that follow it, up to the next one. Lengths are in units of the scene,
+    radiance is in W/(sr m2) of linear RGB; a colour is three numbers, or one for all of them. `text` is the text of the
+    scene file.
 
     >>> scene = (
     ...     Scene(400, 300)
@@ -124,8 +125,8 @@ class Scene:
         alpha: float = 0,
         ks: Color | None = None,
     ) -> Scene:
-        """Glass with the transmittance `kt` per unit of length; `ks` is its reflectance at normal incidence, by default from
-        its index of refraction.
+        """Glass with the transmittance `kt` per unit of length; `ks` is its reflectance at normal incidence, by default
+        from its index of refraction.
         """
         if ks is None:
             ks = ((ior - 1) / (ior + 1)) ** 2
