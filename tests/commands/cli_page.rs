@@ -42,7 +42,7 @@ fn page(mut program: Command) -> String {
     page
 }
 
-/// The program as such: its commands, and the options that no command has.
+/// The program itself: its commands, and the options that no command has.
 fn overview(page: &mut String, program: &mut Command, render: &Command) {
     title(page, program);
     page.push_str("\n| command | |\n|---|---|\n");
@@ -176,12 +176,12 @@ fn row(page: &mut String, arg: &Arg) {
     _ = writeln!(page, "| {short}`{arg}` | {} |{default} |", cell(help));
 }
 
-/// Text in a cell of a table: without what Markdown would take for its own.
+/// Text in a cell of a table, with Markdown's special characters escaped.
 fn cell(text: &str) -> String {
     text.replace('|', "\\|").replace('*', "\\*")
 }
 
-/// Exit codes as a table, examples as a block, and what else follows a command's options.
+/// Exit codes as a table, examples as a block, and the rest of the text after a command's options.
 fn after(page: &mut String, command: &Command) {
     let Some(text) = command.get_after_help() else {
         return;
@@ -195,7 +195,7 @@ fn after(page: &mut String, command: &Command) {
         } else if let Some(examples) = paragraph.strip_prefix("Examples:\n") {
             page.push_str("\n```sh\n");
             for line in examples.lines().map(str::trim) {
-                // What is said of a line follows two blanks.
+                // The comment on a line follows two blanks.
                 match line.split_once("  ") {
                     Some((line, said)) => _ = writeln!(page, "{line:<52}  # {}", said.trim()),
                     None => _ = writeln!(page, "{line}"),
@@ -290,7 +290,7 @@ fn a_new_option_or_another_default_is_seen() {
     );
     let default = planted(|command| command.mut_arg("replicates", |arg| arg.default_value("9")));
     assert!(default.ends_with("| 9 |"), "{default}");
-    // A setting of one command that is not that of all others stands there.
+    // A setting that only one command has is listed there.
     let setting = planted(|command| command.mut_arg("lobe", |arg| arg.help("Another help")));
     assert!(
         setting.contains("| `--lobe <RULE>` | Another help |"),

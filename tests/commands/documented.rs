@@ -1,4 +1,4 @@
-//! Every command line that README.md, the pages of docs/ and the help of the commands show is run, and succeeds.
+//! Every command line in README.md, the pages of docs/ and the help of the commands is run, and succeeds.
 
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -36,10 +36,10 @@ const COMMANDS: [&str; 14] = [
     "",
 ];
 
-/// As small as it can be: the lines are the same whatever they render.
+/// As small as possible: the lines are the same for any scene.
 const SCENE: &str = "screen 8 6\ncamera 0 0 5 .3\nlight 1 1 1\nbox 0 0 1 .3 .3 .3\nbrdf .5 .5 .5 0 0 0 1\nbox -1 -1 -1 2 2 1.5\n";
 
-/// What is run in place of what takes long; the words are the same to the program.
+/// Replacements for lines that take long; the words are the same to the program.
 const CHEAPER: [(&str, &str); 11] = [
     ("--size 640x480", "--size 8x6"),
     ("--time 60", "--time 0.2"),
@@ -56,7 +56,7 @@ const CHEAPER: [(&str, &str); 11] = [
     ("--submit", ""),
 ];
 
-/// README.md and the pages of `docs/`, of farm.md what is above its headings.
+/// README.md and the pages of `docs/`; farm.md only above its headings.
 fn pages() -> Vec<String> {
     let read = |path: &Path| fs::read_to_string(path).expect("a page");
     let docs = Path::new(ROOT).join("docs");
@@ -86,12 +86,12 @@ fn of_text(page: &str) -> Vec<String> {
     lines.map(str::to_owned).collect()
 }
 
-/// The line up to what is said of it.
+/// The line without its comment.
 fn uncommented(line: &str) -> &str {
     line.split(" #").next().unwrap_or(line).trim_end()
 }
 
-/// The examples of a page of help, without what is said of them.
+/// The examples of a page of help, without their comments.
 fn of_help(help: &str) -> Vec<String> {
     let (_, examples) = help.split_once("Examples:\n").expect("examples");
     let lines = examples.lines().map(str::trim);
@@ -115,7 +115,7 @@ fn cheaper(line: &str) -> String {
     }
 }
 
-/// A folder with all that the lines name, in whose `bin` vkpt is, and what it is piped to.
+/// A folder with all files that the lines name, with vkpt and the programs that it is piped to in its `bin`.
 fn folder() -> TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let at = folder.path();
@@ -173,13 +173,13 @@ fn made(folder: &Path, line: &str) {
     assert_eq!(run.code, Some(0), "{line}: {}", run.err);
 }
 
-/// Runs a line in a copy of the folder; what it says where it fails.
+/// Runs a line in a copy of the folder; returns its output if it fails.
 fn failure(folder: &Path, line: &str) -> Option<String> {
     let copy = tempfile::tempdir().expect("a folder");
     let all = [&folder.join("."), copy.path()];
     let copied = Command::new("cp").arg("-r").args(all).status();
     assert!(copied.is_ok_and(|status| status.success()));
-    // It is there already for all but the command that writes it.
+    // It exists already for all commands except the one that writes it.
     if !line.starts_with("vkpt init") {
         fs::write(copy.path().join("scene.txt"), SCENE).expect("a scene");
     }

@@ -1,4 +1,4 @@
-//! What packages have beside the program: man pages, completions, and names that fit together.
+//! Files of packages other than the program: man pages, completions, and names that match.
 
 use std::fs;
 use std::path::Path;
@@ -50,7 +50,7 @@ fn each_command_has_a_man_page_with_its_options() {
     assert!(text("vkpt-render.1").contains("Exit codes:"));
 }
 
-/// What bash offers for the last of some words.
+/// bash's completions for the last of some words.
 fn offered(completions: &Path, words: &[&str]) -> Vec<String> {
     let last = words.len() - 1;
     let script = format!(
@@ -73,13 +73,13 @@ fn bash_completes_commands_and_options() {
     assert_eq!(offered(&completions, &["vkpt", "conv"]), ["converge"]);
     let options = offered(&completions, &["vkpt", "render", "--ro"]);
     assert_eq!(options, ["--roulette"]);
-    // Those that the first page of help leaves out, too.
+    // Also those that the first page of help omits.
     assert_eq!(offered(&completions, &["vkpt", "--ro"]), ["--roulette"]);
     let options = offered(&completions, &["vkpt", "export", "--t"]);
     assert_eq!(options, ["--to"]);
 }
 
-/// Each file that the .deb is made of is one that is there, or that `scripts/package` writes.
+/// Each file in the .deb exists, or is written by `scripts/package`.
 #[test]
 fn the_deb_is_made_of_files_that_there_are() {
     let root = crate::common::root();

@@ -1,4 +1,4 @@
-//! The pages tell the truth about flags and scene files. docs/cli.md is generated: it is the list of all flags.
+//! The pages are right about flags and scene files. docs/cli.md is generated: it is the list of all flags.
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -64,7 +64,7 @@ fn a_case_is_told_and_reported() {
     );
 }
 
-/// Before any case runs: nothing is told of one.
+/// Before any case runs: no case is reported.
 #[test]
 fn reports_that_cannot_be_written_are_told_before_the_work() {
     let folder = folder("");

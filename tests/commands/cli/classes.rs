@@ -1,4 +1,4 @@
-//! `--aov light:PATTERN`: the light of classes of paths, as layers of the picture's own EXR.
+//! `--aov light:PATTERN`: the light of classes of paths, as layers of the picture's EXR.
 
 use vkpt::image::{read, read_layer};
 
@@ -16,7 +16,7 @@ sphere 0 0 1 .8
 
 const RENDER: &str = "scene.scn --spp 8 --quiet --checkpoint off --device cpu-f32";
 
-/// The picture is as it is without them; each class has a layer, once, under the name that it was asked for by.
+/// The picture is the same as without them; each class has a layer, once, under its requested name.
 #[test]
 fn a_picture_has_its_classes_in_its_own_file() {
     let folder = folder(SCENE);
@@ -121,7 +121,7 @@ fn what_is_no_class_is_refused() {
     }
 }
 
-/// The picture is there all the same, and what it was made from; what is missing is told.
+/// The picture is written all the same, with the settings that it was made from; the missing layer is reported.
 #[cfg(unix)]
 #[test]
 fn an_interruption_leaves_the_picture_without_classes() {

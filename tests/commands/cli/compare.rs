@@ -1,4 +1,4 @@
-//! `vkpt compare A B`: what it prints, and what its exit code says.
+//! `vkpt compare A B`: its output and its exit code.
 
 use std::path::Path;
 
@@ -102,7 +102,7 @@ fn one_percent_is_seen_by_the_blocks() {
     let run = compare(folder.path(), &["a.exr", "b.exr", "--z-test"]);
     assert_eq!(run.code, Some(1), "{}{}", run.out, run.err);
     assert!(run.err.contains("(--z-test)"), "{}", run.err);
-    // Without the flag it is told and does not count.
+    // Without the flag it is reported and does not count.
     let run = compare(folder.path(), &["a.exr", "b.exr"]);
     assert_eq!(run.code, Some(0), "{}", run.err);
     assert!(run.out.contains("the z-test fails"), "{}", run.out);

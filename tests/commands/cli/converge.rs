@@ -10,7 +10,7 @@ use super::program::{Run, command, finish, folder, names, run};
 /// A room with a lamp, small enough for the reference renderer.
 pub const LIT: &str = "screen 12 8\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 2 1 0.5\n\
     brdf .5 .6 .7 0 0 0 1\nbox -9 -9 -2 18 18 1\n";
-/// Some milliseconds of samples, and a second of a reference where none is given; needs no Vulkan.
+/// Some milliseconds of samples, and a second for the reference unless one is given; needs no Vulkan.
 const SMALL: [&str; 6] = ["scene.scn", "--device", "cpu-f32", "--spp", "8", "--time=1"];
 
 /// Without a cache of references.
@@ -135,7 +135,7 @@ fn what_does_not_converge_is_a_warning_and_a_field() {
     assert_eq!(err.lines().count(), 1, "{err}");
 }
 
-/// The errors that it tells are those of the picture that `vkpt SCENE` renders, by `vkpt compare`'s numbers.
+/// The errors that it prints are those of the picture that `vkpt SCENE` renders, by `vkpt compare`'s numbers.
 #[test]
 fn a_replicate_is_the_picture_of_its_seed() {
     let folder = folder(LIT);

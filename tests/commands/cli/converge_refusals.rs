@@ -1,4 +1,4 @@
-//! What `vkpt converge` refuses: one clear message each, no file written, none touched.
+//! Refusals of `vkpt converge`: one clear message each, no file written, none touched.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use vkpt::image::{Format, Frame, Labels, encode};
 use super::converge::{LIT, reference};
 use super::program::{folder, names, run};
 
-/// Runs with `--json` beside `more`, and expects code and message.
+/// Runs with `--json` and `more`, and expects code and message.
 fn refused(folder: &Path, more: &[&str], code: i32, said: &str) {
     let before = names(folder);
     let mut arguments = vec!["converge", "scene.scn", "--device", "cpu-f32"];

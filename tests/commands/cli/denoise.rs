@@ -1,4 +1,4 @@
-//! `--denoise`: pictures beside the noisy ones, by vkpt's own means and by a library that stands in for Open Image Denoise.
+//! `--denoise`: pictures next to the noisy ones, by vkpt's own means and by a stand-in library for Open Image Denoise.
 
 use std::fs;
 use std::path::Path;
@@ -26,7 +26,8 @@ fn json(folder: &Path, name: &str) -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
-/// A lamp that paths hit by chance, so that surfaces which are smooth have noise. The noisy picture is that of the sampler with four groups, whoever denoises; the denoised one is nearer to a good one.
+/// A lamp that paths hit by chance, so smooth surfaces have noise. The noisy picture is that of the sampler with four groups
+/// with any denoiser; the denoised one is nearer to a good one.
 #[test]
 fn denoised_pictures_stand_beside_noisy_ones() {
     let folder = folder(SCENE);
@@ -96,7 +97,7 @@ fn stand_in(folder: &Path) {
     );
 }
 
-/// What the library gets and gives goes where it should: its mean of colour, albedo and normal is the one computed here.
+/// The library's inputs and output go where they should: its mean of colour, albedo and normal is the one computed here.
 #[cfg(target_os = "linux")]
 #[test]
 fn the_library_is_handed_colour_albedo_and_normal() {
@@ -208,7 +209,7 @@ fn what_cannot_be_denoised_is_refused() {
     }
 }
 
-/// Quarters of the samples are in the part: what is gone on with is denoised as if there had been no pause.
+/// The part contains quarters of the samples: a resumed rendering is denoised as if there had been no pause.
 #[test]
 fn a_denoised_picture_is_the_same_after_a_pause() {
     let folder = folder(SCENE);

@@ -1,4 +1,4 @@
-//! `vkpt doctor`: what it prints and writes, and how it ends.
+//! `vkpt doctor`: its output, its files and its exit codes.
 
 use std::fs;
 #[cfg(unix)]

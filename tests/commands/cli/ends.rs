@@ -1,4 +1,4 @@
-//! `--time` and `--target-error`, and what a rendering tells of its error.
+//! `--time` and `--target-error`, and the error that a rendering reports.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Whatever the process is started with: variables, closed streams, names of any bytes.
+//! Runs in any environment: variables, closed streams, names of any bytes.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -100,7 +100,7 @@ fn terminal_and_language_change_nothing() {
     assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
 }
 
-/// What is closed reads as empty and takes all that is written, as Rust has it: /dev/null.
+/// A closed stream reads as empty and discards all writes, as Rust makes it: /dev/null.
 #[test]
 fn closed_streams_are_as_good_as_empty() {
     let folder = folder(SCENE);

@@ -1,4 +1,4 @@
-//! `vkpt explain`: what it prints and writes, and how it ends.
+//! `vkpt explain`: its output, its files and its exit codes.
 
 use std::fs;
 

@@ -46,7 +46,7 @@ fn meshes_stand_beside_the_scene() {
     let stdout = export("-");
     assert_eq!((stdout.code, stdout.out.as_str()), (Some(2), ""));
     assert!(stdout.err.contains("use -o FILE"), "{}", stdout.err);
-    // What cannot be written is found before anything is.
+    // A scene that cannot be written is refused before anything is written.
     fs::create_dir(folder.path().join("out/b-6.ply")).expect("a folder");
     let refused = export("out/b.xml");
     assert_eq!(refused.code, Some(5), "{}", refused.err);
@@ -187,7 +187,7 @@ fn a_gltf_file_renders_to_the_bits_of_its_scene() {
     fs::write(folder.path().join("other.scn"), scene(".7500001")).expect("a scene");
     let exported = words(folder.path(), "export scene.scn --to gltf");
     assert_eq!(exported.code, Some(0));
-    // glTF knows the shape of a picture, and not its size.
+    // glTF has the aspect ratio of a picture, and not its size.
     let said = "note: scene.scn:2: glTF does not store the size in pixels: render the file with --size 16x12";
     assert_eq!(exported.err.trim_end(), said);
     let picture = |name: &str| {

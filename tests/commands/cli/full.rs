@@ -1,4 +1,4 @@
-//! Disks that take no more: what stood there stays, whole, and nothing lies about.
+//! Full disks: existing files stay whole, and no temporary file is left.
 //!
 //! A quota ends a write as a full disk does, by an error of the same calls; the system reports one at the latest when the
 //! file is brought to the disk, before it takes the old one's place.
@@ -14,8 +14,9 @@ const LARGE: &str = "screen 200 200\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 3 1
 
 const RENDER: &str = "scene.scn --device cpu-f32 --spp 2 --quiet";
 
-/// Runs a line in a folder with the folder `disk`, of 16 KiB and with `old` in `disk/a.exr`; what that is afterwards, and
-/// which names `disk` has then. The disk is there for the line's processes alone.
+/// Runs a line in a folder with the folder `disk`, of 16 KiB and with `old` in `disk/a.exr`; returns the file's text
+/// afterwards,
+/// and the names in `disk`. Only the line's processes see the disk.
 fn on_a_small_disk(line: &str) -> (Run, String) {
     let folder = folder(SCENE);
     fs::create_dir(folder.path().join("disk")).expect("a folder");
@@ -32,7 +33,7 @@ fn on_a_small_disk(line: &str) -> (Run, String) {
     (ran, format!("{left}{after}"))
 }
 
-/// What programs of one's own may mount: `mount(8)` in a namespace of their own.
+/// A mount that programs without privileges may make: `mount(8)` in their own namespace.
 fn cannot_mount() -> bool {
     let mount = || {
         let folder = folder(SCENE);
@@ -71,7 +72,7 @@ fn a_full_disk_keeps_what_it_has() {
     }
 }
 
-/// The picture that has room is there, and the error names the other.
+/// The picture that has room is written, and the error names the other.
 #[test]
 fn a_full_disk_costs_no_picture_on_another() {
     if cannot_mount() {
@@ -85,7 +86,7 @@ fn a_full_disk_costs_no_picture_on_another() {
     assert_eq!(on_a_small_disk(&line).0.code, Some(0));
 }
 
-/// Told before the first of 2³² samples.
+/// Reported before the first of 2³² samples.
 #[test]
 fn a_folder_on_a_disk_that_is_only_read_is_refused() {
     if cannot_mount() {

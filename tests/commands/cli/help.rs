@@ -1,4 +1,4 @@
-//! What the program tells about itself.
+//! The help and version of the program.
 
 use std::fs;
 
@@ -54,7 +54,7 @@ fn the_first_page_of_help_fits_a_screen() {
     }
 }
 
-/// What is not shown there is known all the same.
+/// Flags that are not shown there are accepted all the same.
 #[test]
 fn the_word_render_may_be_left_out() {
     let folder = folder(SCENE);

@@ -1,4 +1,4 @@
-//! `--integrator`: what it refuses and what it warns of.
+//! `--integrator`: its refusals and its warnings.
 
 use super::program::{SCENE, folder, names, run};
 
@@ -81,7 +81,7 @@ fn what_light_paths_do_not_see_is_warned_of_once() {
     }
 }
 
-/// A ball of light beside a ball of glass.
+/// A ball of light next to a ball of glass.
 const GLASS: &str = "screen 16 12
 camera 0 -6 2 .35 x 75
 light 5 5 4
@@ -92,7 +92,7 @@ brdf 0 0 0 .04 .04 .04 .2 .9 .9 .9 1.5
 sphere 0 0 .8 .8
 ";
 
-/// What the scene has decides, the last line says so, and the picture is the chosen integrator's.
+/// The features of the scene decide, the last line says so, and the picture is the chosen integrator's.
 #[test]
 fn a_scene_chooses_its_integrator() {
     let skies = format!("{GLASS}background .1 .1 .1\n");
@@ -156,7 +156,7 @@ fn a_scene_chooses_its_integrator() {
     }
 }
 
-/// Variants differ in what is varied alone: all have the integrator that suits each of them.
+/// Variants differ only in the settings that are varied: all have the integrator that suits each of them.
 #[test]
 fn variants_share_the_integrator_that_the_scene_chooses() {
     let rows: [(&str, [&str; 2]); 3] = [

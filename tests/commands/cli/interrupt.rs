@@ -124,7 +124,7 @@ fn other_signals_end_it_as_ctrl_c_does() {
     }
 }
 
-/// `nohup` starts a program with SIGHUP ignored, and a shell what runs in its background with SIGINT.
+/// `nohup` starts a program with SIGHUP ignored, and a shell its background jobs with SIGINT ignored.
 #[cfg(target_os = "linux")]
 #[test]
 fn signals_that_were_ignored_stay_so() {

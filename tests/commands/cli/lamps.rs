@@ -37,7 +37,7 @@ fn an_l_fills_three_quarters_whichever_corner_comes_first() {
     }
 }
 
-/// The square itself: 1; without one of its triangles: half, but for the pixels on the diagonal. So the mean tells.
+/// The square itself: 1; without one of its triangles: half, except for the pixels on the diagonal. So the mean shows which.
 #[test]
 fn a_square_fills_all_and_a_triangle_half() {
     let square = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n";

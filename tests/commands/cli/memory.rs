@@ -1,4 +1,4 @@
-//! What a large scene is said to take of the host's memory, beside what it took by the kernel's count.
+//! The host memory that a large scene is said to take, compared with that which it took by the kernel's count.
 
 use std::fs;
 use std::path::Path;
@@ -62,7 +62,7 @@ fn within(folder: &Path, kib: u32, line: &str) -> (Option<i32>, String) {
     let run = std::process::Command::new("sh")
         .current_dir(folder)
         .env_remove("RUST_BACKTRACE")
-        // Each thread takes address space of its own.
+        // Each thread takes its own address space.
         .env("RAYON_NUM_THREADS", "2")
         .args(["-c", &format!("ulimit -v {kib}; exec {program} {line}")])
         .output()
@@ -101,7 +101,7 @@ fn a_picture_that_cannot_fit_is_refused_before_its_first_sample() {
     assert_eq!((code, &*err), (Some(0), ""));
 }
 
-/// Whatever memory there is, it suffices, the scene is refused by its own figure, or what cannot be had is told.
+/// With any amount of memory, it suffices, the scene is refused with its own figure, or the missing memory is reported.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_scene_that_cannot_fit_is_told_by_its_size() {
@@ -109,7 +109,7 @@ fn a_scene_that_cannot_fit_is_told_by_its_size() {
     let mesh = Icosphere::new(123, 0.1, 0);
     fs::write(folder.path().join("blob.ply"), ply::bytes(&mesh, None)).expect("a mesh");
     let line = "scene.scn --device cpu-f32 --spp 1 --quiet -o a.exr";
-    // What the program itself takes depends on how it was built and on the machine's libraries. With little more, the mesh
+    // The program's own memory depends on how it was built and on the machine's libraries. With little more, the mesh
     // cannot be read.
     let starts = |kib: &u32| within(folder.path(), *kib, "--version").0 == Some(0);
     let least = (4_000..100_000).step_by(4_000).find(starts);

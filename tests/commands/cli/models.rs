@@ -29,7 +29,7 @@ fn rendered(folder: &Path, line: &str) -> Run {
     run
 }
 
-/// Of one material all primitives are one mesh in a scene file, and all numbers here are the same in both.
+/// All primitives of one material are one mesh in a scene file, and all numbers here are the same in both.
 #[test]
 fn the_same_scene_as_text_makes_the_same_bits() {
     for (material, text) in [
@@ -126,7 +126,7 @@ fn a_camera_that_is_not_there_is_an_error_that_lists_them() {
     assert_eq!(names(folder.path()), ["model.glb"]);
 }
 
-/// A buffer beside the file is a part of the scene: what was left of another one is not gone on from.
+/// A buffer next to the file is a part of the scene: a part rendered with another buffer is not resumed.
 #[test]
 fn parts_of_other_buffers_or_cameras_do_not_join() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -6,10 +6,10 @@ use std::path::Path;
 
 use super::program::{MESH, MESHED, SCENE, folder, names, shell, words};
 
-/// What all renderings here are: the same picture.
+/// All renderings here give the same picture.
 const RENDER: &str = "scene.scn --device cpu-f32 --spp 2 --quiet";
 
-/// Each line leaves the whole picture and nothing else in `a`; a device or a link that it wrote to is there as before.
+/// Each line leaves only the whole picture in `a`; a device or a link that it wrote to is there as before.
 #[test]
 fn what_is_open_already_is_written_to() {
     let folder = folder(SCENE);
@@ -44,7 +44,7 @@ fn what_is_open_already_is_written_to() {
     assert!(null.file_type().is_char_device());
 }
 
-/// Text for people is not on stdout where a file is, by whatever name; what stood there before stays.
+/// Text for people is not on stdout where a file is, under any name; existing files stay.
 #[test]
 fn stdout_by_another_name_is_still_stdout() {
     let folder = folder(SCENE);
@@ -60,7 +60,7 @@ fn stdout_by_another_name_is_still_stdout() {
     let ran = shell(folder.path(), &twice);
     assert_eq!(ran.code, Some(2));
     assert!(ran.err.contains("two outputs would be written to stdout"));
-    // A device takes any number of outputs, and is not stdout because stdout goes there too.
+    // A device takes any number of outputs, and does not count as stdout because stdout goes there too.
     let null = format!("$VKPT {loud} -o /dev/null --format exr --json /dev/null > /dev/null");
     let ran = shell(folder.path(), &null);
     assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
@@ -107,7 +107,7 @@ fn links_stay_and_lead_to_what_is_written() {
     assert_eq!(twice.code, Some(2), "{}", twice.err);
 }
 
-/// What stands beside a picture or a scene has no place beside a device.
+/// Files next to a picture or a scene have no place next to a device.
 #[test]
 fn nothing_is_written_beside_a_device() {
     let folder = folder(MESHED);

@@ -1,4 +1,4 @@
-//! `--samples` and `vkpt merge`: parts of a picture, rendered apart and joined.
+//! `--samples` and `vkpt merge`: parts of a picture, rendered separately and joined.
 
 use std::fs;
 use std::path::Path;
@@ -45,7 +45,7 @@ fn json(folder: &Path, name: &str) -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
-/// A report without what differs from run to run.
+/// A report without the fields that differ from run to run.
 fn timeless(folder: &Path, name: &str) -> Value {
     let mut all = json(folder, name);
     let fields = all.as_object_mut().expect("an object");
@@ -130,7 +130,7 @@ fn larger_parts_are_made_of_parts() {
     );
     let bytes = |name: &str| fs::read(folder.path().join(name)).expect("a file");
     assert!(bytes("one.exr") == bytes("all.exr"));
-    // What was joined can be gone on from.
+    // A joined part can be resumed.
     ok(
         &folder,
         &format!("scene.scn {COMMON} --spp 650 --resume -o all.vkpt -o more.exr"),
@@ -173,7 +173,7 @@ fn missing_and_overlapping_samples_are_named() {
         err.contains("8 samples per pixel, more than --spp 6"),
         "{err}"
     );
-    // The command that is named renders what is missing.
+    // The command in the message renders the missing samples.
     ok(
         &folder,
         "scene.scn --device cpu-f32 --quiet --samples 4..6 --size 6x4 --integrator bidirectional -o 4-6.vkpt",
@@ -244,7 +244,7 @@ fn parts_of_something_else_are_refused_by_name() {
     assert!(err.contains("none.vkpt: No such file"), "{err}");
 }
 
-/// The bytes of a mesh count, wherever it stands.
+/// The bytes of a mesh count, wherever the file is.
 #[test]
 fn another_mesh_is_another_scene() {
     let folder = folder(super::program::MESHED);

@@ -1,4 +1,4 @@
-//! Runs the built program in a folder of its own.
+//! Runs the built program in its own folder.
 
 use std::fs;
 use std::path::Path;
@@ -18,7 +18,7 @@ pub const MESH: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float 
 /// A scene with the mesh `m.ply`, which any other renderer has an equal of.
 pub const MESHED: &str = "screen 8 6\ncamera 0 0 5 0.3\nbrdf .5 .5 .5 0 0 0 1 0 0 0 1\nmesh m.ply 0 0 0 1\nlight 1 1 1\nsphere 0 0 0 1\n";
 
-/// What a run left.
+/// The results of a run.
 #[derive(Debug)]
 pub struct Run {
     pub code: Option<i32>,
@@ -26,7 +26,7 @@ pub struct Run {
     pub err: String,
 }
 
-/// A folder that holds `scene.scn`.
+/// A folder that contains `scene.scn`.
 pub fn folder(scene: &str) -> TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("scene.scn"), scene).expect("a scene file");
@@ -48,7 +48,7 @@ pub fn run(folder: &Path, arguments: &[&str]) -> Run {
     finish(&mut command(folder, arguments))
 }
 
-/// Runs with the words of a line, which blanks part.
+/// Runs with the words of a line, separated by blanks.
 pub fn words(folder: &Path, line: &str) -> Run {
     run(folder, &line.split(' ').collect::<Vec<_>>())
 }
@@ -85,7 +85,7 @@ pub fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Whether the run goes without a Vulkan device; else the program fails where it finds none.
+/// Whether the run skips Vulkan devices; otherwise the program fails if it finds none.
 pub fn without_vulkan() -> bool {
     Need::Device.skips()
 }

@@ -1,4 +1,4 @@
-//! What the program refuses, by exit code; a refusal leaves no file behind and touches none.
+//! Refusals of the program, by exit code; a refusal leaves no file behind and touches none.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::process::Output;
 
 use super::program::{SCENE, command, folder, names, run, without_vulkan};
 
-/// Runs with a scene and expects the code, a message that holds `said`, and an untouched folder.
+/// Runs with a scene and expects the code, a message that contains `said`, and an untouched folder.
 fn refused(scene: &str, arguments: &[&str], code: i32, said: &str) {
     let folder = folder(scene);
     let run = run(folder.path(), arguments);
@@ -95,7 +95,7 @@ fn a_wrong_command_line_is_2() {
     }
 }
 
-/// Whatever a number begins with, the flag says what it takes.
+/// The flag says which values it takes, for any wrong number.
 #[test]
 fn a_wrong_number_is_told_by_its_flag() {
     let samples = "must be a whole number from 1 to 4294967295";
@@ -191,7 +191,7 @@ fn a_wrong_scene_is_3_and_shows_every_line() {
 fn strict_makes_a_warning_3() {
     let warned = format!("{SCENE}torus 0 0 0 1 2\n");
     refused(&warned, &["--strict", "scene.scn"], 3, "torus");
-    // Told by the preparation, not by the reader: two glass spheres that overlap.
+    // Reported by the preparation, not by the reader: two glass spheres that overlap.
     let overlap = "screen 8 6\ncamera 0 0 5 0.3\nbrdf 0 0 0 .1 .1 .1 .1 .9 .9 .9 1.5\n\
         sphere 0 0 0 1\nsphere 1 0 0 1\nlight 1 1 1\nsphere 0 9 0 1\n";
     refused(overlap, &["--strict", "scene.scn"], 3, "--strict");
@@ -299,7 +299,7 @@ fn of_many_errors_the_first_are_told() {
         .lines()
         .filter(|l| l.contains("[scene.scn:"))
         .count();
-    // Errors go first: neither screen nor camera are there. Of the words that vkpt does not know, 18 are left.
+    // Errors go first: both screen and camera are missing. 18 of the words that vkpt does not know are left.
     assert_eq!(shown, 18, "{}", run.err);
     assert!(run.err.contains("no `screen`"), "{}", run.err);
     assert!(run.err.contains("… and 2982 more\n"), "{}", run.err);

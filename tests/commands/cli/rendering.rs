@@ -1,4 +1,4 @@
-//! Whole renderings on the reference renderer: which files they leave, what these hold, how they end.
+//! Whole renderings on the reference renderer: their files, the contents of these, and their exit codes.
 
 use std::fs;
 use std::path::Path;
@@ -197,7 +197,7 @@ fn quiet_says_nothing_and_json_says_all() {
 const LOTTERY: &str = "screen 12 9\ncamera 0 -6 3 .35 x 65\nlight 900 800 700\nsphere 0 0 4 .05\n\
      brdf .6 .5 .4 0 0 0 1\nbox -5 -5 -.1 10 10 .1\n";
 
-/// The last line and the JSON tell the same pixels, and the JSON the sample, whose path `--trace` prints.
+/// The last line and the JSON report the same pixels, and the JSON the sample, whose path `--trace` prints.
 #[test]
 fn a_lottery_is_told_with_its_pixel_and_its_sample() {
     let folder = folder(LOTTERY);

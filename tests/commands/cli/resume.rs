@@ -1,4 +1,4 @@
-//! `--checkpoint` and `--resume`: whatever ends a rendering, it goes on to the same bits.
+//! `--checkpoint` and `--resume`: a rendering continues to the same bits, however it was ended.
 #![cfg(unix)]
 
 use std::fs;
@@ -27,8 +27,8 @@ fn bytes(folder: &Path, name: &str) -> Vec<u8> {
     fs::read(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-/// Kills a rendering again and again after some milliseconds, and has it go on each time; at its end, the files are those of
-/// one that nobody has killed.
+/// Kills a rendering again and again after some milliseconds, and resumes it each time; at its end, the files are those of
+/// a rendering that was not killed.
 fn killed(times: u32, spp: u32, more: &str) {
     let folder = folder(SCENE);
     let path = folder.path();
@@ -45,7 +45,7 @@ fn killed(times: u32, spp: u32, more: &str) {
         child.kill().expect("SIGKILL");
         let status = child.wait().expect("a child");
         alive += u32::from(status.code().is_none());
-        // What is there is whole: the next run reads it, or refuses it with 3.
+        // The file on disk is whole: the next run reads it, or refuses it with 3.
         let there = names(path);
         let ours = ["a.", "a-stderr.", "one.", "one-stderr.", "scene.scn", "."];
         let known = |name: &String| ours.iter().any(|start| name.starts_with(start));
@@ -88,7 +88,7 @@ fn renderings_killed_a_hundred_times_go_on_to_the_same_bits() {
     killed(100, 100_000, " --sampler random --aov stderr");
 }
 
-/// Picture and part: what SIGTERM, SIGHUP and ctrl-c leave is gone on from.
+/// Picture and part: a rendering resumes from the files that SIGTERM, SIGHUP and ctrl-c leave.
 #[test]
 fn a_signal_leaves_a_part_to_go_on_from() {
     for (signal, code) in [("TERM", 143), ("HUP", 129), ("INT", 130)] {
@@ -180,7 +180,7 @@ fn it_goes_on_to_other_ends() {
         started.elapsed() < Duration::from_millis(600),
         "it began anew"
     );
-    // Nothing there yet.
+    // Nothing exists so far.
     let said = ok(&format!("{COMMON} --spp 2 --resume -o new.exr"));
     assert!(
         said.contains("new.vkpt does not exist: rendering from the first sample"),
@@ -241,7 +241,7 @@ fn another_rendering_is_not_gone_on_from() {
     assert_eq!(bytes(path, "a.vkpt"), b"mine");
 }
 
-/// Somebody who forgets `--resume` is told before the samples are written over.
+/// A user who forgets `--resume` gets a message before the samples are overwritten.
 #[test]
 fn a_part_that_could_be_gone_on_from_is_pointed_out() {
     let folder = folder(SCENE);

@@ -1,5 +1,5 @@
-//! `--aov stderr` by each sampler, from the file to those who read it: how many degrees of freedom the errors have, and that
-//! nobody is told to use another sampler.
+//! `--aov stderr` by each sampler, from the file to its readers: how many degrees of freedom the errors have, and that
+//! no message asks for another sampler.
 
 use std::path::Path;
 
@@ -73,7 +73,7 @@ fn pictures_of_any_sampler_are_compared_by_their_errors() {
     );
 }
 
-/// Errors that another rendering left are found out, whatever it is that differs.
+/// Errors left by another rendering are noticed, in whichever setting it differs.
 #[test]
 fn errors_of_another_picture_are_refused() {
     let folder = folder(LIT);
@@ -111,7 +111,7 @@ fn errors_of_another_picture_are_refused() {
         ),
     ];
     let render = |scene: &str, more: &str, name: &str| {
-        // A flag of its own takes the place of that of all.
+        // Its own flag replaces that of all.
         let flags = RENDER.split(' ').skip(1).collect::<Vec<_>>().join(" ");
         let flags = match more.split_once(' ') {
             Some(("--spp", _)) => flags.replace("--spp 32 ", ""),

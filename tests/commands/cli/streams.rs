@@ -1,4 +1,4 @@
-//! `-` for stdin and stdout: what comes out is the file, the whole file and nothing but the file.
+//! `-` for stdin and stdout: the output is the file, the whole file and only the file.
 
 use std::fs::{self, File};
 use std::io::Write;
@@ -58,7 +58,7 @@ fn a_picture_on_stdout_is_that_of_the_file() {
     );
 }
 
-/// The flag decides where the name does not, and for pictures without a name of their own.
+/// The flag decides where the name does not, and for pictures without their own name.
 #[test]
 fn the_format_of_a_file_is_that_of_its_name_or_of_the_flag() {
     let folder = folder(SCENE);
@@ -186,7 +186,7 @@ fn a_scene_from_stdin_is_that_of_the_file() {
     assert_eq!(png("stdin.png"), png("scene.png"));
 }
 
-/// What other commands say of a scene is the same, but for its name.
+/// The output of other commands about a scene is the same, except for its name.
 #[test]
 fn every_command_that_takes_a_scene_reads_stdin() {
     let folder = folder(SCENE);
@@ -335,7 +335,7 @@ fn a_stdout_that_cannot_be_written_is_5() {
         let told = told(&output);
         assert!(told.contains("error: cannot write stdout: "), "{told}");
     }
-    // What has a place of its own is there.
+    // An output with its own file is written there.
     assert_eq!(names(folder.path()), ["a.png", "b.png", "scene.scn"]);
 }
 
@@ -360,7 +360,7 @@ fn a_broken_pipe_ends_quietly() {
         assert_eq!(output.status.code(), Some(0), "{arguments:?}");
         assert_eq!(told(&output), "", "{arguments:?}");
     }
-    // Nor does it matter who listens to what people are told.
+    // The reader of the messages does not matter either.
     let (reader, writer) = std::io::pipe().expect("a pipe");
     drop(reader);
     let mut refused = command(folder.path(), &["none.scn"]);

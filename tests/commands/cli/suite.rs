@@ -1,4 +1,4 @@
-//! `vkpt test`: scenes against the pictures kept beside them.
+//! `vkpt test`: scenes against the pictures kept next to them.
 
 use std::fs;
 use std::path::Path;
@@ -79,7 +79,7 @@ fn a_picture_that_differs_is_shown() {
     let at = folder.path();
     assert_eq!(words(at, "test p --spp 4 --bless").code, Some(0));
     fs::write(at.join("p/in/b.scn"), SCENE.replace("1 1 1", "2 1.001 1")).expect("a scene");
-    // Of this folder nothing is there yet.
+    // This folder has no pictures so far.
     let run = words(
         at,
         "test p --spp 4 --quiet --junit r.xml --html test-results/index.html",
@@ -114,12 +114,12 @@ fn a_picture_that_differs_is_shown() {
         assert!(page.contains(told), "{told}");
     }
     fs::remove_file(at.join("test-results/index.html")).expect("a page");
-    // Within what is allowed, and not within less.
+    // Within the tolerance, and not within less.
     let close = words(at, "test p --spp 4 --max-relmse 1e-3");
     assert_eq!(close.code, Some(0), "{}", close.out);
     assert!(close.out.contains("close   in/b.scn"), "{}", close.out);
     assert_eq!(words(at, "test p --spp 4 --max-relmse 1e-12").code, Some(1));
-    // What else it was made from is told: a lamp that fills its pixels has no noise.
+    // Other settings that it was made from are reported: a lamp that fills its pixels has no noise.
     let other = words(at, "test p --spp 8 --max-depth 3 --size 4x3");
     assert_eq!(other.code, Some(1));
     for told in [

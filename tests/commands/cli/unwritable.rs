@@ -85,7 +85,7 @@ fn names_that_no_file_can_have_are_told_before_the_work() {
         assert!(ran.err.contains(said), "{}: {}", line, ran.err);
         assert_eq!(names(folder.path()), ["scene.scn"]);
     }
-    // A part beside it would have a name that is longer by one.
+    // A part next to it would have a name that is longer by one.
     let ran = words(folder.path(), &format!("{RENDER} -o {most}"));
     assert_eq!(ran.code, Some(0), "{}", ran.err);
     assert!(
@@ -100,7 +100,7 @@ fn names_that_no_file_can_have_are_told_before_the_work() {
     assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
 }
 
-/// Whoever reads a pipe would get both pictures in one.
+/// A reader of a pipe would get both pictures in one.
 #[test]
 fn a_pipe_takes_one_output() {
     let folder = folder(SCENE);

@@ -1,4 +1,4 @@
-//! A farm in a folder of its own.
+//! A farm in its own folder.
 
 use std::fs;
 use std::path::PathBuf;
@@ -16,7 +16,7 @@ const NAME: &str = "it's a \"scene\" #1.txt";
 const SCENE: &str = "screen 8 6\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 3 1 0.5\nbrdf .5 .6 .7 0 0 0 1\n\
     box -9 -9 -2 18 18 1\n";
 
-/// What `vkpt farm slurm` left, ready to be submitted.
+/// The folder of `vkpt farm slurm`, ready to be submitted.
 pub struct Farm {
     folder: TempDir,
     size: &'static str,
@@ -68,7 +68,7 @@ impl Farm {
         assert!(same, "{}{}", self.logs("part"), self.logs("merge"));
     }
 
-    /// What all tasks, or all merges, have printed.
+    /// The output of all tasks, or of all merges.
     pub fn logs(&self, begin: &str) -> String {
         let entries = fs::read_dir(self.path("logs")).expect("a folder").flatten();
         let named = |path: &PathBuf| {

@@ -1,4 +1,4 @@
-//! Farms by a Slurm of this machine: what is killed, requeued or fails, and rounds.
+//! Farms on a Slurm of this machine: jobs that are killed, requeued or fail, and rounds.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use super::folder::Farm;
 use super::slurm::{Slurm, until};
 use crate::cli::program::shell;
 
-/// One task's program is killed; of others, one is requeued and one meets its time limit, which is a signal to its shell.
+/// One task's program is killed; another task is requeued, and one meets its time limit, which is a signal to its shell.
 #[test]
 fn an_array_survives_kills_and_requeues_and_merges_to_one_run() {
     let Some(slurm) = Slurm::start() else { return };
@@ -20,7 +20,7 @@ fn an_array_survives_kills_and_requeues_and_merges_to_one_run() {
         found.expect("a task that runs").clone()
     };
     killed.send("KILL");
-    // Slurm wakes what it ends.
+    // Slurm wakes the processes that it ends.
     slurm.says(&["scontrol", "requeue", &job("_2")]);
     slurm.says(&["scancel", "--signal=USR1", "--batch", &job("_3")]);
     until("the script's TERM", || timed_out.has_term_pending());
@@ -35,7 +35,7 @@ fn an_array_survives_kills_and_requeues_and_merges_to_one_run() {
     assert_eq!(parts.matches("try 1").count(), 10, "{parts}");
 }
 
-/// What the merge says to do is done: by hand, by sbatch, and by submitting again.
+/// The instructions of the merge are followed: by hand, by sbatch, and by submitting again.
 #[test]
 fn the_merge_says_which_parts_failed_and_how_to_render_them() {
     let Some(slurm) = Slurm::start() else { return };
@@ -110,7 +110,7 @@ fn rounds_end_at_the_target_when_time_is_up_or_with_the_last_sample() {
 fn long_arrays_are_split() {
     let Some(slurm) = Slurm::start() else { return };
     let farm = Farm::new("1x1", &["--spp", "1003", "--tasks", "1003"]);
-    // All parts but four are done: what they contain is of no interest here.
+    // All parts but four are done: their contents do not matter here.
     fs::create_dir_all(farm.path("parts")).expect("a folder");
     for sample in (0..1003).filter(|sample| ![0, 999, 1000, 1002].contains(sample)) {
         let part = farm.path(&format!("parts/{sample}-{}.vkpt", sample + 1));

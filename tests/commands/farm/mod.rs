@@ -1,4 +1,4 @@
-//! `vkpt farm`: the scripts that it writes, by a Slurm and by what it refuses; the commands of docs/farm.md.
+//! `vkpt farm`: the scripts that it writes, run by a Slurm; its refusals; the commands of docs/farm.md.
 #![cfg(target_os = "linux")]
 
 mod folder;

@@ -58,7 +58,7 @@ fn makes_the_picture(interpreter: &str, block: &str) {
     assert!(bytes("glass.exr") == bytes("one.exr"));
 }
 
-/// What is missing where a command fails.
+/// The missing programs if a command fails.
 fn runs(words: &[&str]) -> Result<(), String> {
     let ran = Command::new(words[0]).args(&words[1..]).output();
     match ran.is_ok_and(|output| output.status.success()) {

@@ -1,4 +1,4 @@
-//! A running process, by what Linux says of it.
+//! A running process, as Linux reports it.
 
 use std::fs;
 use std::path::PathBuf;
@@ -23,7 +23,7 @@ impl Process {
         ticks.is_some_and(|ticks: u32| ticks >= 20)
     }
 
-    /// Whether TERM waits until it goes on.
+    /// Whether TERM waits until the process continues.
     pub fn has_term_pending(&self) -> bool {
         let status = self.says("status");
         let mut lines = status.lines();

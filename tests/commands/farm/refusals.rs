@@ -1,4 +1,4 @@
-//! `vkpt farm slurm`: the folders that it leaves, what it refuses, and what it says where Slurm is not there.
+//! `vkpt farm slurm`: the folders that it leaves, its refusals, and its messages if Slurm is missing.
 
 use std::fs;
 use std::process::Command;

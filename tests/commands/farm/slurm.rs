@@ -1,4 +1,4 @@
-//! A Slurm of one machine: munged, slurmctld and slurmd in a temporary folder, on ports of their own. They end with it.
+//! A Slurm of one machine: munged, slurmctld and slurmd in a temporary folder, on their own ports. They end with it.
 //!
 //! <https://slurm.schedmd.com/slurm.conf.html>
 
@@ -22,7 +22,7 @@ pub struct Slurm {
 }
 
 impl Slurm {
-    /// `None` where the run goes without Slurm. Its four CPUs need not be there.
+    /// `None` if the run skips Slurm. Its four CPUs need not exist.
     pub fn start() -> Option<Self> {
         Need::Slurm.find(|| {
             let missing = ["munged", "slurmctld", "slurmd", "sbatch"].into_iter();
@@ -126,7 +126,7 @@ impl Slurm {
         command
     }
 
-    /// What a command prints, without the end of the line.
+    /// The output of a command, without the end of the line.
     pub fn says(&self, words: &[&str]) -> String {
         let output = self.command(words[0]).args(&words[1..]).output();
         let text = String::from_utf8(output.expect("it runs").stdout);

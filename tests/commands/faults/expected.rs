@@ -2,7 +2,7 @@
 
 use super::trial::{Left, Trial};
 
-/// What holds of every end, and of this fault's.
+/// Conditions of every end, and of this fault's.
 pub fn check(fault: &str, trial: &Trial, sound: &Trial) -> Result<(), String> {
     whole(trial)?;
     let no = |why: &str| Err(why.to_owned());
@@ -24,7 +24,7 @@ pub fn check(fault: &str, trial: &Trial, sound: &Trial) -> Result<(), String> {
     }
 }
 
-/// The exit codes that this fault may end with, where it does not end well: the one place that knows what a rendering
+/// The exit codes that this fault may end with, if it does not end well: the only place that knows which faults a rendering
 /// survives.
 fn codes(fault: &str) -> Vec<i32> {
     let (call, rest) = fault.split_once(':').unwrap_or_default();
@@ -32,7 +32,7 @@ fn codes(fault: &str) -> Vec<i32> {
     match call {
         // There may be no driver at all.
         "vkCreateInstance" if fault.ends_with(":-9") => vec![4],
-        // What cannot be opened is not tried again.
+        // A file that cannot be opened is not tried again.
         "vkCreateInstance" | "vkEnumeratePhysicalDevices" | "vkCreateDevice" if !memory_or_lost => {
             vec![1]
         }
@@ -62,7 +62,7 @@ fn whole(trial: &Trial) -> Result<(), String> {
     if let Err(why) = &trial.report {
         return Err(format!("a broken report: {why}"));
     }
-    // What a rendering can be taken up from.
+    // A state from which a rendering can be resumed.
     let state = |name: &&String| !name.starts_with('.') && name.ends_with(".vkpt");
     match trial.others.iter().find(|name| !state(name)) {
         Some(name) => Err(format!("{name} lies about")),
@@ -70,7 +70,7 @@ fn whole(trial: &Trial) -> Result<(), String> {
     }
 }
 
-/// Whether the message says what failed: the call, or what a user knows of it.
+/// Whether the message names the failure: the call, or its meaning for a user.
 fn names_it(fault: &str, err: &str) -> bool {
     let call = |fault: &str| fault.split(':').next().unwrap_or_default().to_owned();
     let told = [

@@ -17,7 +17,7 @@ pub const CALLS: usize = 25;
 pub struct Layer(TempDir);
 
 impl Layer {
-    /// `None` where the run goes without.
+    /// `None` if the run skips it.
     pub fn built() -> Option<Self> {
         if Need::Lavapipe.skips() {
             return None;

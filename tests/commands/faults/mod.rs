@@ -16,10 +16,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use layer::Layer;
 use trial::{Left, Trial, rendering};
 
-/// What may go wrong at any call, as Vulkan numbers it: the host's memory, the device's, and what nobody foresaw.
+/// The errors that any call may return, as Vulkan numbers them: the host's memory, the device's, and an unknown error.
 const ANYWHERE: [i32; 3] = [-1, -2, -13];
 
-/// What else may go wrong (Vulkan 1.3, "Return Codes" of each command).
+/// Other errors (Vulkan 1.3, "Return Codes" of each command).
 fn errors(call: &str) -> Vec<i32> {
     let own: &[i32] = match call {
         // VK_ERROR_INITIALIZATION_FAILED, VK_ERROR_INCOMPATIBLE_DRIVER
@@ -75,7 +75,7 @@ fn sound(layer: &Layer) -> (Trial, BTreeMap<String, usize>) {
     (sound, counts)
 }
 
-/// Two at a time; all that is not as expected is told.
+/// Two at a time; everything unexpected is reported.
 fn all_as_expected(layer: &Layer, sound: &Trial, faults: &[String]) {
     let (next, wrong) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     let work = || {

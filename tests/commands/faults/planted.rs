@@ -1,4 +1,4 @@
-//! The harness itself: it finds what programs do wrong that are made to.
+//! The harness itself: it finds the planted mistakes of programs.
 
 use std::path::Path;
 use std::process::Command;

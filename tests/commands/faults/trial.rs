@@ -1,4 +1,4 @@
-//! A rendering in a folder of its own: how it ended and what it left.
+//! A rendering in its own folder: how it ended and which files it left.
 
 use std::fmt;
 use std::fs::{self, File};
@@ -11,17 +11,17 @@ use vkpt::image::read;
 use super::layer::Layer;
 use crate::cli::program;
 
-/// Of a lamp and what it lights: noise, so that no two numbers of samples make one picture.
+/// A lamp and surfaces that it lights: noise, so that no two numbers of samples make one picture.
 const SCENE: &str = "screen 32 24\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 3 1 0.5\n\
     brdf .5 .6 .7 0 0 0 1\nbox -9 -9 -2 18 18 1\n";
 
-/// A hundred times what a rendering takes.
+/// A hundred times the time of a rendering.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// What stands where the picture goes.
+/// The old file at the picture's path.
 const OLD: &[u8] = b"old";
 
-/// What became of the picture.
+/// The state of the picture afterwards.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Left {
     Old,
@@ -41,7 +41,7 @@ pub struct Trial {
     pub report: Result<bool, String>,
     /// The folder's other files.
     pub others: Vec<String>,
-    /// What the picture becomes where the rendering goes on by cpu-f32 from what it left.
+    /// The picture after cpu-f32 resumes the rendering from the files left.
     pub resumed: Option<Left>,
 }
 
@@ -82,7 +82,7 @@ pub fn rendering(layer: &Layer, fault: &str) -> Trial {
     })
 }
 
-/// Runs what `start` makes of a folder with the scene and an old picture.
+/// Runs the command that `start` makes for a folder with the scene and an old picture.
 pub fn finish(start: impl FnOnce(&Path) -> Command) -> Trial {
     finish_within(LIMIT, start)
 }

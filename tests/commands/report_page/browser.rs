@@ -27,7 +27,7 @@ pub struct Browser {
     socket: WebSocket<MaybeTlsStream<TcpStream>>,
     session: Option<String>,
     calls: u64,
-    /// Whatever the browser said unasked.
+    /// Unsolicited messages of the browser.
     events: Vec<Value>,
     _profile: TempDir,
 }
@@ -43,7 +43,7 @@ fn program() -> Result<PathBuf, &'static str> {
 }
 
 impl Browser {
-    /// `None` where the run goes without Chromium.
+    /// `None` if the run skips Chromium.
     pub fn start() -> Option<Self> {
         let program = Need::Chromium.find(program)?;
         let profile = tempfile::tempdir().expect("a folder");
@@ -94,13 +94,13 @@ impl Browser {
         Some(browser)
     }
 
-    /// A method's answer; what the browser says in between is kept.
+    /// A method's answer; the browser's messages in between are kept.
     pub fn call(&mut self, method: &str, params: Value) -> Value {
         self.answer(method, params)
             .unwrap_or_else(|error| panic!("{method}: {error}"))
     }
 
-    /// The same, or what the browser says is wrong with it.
+    /// The same, or the browser's error.
     fn answer(&mut self, method: &str, params: Value) -> Result<Value, Value> {
         self.calls += 1;
         let id = self.calls;
@@ -135,12 +135,12 @@ impl Browser {
         }
     }
 
-    /// Opens a file and waits until all of it is there.
+    /// Opens a file and waits until it is loaded.
     pub fn open(&mut self, file: &Path) {
         self.visit(&format!("file://{}", file.display()));
     }
 
-    /// Opens an address and waits until all of it is there.
+    /// Opens an address and waits until it is loaded.
     pub fn visit(&mut self, url: &str) {
         self.call("Page.navigate", json!({"url": url}));
         // The answer comes when the new document has taken the old one's place.
@@ -155,12 +155,12 @@ impl Browser {
         of_kind.map(|e| &e["params"]).collect()
     }
 
-    /// What went wrong in the page, and what it asked the network for.
+    /// The errors of the page, and its requests to the network.
     pub fn complaints(&self) -> Vec<String> {
         self.complaints_beside("file:")
     }
 
-    /// What went wrong in the page, and what it asked the network for beside what begins so.
+    /// The errors of the page, and its requests to the network except those with this beginning.
     pub fn complaints_beside(&self, own: &str) -> Vec<String> {
         let errors = self.told("Runtime.exceptionThrown").into_iter();
         let logged = self.told("Log.entryAdded").into_iter();
@@ -203,7 +203,7 @@ impl Browser {
         );
     }
 
-    /// Moves the pointer over the middle of what the expression names, scrolled into view; presses there too.
+    /// Moves the pointer over the middle of the element that the expression names, scrolled into view; presses there too.
     pub fn point(&mut self, element: &str, press: bool) {
         let middle = self.value(&format!(
             "(() => {{ const e = {element}; e.scrollIntoView({{block: 'center'}}); \

@@ -1,4 +1,4 @@
-//! The page of `vkpt check --html`: of planted records, which need no device.
+//! The page of `vkpt check --html`, made from planted records, which need no device.
 
 use serde_json::json;
 use tempfile::TempDir;
@@ -44,7 +44,7 @@ fn opened() -> Option<(Browser, TempDir)> {
     Some((browser, folder))
 }
 
-/// Natural and shown widths of the pictures that are seen, once they are there.
+/// Natural and shown widths of the visible pictures, once they are loaded.
 const SEEN: &str = "(async () => {
     const all = [...document.querySelectorAll('.pictures img')].filter((e) => e.checkVisibility());
     await Promise.all(all.map((e) => e.decode()));
@@ -58,7 +58,7 @@ fn a_row_opens_by_its_name() {
     let Some((mut browser, _folder)) = opened() else {
         return;
     };
-    // What fails stands open: device, reference, difference, ten times as large as they are.
+    // Failed cases are open: device, reference, difference, ten times as large as they are.
     let three = json!([[16, 160], [16, 160], [16, 160]]);
     assert_eq!(browser.value(SEEN), three);
     browser.point(FIRST, true);
@@ -97,7 +97,7 @@ fn light_and_dark_can_be_read() {
     };
     let contrast = include_str!("contrast.js");
     let ground = "getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number)";
-    // Luminance of the colours in the order of the margins: monotonous, so that they are told apart without hue.
+    // Luminance of the colours in the order of the margins: monotonous, so that they can be distinguished without hue.
     let bands = "['q1', 'q2', 'q3', 'q4', 'beyond'].map((c) => {
         const [r, g, b] = getComputedStyle(document.querySelector('.' + c)).backgroundColor.match(/\\d+/g).map(Number);
         return 0.2126 * r + 0.7152 * g + 0.0722 * b; })";
@@ -130,7 +130,7 @@ fn a_phone_scrolls_one_way() {
         browser.window(width, 740);
         let fits = format!("document.documentElement.scrollWidth <= {width}");
         assert_eq!(browser.value(&fits), true, "{width}");
-        // What opened is as wide as the screen, not as the table that scrolls.
+        // The opened content is as wide as the screen, not as the table that scrolls.
         let right = "Math.max(...[...document.querySelectorAll('.opened, .pictures img, .bounds')].filter((e) => e.checkVisibility())
             .map((e) => e.getBoundingClientRect().right))";
         assert!(number(&browser.value(right)) <= f64::from(width), "{width}");

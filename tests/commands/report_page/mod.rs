@@ -1,7 +1,7 @@
-//! The pages of `vkpt converge --html` and, in `check`, of `vkpt check --html` in a real browser: what they show is what
-//! the records have, however they are looked at.
+//! The pages of `vkpt converge --html` and, in `check`, of `vkpt check --html` in a real browser: they show the data of
+//! the records, in every view.
 //!
-//! Needs Chromium in PATH. Pictures of the page stand in `target/screenshots/` afterwards.
+//! Needs Chromium in PATH. Pictures of the page are in `target/screenshots/` afterwards.
 
 pub mod browser;
 mod check;
@@ -70,7 +70,7 @@ fn opened() -> Option<(Browser, &'static Report)> {
     Some((browser, report))
 }
 
-/// Nothing went wrong and nothing was asked for.
+/// No errors and no requests.
 fn quiet(browser: &Browser) {
     assert_eq!(browser.complaints(), Vec::<String>::new());
 }
@@ -112,7 +112,7 @@ fn a_point_tells_its_figures() {
             let mean = &record["errors"]["rel_mse"]["mean"];
             assert!(told.contains(name), "{told}");
             assert!(told.contains(&format!("{} spp", record["spp"])), "{told}");
-            // Three digits are told.
+            // Three digits are shown.
             let agrees = |found: f64, expected: f64| (found / expected - 1.0).abs() < 6e-3;
             assert!(
                 agrees(after(&told, "\nrelMSE "), number(&mean["value"])),
@@ -128,7 +128,7 @@ fn a_point_tells_its_figures() {
         }
     }
     browser.screenshot("point");
-    // By keyboard the same: focus tells, Escape ends it.
+    // The same by keyboard: focus shows them, Escape ends it.
     browser.value(&format!("{}.focus()", target(0, 0)));
     assert!(browser.text(TIP).contains("connect=mis\n1 spp"));
     browser.key("Escape", 27);
@@ -136,7 +136,7 @@ fn a_point_tells_its_figures() {
     quiet(&browser);
 }
 
-/// What is shown: variant and step of each picture, the captions, and where the pictures' data differ.
+/// The visible contents: variant and step of each picture, the captions, and where the pictures' data differ.
 const SHOWN: &str = "(() => {
     const visible = [...document.querySelectorAll('.step')].filter((e) => e.checkVisibility() || e.querySelector('figure').checkVisibility());
     return { which: visible.map((e) => e.dataset.variant + ',' + e.dataset.step),

@@ -1,4 +1,4 @@
-//! `scripts/gpu`: the folder that it leaves, where parts fail too, and what it says where it cannot begin.
+//! `scripts/gpu`: the folder that it leaves, also if parts fail, and its messages if it cannot begin.
 
 use std::fs;
 use std::path::Path;
@@ -29,7 +29,7 @@ fn readme(out: &Path) -> String {
     fs::read_to_string(out.join("README.md")).expect("a summary")
 }
 
-/// What the summary has of a part beside its name and its seconds.
+/// The fields of a part in the summary other than its name and its seconds.
 fn outcome<'a>(readme: &'a str, part: &str) -> &'a str {
     let begin = format!("| [{part}]({part}.txt) | ");
     let row = readme.lines().find_map(|line| line.strip_prefix(&begin));

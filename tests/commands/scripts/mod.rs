@@ -1,4 +1,4 @@
-//! `scripts/`, by what a person has of them.
+//! `scripts/`, as a person uses them.
 #![cfg(unix)]
 
 mod gpu;

@@ -1,4 +1,4 @@
-//! Programs that stand for others.
+//! Programs that replace others.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;

@@ -21,7 +21,7 @@ struct Machine {
     folder: TempDir,
 }
 
-/// How the script ended, what it said, and the calls that it made.
+/// How the script ended, its output, and the calls that it made.
 struct Run {
     code: Option<i32>,
     said: String,

@@ -1,4 +1,4 @@
-//! How a rendering that is looked at ends: with the same bits, without waiting for nobody, or as it is asked to.
+//! How a rendering with a live view ends: with the same bits, without waiting if nobody is there, or when requested.
 
 use std::fs;
 use std::time::{Duration, Instant};
@@ -16,7 +16,7 @@ fn looking_on_changes_no_bit() {
     assert_eq!(run.code, Some(0), "{}", run.err);
     let mut rendering = Rendering::start(flags);
     let port = rendering.port;
-    // Two tabs that take every picture they are told of.
+    // Two tabs that fetch every picture that is announced.
     let tab = |number: u32| {
         let mut tab = Tab::new(port, number);
         while tab.ask().is_some() {}
@@ -56,7 +56,7 @@ fn a_tab_gets_the_last_picture_before_the_end() {
         (&state["spp"], &last["number"]),
         (&20000.into(), &tab.has.into())
     );
-    // It is told that the tab has all, and waits no longer.
+    // The tab is reported to have all, so the rendering waits no longer.
     let start = Instant::now();
     tab.ask();
     let (code, said) = rendering.end();
@@ -91,7 +91,7 @@ fn errors_are_those_of_the_report() {
         .expect("one");
     assert_eq!(last["spp"], reported["spp"]);
     assert_eq!(last["seconds"], reported["seconds"]);
-    // The first sample tells nothing of its error.
+    // The first sample gives no estimate of its error.
     assert_eq!(known(&state["errors"])[..], known(&report["error"])[1..]);
 }
 
@@ -107,7 +107,7 @@ fn where_nobody_looks_on_it_waits_for_nobody() {
     };
     let (time, said) = took("--view --quiet");
     assert!(time < Duration::from_secs(2), "{time:?}");
-    // The one thing that the quiet are told.
+    // The only message that `--quiet` shows.
     assert!(
         said.starts_with("note: live view: http://127.0.0.1:"),
         "{said}"

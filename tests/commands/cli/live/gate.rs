@@ -1,4 +1,4 @@
-//! Nothing from outside gets in, and nothing but the page's own is there.
+//! Nothing from outside gets in, and only the page's own resources are served.
 
 use std::net::{IpAddr, TcpStream, UdpSocket};
 use std::time::Duration;
@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::{ENDLESS, Rendering, get, send, stop};
 use crate::cli::program::{folder, words};
 
-/// The status of a request to this port; of other headers, where `lines` has some.
+/// The status of a request to this port, with other headers if `lines` has some.
 fn status(port: u16, line: &str, lines: &str) -> Option<u16> {
     let request = format!("{line} HTTP/1.1\r\n{lines}Connection: close\r\n\r\n");
     send(port, &request).map(|answer| answer.status)
@@ -57,10 +57,10 @@ fn others_are_refused() {
             "{line}\n{lines}"
         );
     }
-    // After all of that it renders, and no refused request has stopped it.
+    // After all of that it still renders: no refused request has stopped it.
     let state = get(port, "/state").expect("an answer").json();
     assert_eq!(state["stopping"], false);
-    // Planted: that it would be told.
+    // Planted: an accepted request would be noticed.
     assert_eq!(stop(port).map(|answer| answer.status), Some(204));
     let state = get(port, "/state").map(|answer| answer.json());
     assert!(state.is_none_or(|state| state["stopping"] == true));

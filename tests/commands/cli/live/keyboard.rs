@@ -70,7 +70,7 @@ fn keys_do_what_the_pointer_does() {
         said.contains("note: continue with --resume, which reads a.vkpt"),
         "{said}"
     );
-    // The last picture stays, and its pixels are told.
+    // The last picture stays, and its pixels can be read.
     let (place, values) = readout(&mut browser);
     let own = rendering.picture("a.exr").row(place[1] as usize)[place[0] as usize];
     for (told, value) in values.iter().zip(own) {

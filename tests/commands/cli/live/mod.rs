@@ -1,4 +1,4 @@
-//! Looking on while a picture grows: what the page's server answers, the page in a browser, and what tev is sent.
+//! The live view of a growing picture: the answers of the page's server, the page in a browser, and the messages to tev.
 
 mod ends;
 mod gate;
@@ -23,7 +23,7 @@ use vkpt::film::Film;
 
 use super::program::{command, folder};
 
-/// A ball, half of its picture black, whose samples take next to no time.
+/// A ball, half of its picture black, whose samples take almost no time.
 const SCENE: &str = "screen 16 12\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 3 1 0.5\n\
     brdf .5 .6 .7 0 0 0 1\nsphere 0 0 0 1\nbox -9 -9 -2 18 18 1\n";
 
@@ -38,7 +38,7 @@ struct Rendering {
     folder: TempDir,
     child: Child,
     port: u16,
-    /// What it says on stderr.
+    /// Its output on stderr.
     said: Arc<Mutex<String>>,
     reader: Option<JoinHandle<()>>,
 }
@@ -86,7 +86,7 @@ impl Rendering {
         format!("http://127.0.0.1:{}/", self.port)
     }
 
-    /// Waits for its end: the exit code, and what it has said.
+    /// Waits for its end: the exit code, and its output.
     fn end(&mut self) -> (Option<i32>, String) {
         let start = Instant::now();
         while start.elapsed() < PATIENCE {
@@ -144,7 +144,7 @@ fn send(port: u16, request: &str) -> Option<Answer> {
     stream.set_read_timeout(Some(PATIENCE)).expect("a timeout");
     stream.write_all(request.as_bytes()).ok()?;
     let mut all = Vec::new();
-    // What a server that ends leaves is no answer.
+    // An answer cut off by a server that ends is no answer.
     stream.read_to_end(&mut all).ok()?;
     let gap = all.windows(4).position(|w| w == b"\r\n\r\n")?;
     let head = String::from_utf8_lossy(&all[..gap]).to_lowercase();
@@ -173,7 +173,7 @@ fn stop(port: u16) -> Option<Answer> {
     send(port, &request)
 }
 
-/// A tab as the page is one: it takes every picture that it is told of.
+/// A tab like that of the page: it fetches every picture that is announced.
 struct Tab {
     port: u16,
     number: u32,
@@ -193,7 +193,7 @@ impl Tab {
         }
     }
 
-    /// What it is told; `None` once nobody answers.
+    /// The server's message; `None` once nobody answers.
     fn ask(&mut self) -> Option<Value> {
         let Self { number, has, .. } = self;
         let end = u8::from(self.knows_end);
@@ -209,7 +209,7 @@ impl Tab {
         Some(state)
     }
 
-    /// Waits until it is told enough.
+    /// Waits until enough is announced.
     fn told(&mut self, enough: impl Fn(&Value) -> bool) -> Value {
         let start = Instant::now();
         while start.elapsed() < PATIENCE {

@@ -1,14 +1,14 @@
-//! The page in a browser: opened, read, and looked at in light, dark and on a phone.
+//! The page in a browser: opened, read, and inspected in light, dark and on a phone.
 
 use serde_json::{Value, json};
 
 use super::{ENDLESS, Rendering};
 use crate::report_page::browser::Browser;
 
-/// What keeps texts from being read.
+/// Reasons why text cannot be read.
 const CONTRAST: &str = include_str!("../../report_page/contrast.js");
 
-/// The page of a rendering in a window of a desktop, with a first picture; `None` where the run goes without a browser.
+/// The page of a rendering in a desktop window, with a first picture; `None` if the run skips browsers.
 pub fn opened(rendering: &Rendering) -> Option<Browser> {
     let mut browser = Browser::start()?;
     browser.window(1280, 900);

@@ -15,7 +15,7 @@ fn colour(browser: &mut Browser, x: f64, y: f64) -> [u8; 3] {
     [0, 1, 2].map(|i| pixel[i].as_u64().expect("a code") as u8)
 }
 
-/// What the page says of the pixel that is read: its place and its values.
+/// The page's text about the pixel that is read: its place and its values.
 pub fn readout(browser: &mut Browser) -> ([u32; 2], [f64; 3]) {
     let told = text(browser, "pixel");
     let numbers: Vec<&str> = told

@@ -10,7 +10,7 @@ fn a_page_finds_the_next_rendering_at_its_port() {
     let Some(mut browser) = opened(&first) else {
         return;
     };
-    // Killed: nobody tells the page.
+    // Killed: the page gets no message.
     drop(first);
     browser.wait("document.querySelector('#phase').textContent.includes('is unreachable')");
     assert_eq!(

@@ -42,7 +42,7 @@ fn the_last_picture_is_that_of_the_file() {
     assert!(bytes("a.exr") == bytes("b.exr"), "other bits");
 }
 
-/// A rendering of a large picture, which no connection holds at once.
+/// A rendering of a large picture, too large for one write to a connection.
 fn large(flags: &str) -> (Run, Duration) {
     let folder = folder(SCENE);
     let line = "scene.scn --device cpu-f32 --size 1600x1200 --spp 1 -o a.hdr --quiet";
@@ -91,7 +91,7 @@ fn a_viewer_that_hangs_up_is_done_without() {
     let port = listener.local_addr().expect("an address").port();
     let viewer = std::thread::spawn(move || {
         let (mut stream, _) = listener.accept().expect("a client");
-        // Some of the first picture, and no more.
+        // Only some of the first picture.
         let mut bytes = [0; 1000];
         stream.read_exact(&mut bytes).expect("bytes");
     });

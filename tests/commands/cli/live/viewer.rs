@@ -19,7 +19,7 @@ pub enum Packet {
         /// Left, top, width and height.
         area: [i32; 4],
         channels: Vec<String>,
-        /// Of each channel, the values of the area.
+        /// The values of the area, for each channel.
         values: Vec<Vec<f32>>,
     },
 }
@@ -64,7 +64,7 @@ impl Fields<'_> {
     }
 }
 
-/// What a whole packet says.
+/// The contents of a whole packet.
 pub fn parse(packet: &[u8]) -> Result<Packet, String> {
     let mut fields = Fields(packet);
     let length = u32::from_le_bytes(fields.bytes()?);
@@ -139,7 +139,7 @@ pub fn read(mut stream: TcpStream) -> io::Result<Vec<Packet>> {
     }
 }
 
-/// A viewer at a free port, and what comes until its one client goes.
+/// A viewer at a free port, and all that it receives until its only client disconnects.
 pub fn viewer() -> (u16, JoinHandle<io::Result<Vec<Packet>>>) {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
     let port = listener.local_addr().expect("an address").port();
@@ -147,7 +147,7 @@ pub fn viewer() -> (u16, JoinHandle<io::Result<Vec<Packet>>>) {
     (port, reading)
 }
 
-/// The pictures that stand open in the end: width, height and pixels by name.
+/// The pictures that are open in the end: width, height and pixels by name.
 pub fn open(packets: &[Packet]) -> BTreeMap<String, ([i32; 2], Vec<[f32; 3]>)> {
     let mut open = BTreeMap::new();
     for packet in packets {
