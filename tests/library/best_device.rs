@@ -11,7 +11,7 @@ use crate::common::settings::by;
 
 const VULKAN: Target = Target::Vulkan(Selector::Best);
 
-/// What renders 400 × 300 pixels of so many samples, and whether a reason is given.
+/// The device that renders 400 × 300 pixels with that many samples, and whether a reason is given.
 fn chosen(text: &str, settings: Settings, spp: u32, kinds: &[DeviceKind]) -> (Target, bool) {
     within(text, settings, spp, kinds, None)
 }

@@ -10,11 +10,11 @@ use crate::common::stats::mean_and_error;
 
 /// The line of the ball.
 const BALL: &str = "sphere 0.500000 0.750000 0.690000 0.290000";
-/// Where its caustic falls on the table, beside it in the picture of 400 × 300: left, top, right, bottom.
+/// Where its caustic falls on the table, next to it in the picture of 400 × 300: left, top, right, bottom.
 const PATCH: [u32; 4] = [190, 166, 216, 182];
 const SEEDS: u32 = 24;
 
-/// `classroom/glass.scn` with or without the ball; the letters, whose files lie elsewhere, left out.
+/// `classroom/glass.scn` with or without the ball; without the letters, whose files are elsewhere.
 fn scene(with_ball: bool) -> Prepared {
     let text = std::fs::read_to_string(data("classroom/glass.scn")).expect("a scene");
     assert!(text.contains(BALL));

@@ -21,7 +21,7 @@ fn joined(text: &str) -> String {
     words.collect::<Vec<_>>().join(" ")
 }
 
-/// The headings that a text cites, and what is wrong with its citations.
+/// The headings that a text cites, and the errors of its citations.
 fn citations(text: &str) -> (Vec<String>, Vec<String>) {
     let text = joined(text);
     let (mut titles, mut wrong) = (Vec::new(), Vec::new());
@@ -65,7 +65,7 @@ fn headings(page: &str) -> Vec<(usize, String)> {
         .collect()
 }
 
-/// What is wrong with the citations of a text.
+/// The errors of a text's citations.
 fn complaints(text: &str, headings: &[(usize, String)]) -> Vec<String> {
     let (titles, mut wrong) = citations(text);
     let known = |title: &String| headings.iter().any(|(_, h)| h == title);

@@ -1,4 +1,4 @@
-//! Which faces coincide, by hand; and what is seen of them, by closed forms.
+//! Which faces coincide, by hand; and how they look, by closed forms.
 
 use std::path::Path;
 
@@ -87,7 +87,7 @@ fn faces_that_look_at_each_other() {
     let table = [([4, 4], [2, 5], false)];
     assert_eq!(of(&format!("{MATTE}{below}{GLASS}{above}")), table);
     let table = [([4, 4], [2, 5], false)];
-    // Opaque shapes come first, wherever they stand in the file.
+    // Opaque shapes come first, wherever they are in the file.
     assert_eq!(
         of(&format!("{GLASS}{above}{MATTE}{below}")),
         [([2, 4], [4, 5], false)]
@@ -131,7 +131,7 @@ fn meshes_on_solids_and_on_each_other() {
     assert_eq!(beside, []);
 }
 
-/// Cubes of glass in one mesh or two: what touches does, corner to corner does not.
+/// Cubes of glass in one mesh or two: faces that touch coincide, corners do not.
 #[test]
 fn cubes_that_touch() {
     let file = cube();
@@ -149,7 +149,7 @@ fn cubes_that_touch() {
     assert_eq!(corner, []);
 }
 
-/// Up to the rounding of what is turned; a gap that single precision holds is one.
+/// Up to the rounding of turned shapes; a gap that single precision represents is one.
 #[test]
 fn glass_touches_glass_whatever_it_is_made_of() {
     let cube = cube();

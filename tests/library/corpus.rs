@@ -1,11 +1,11 @@
-//! The inputs of `fuzz/` that are kept, replayed without libFuzzer: a small corpus, and whatever once failed.
+//! The inputs of `fuzz/` that are kept, replayed without libFuzzer: a small corpus, and all inputs that once failed.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::bodies;
 
-/// Panics where something does not hold that must for any bytes.
+/// Panics if an invariant that must hold for any bytes is broken.
 type Body = fn(&[u8]);
 
 /// Each fuzz target and its body.

@@ -50,7 +50,7 @@ fn noise_of_a_plain_wall_goes_and_its_brightness_stays() {
     assert!((mean(&clean) / mean(&noisy) - 1.0).abs() < 0.005);
 }
 
-/// An edge of radiance stays where it is far beyond the noise; one within it where surfaces tell of it.
+/// An edge of radiance stays where it is far above the noise; one within the noise stays where surfaces show it.
 #[test]
 fn edges_stay() {
     let edge = |low: f32, high: f32| of(move |x, _| [if x < 24 { low } else { high }; 3]);
@@ -68,7 +68,7 @@ fn edges_stay() {
     assert!(errors[1] < errors[0] / 2.0, "{errors:?}");
 }
 
-/// A picture without noise is one of edges: none of it changes by more than what counts as alike.
+/// A picture without noise is one of edges: none of it changes by more than the limit of equal values.
 #[test]
 fn a_picture_without_noise_stays() {
     let truth = of(|x, y| [0.1 + (x * 7 + y * 13) as f32 % 10.0, 1.0, x as f32 / 8.0]);

@@ -43,7 +43,7 @@ fn furnace(shape: &str, brdf: &str, s: f64) -> String {
     )
 }
 
-/// Each sample of smooth glass that absorbs nothing brings back 1, from every kind of shape and at any scale.
+/// Each sample of smooth glass that absorbs nothing returns 1, from every kind of shape and at any scale.
 #[test]
 fn smooth_glass_vanishes_in_a_furnace() {
     let cube = cube();
@@ -102,7 +102,7 @@ fn no_length_is_special() {
 }
 
 /// A camera that sees one point of the interface z = 0 of a wide slab of glass, at `cos` to its normal, from outside
-/// or from within. What is transmitted and what is reflected both end in radiance 1: the picture is R + T.
+/// or from within. Transmitted and reflected light both end in radiance 1: the picture is R + T.
 fn interface(outside: bool, cos: f64, alpha: f64, ior: f64) -> String {
     let degrees = cos.acos().to_degrees();
     let sin = (1.0 - cos * cos).sqrt();
@@ -113,7 +113,7 @@ fn interface(outside: bool, cos: f64, alpha: f64, ior: f64) -> String {
             180.0 - degrees,
         ),
     };
-    // Within the glass a black body shines; from inside the camera stands between it and the interface.
+    // A black body emits within the glass; from inside, the camera is between it and the interface.
     format!(
         "screen 16 16\ncamera {eye} 1e-6 x {turn}\nbackground 1 1 1\n\
          light 1 1 1\nbox -90 -90 -1 180 180 .98\nfresnel exact\n\
@@ -153,9 +153,10 @@ const SPP: u32 = 64;
 /// R + T of rough GGX and Beckmann.
 const LIMIT: f64 = 1.0 + RATIONAL_G1;
 
-/// The shift of the mean of an interface's pixels that so many paths can tell.
+/// The shift of the mean of an interface's pixels that this many paths can detect.
 ///
-/// A path that is continued brings no more than its weight, at most 1 by visible normals of GGX, 1.0033 of Beckmann and 1.83
+/// A path that is continued contributes no more than its weight, at most 1 by visible normals of GGX, 1.0033 of Beckmann and
+/// 1.83
 /// of Phong, whose facets gain up to 1.7675 and whose law is up to 1.033 times what they show (model.md, "Visible micro-normals"), and its connection at most half of that: f/p · p²/(p² + q²) ≤ f/2q.
 fn told(level: f64, mean: f64, distribution: Distribution, pixels: &[f64]) -> f64 {
     let weight = match distribution {
@@ -202,7 +203,7 @@ fn a_rough_interface_makes_nothing() {
             "{case}: {:?}, p = {p:e}",
             mean_and_error(&pixels)
         );
-        // So much more light that the mean is above the limit by what so many paths can tell.
+        // Extra light that puts the mean above the limit by the amount that this many paths can detect.
         let mean = mean_and_error(&pixels).0;
         let more = LIMIT / (mean - told(2.0 * level, mean, distribution, &pixels));
         let planted: Vec<f64> = pixels.iter().map(|x| more * x).collect();

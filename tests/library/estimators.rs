@@ -7,7 +7,7 @@
 //!
 //! That `--connect light` and `bsdf` find all light in any scene: whether a path's last vertex before a light
 //! scatters by a delta lobe or not is a property of that path. With `light`, hits count in full after delta lobes and
-//! the camera, and connections stand for all others: the light samplers reach every point of a light. With `bsdf`,
+//! the camera, and connections replace all others: the light samplers reach every point of a light. With `bsdf`,
 //! hits alone count, and every lobe is drawn wherever its value is not 0.
 
 use vkpt::prepared::Prepared;
@@ -114,7 +114,7 @@ fn check(effort: Effort) {
     println!("least p-value {least:.1e}, level {level:.1e}, largest standard error {error:.1e}");
 }
 
-/// Seeds that no two settings share: picture `k` of scene `s` has a thousand of its own.
+/// Seeds that no two settings share: picture `k` of scene `s` has its own thousand.
 fn seed(s: usize, k: usize) -> u32 {
     (1000 * (20 * s + k)) as u32
 }
@@ -130,7 +130,7 @@ fn they_do_not_move_the_mean_by_a_thousandth() {
     check(Effort::LONG);
 }
 
-/// The means of whole pictures tell 1 % more light and 1 % more Kd, at the level of the family above.
+/// The means of whole pictures detect 1 % more light and 1 % more Kd, at the level of the family above.
 #[test]
 fn an_error_of_one_per_cent_is_noticed() {
     let effort = Effort { seeds: 24, spp: 64 };

@@ -11,7 +11,7 @@ const ALPHA: f64 = 1e-3;
 /// Of a dozen factors in f32, one of them exp(−σt) with the rounding of t.
 const ROUNDING: f64 = 1e-5;
 const KT: [f64; 3] = [0.5, 0.7, 0.9];
-/// Only its absorption is there.
+/// An index-matched solid: only its absorption has an effect.
 const STAIN: &str = "brdf 0 0 0 0 0 0 0 .5 .7 .9 1\n";
 const BOTH: [Absorption; 2] = [Absorption::Segment, Absorption::Term];
 
@@ -99,7 +99,8 @@ fn a_disc_light_through_a_stain() {
                 let p = |expected| p_of_mean(&samples, expected, 0.0);
                 let right = p(expected[c]);
                 assert!(right > level, "{absorption:?}, {connect:?}: p = {right:e}");
-                // 1 %, or what so many paths can tell: nothing brings more than right below the disc, through the stain.
+                // 1 %, or the least that this many paths can detect: nothing contributes more than right below the disc,
+                // through the stain.
                 let (connected, hit) = (kd * r * r / (h * h), kd);
                 let most = KT[c].powf(d)
                     * match connect {

@@ -136,7 +136,7 @@ fn a_kernel_without_main_is_refused() {
     assert!(error.to_string().contains("Missing entry point"), "{error}");
 }
 
-// ---- what a driver may choose
+// ---- choices of a driver
 
 #[test]
 fn driver_maths_is_refused_where_it_stands() {
@@ -307,7 +307,7 @@ fn spirv_val_accepts_the_words_and_refuses_broken_ones() {
     assert_eq!(refused.map(|r| r.is_err()), Some(true));
 }
 
-/// Every root in `shaders/` that stands by itself compiles and passes spirv-val. (Those whose buffers or
+/// Every root in `shaders/` that is complete compiles and passes spirv-val. (Those whose buffers or
 /// slots are generated for a scene are compiled by the tests of their own composer.)
 #[test]
 fn the_roots_of_shaders_are_valid() {

@@ -26,7 +26,7 @@ const NESTED: [&str; 3] = [Ray::NAME, ShadowRay::NAME, Subpath::NAME];
 
 /// The same, as naga has them in a uniform buffer (std140) and in a storage buffer (std430).
 fn nagas<T: GpuStruct>(glsl: &str) -> [StructLayout; 2] {
-    // Any scalar will do: what a kernel does not use naga leaves out.
+    // Any scalar will do: naga omits what a kernel does not use.
     let first = T::FIELDS[0];
     let component = match first.ty {
         "Ray" => ".t_max",
@@ -84,7 +84,7 @@ fn naga_lays_out_every_struct_as_rust_does() {
     check::<Slice>();
 }
 
-/// Two fields swapped in the kernel leave the size as it was: the offsets must tell.
+/// Two fields swapped in the kernel leave the size as it was: the offsets must show it.
 #[test]
 fn a_swapped_pair_of_fields_is_found() {
     let swapped = Material::glsl()

@@ -1,4 +1,4 @@
-//! Layers beside a picture, by closed forms: planes, balls, what a mirror and a pane of glass show.
+//! Layers next to a picture, by closed forms: planes, balls, the views in a mirror and through a pane of glass.
 
 use glam::DVec3;
 use vkpt::film::{Aov, Channel};
@@ -128,7 +128,7 @@ fn a_mirror_shows_what_is_behind() {
     }
 }
 
-/// A pane lets (1 − F)/(1 + F) through, F = .04 from either side, and shows the wall behind; what it reflects is black.
+/// A pane transmits (1 − F)/(1 + F), F = .04 from either side, and shows the wall behind; the light that it reflects is black.
 #[test]
 fn a_pane_shows_what_is_behind_as_far_as_it_lets_it_through() {
     let scene = "screen 64 48\ncamera 0 0 5 1e-6\nbrdf 0 0 0 .04 .04 .04 0 1 1 1 1.5\nbox -50 -50 0 100 100 1\n\
@@ -179,7 +179,7 @@ fn layers_are_known_from_the_first_samples() {
     );
 }
 
-/// Only what is asked for is there, each channel once, whatever the crop.
+/// Only the requested layers are there, each channel once, with any crop.
 #[test]
 fn what_is_not_asked_for_is_not_there() {
     let scene = "screen 8 6\ncamera 0 0 5 .5\nbrdf .5 .5 .5 0 0 0 1\nsphere 0 0 0 1\n";

@@ -1,7 +1,7 @@
 //! Light tracing finds the same picture as path tracing, and a closed form, by the reference in f32, which the device equals
 //! bit for bit (`tests/device/light_tracing.rs`).
 //!
-//! Block means of pictures by several seeds are compared by Welch's t-test: a light path brings light to many pixels, so
+//! Block means of pictures by several seeds are compared by Welch's t-test: a light path contributes to many pixels, so
 //! that those of one picture are not independent. Šidák over all blocks, settings and scenes at α = 1e-3; fixed seeds.
 
 use std::path::Path;
@@ -46,7 +46,7 @@ fn scenes(cube: &Path) -> [(&'static str, String); SCENES] {
     ]
 }
 
-/// The defaults, and what bears on light paths in one word each.
+/// The defaults, and each setting that affects light paths.
 fn variants() -> Vec<(&'static str, Settings)> {
     let with = |change: fn(&mut Settings)| {
         let mut s = Settings::default();
@@ -124,7 +124,7 @@ fn both_integrators_have_the_same_mean_to_a_thousandth() {
     agree(Effort::LONG);
 }
 
-/// Refraction on light paths by the rule of eye paths: n² more or less than there is, where light or eye stand in glass.
+/// Refraction on light paths by the rule of eye paths: n² too much or too little, where light or eye is in glass.
 #[test]
 fn eta_squared_on_the_wrong_side_is_noticed() {
     let effort = Effort { seeds: 16, spp: 32 };

@@ -33,7 +33,7 @@ fn ending(path: &Path) -> &str {
     path.extension().and_then(|e| e.to_str()).unwrap_or("")
 }
 
-/// The lines of a page that are text, in the place of blocks of code empty ones.
+/// The lines of a page that are text, with empty lines in place of blocks of code.
 fn prose(page: &str) -> Vec<String> {
     let mut fenced = false;
     let lines = page.lines().map(|line| {
@@ -47,7 +47,7 @@ fn prose(page: &str) -> Vec<String> {
     lines.collect()
 }
 
-/// The text with what is between backticks taken out: no link is in there.
+/// The text without the parts between backticks: they contain no link.
 fn without_code(text: &str) -> String {
     let mut spoken = String::new();
     let mut rest = text;
@@ -141,7 +141,7 @@ fn resolved(path: &Path) -> Option<PathBuf> {
     Some(resolved)
 }
 
-/// What is wrong with a link of the page at `from`.
+/// The error of a link of the page at `from`.
 fn wrong(root: &Path, from: &Path, link: &str) -> Option<String> {
     if link.contains("://") || link.starts_with("mailto:") {
         return (!link.starts_with("https://")).then(|| format!("{link}: not by https"));

@@ -1,4 +1,4 @@
-//! What the library does, on the host alone: no device, no command line.
+//! Tests of the library on the host alone: no device, no command line.
 
 #![allow(
     clippy::expect_used,

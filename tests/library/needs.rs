@@ -1,4 +1,4 @@
-//! What tests need and do not find (`tests/common/needs.rs`): they fail, or are skipped and counted by `.ci/summary`.
+//! Requirements of tests that are missing (`tests/common/needs.rs`): tests fail, or are skipped and counted by `.ci/summary`.
 #![cfg(unix)]
 
 use std::fs;
@@ -18,7 +18,7 @@ fn without_programs(goes_without: bool) -> Output {
     child.output().expect("runs")
 }
 
-/// What `.ci/run` says last, of a log in which cargo announces the crate.
+/// The last lines of `.ci/run`, for a log in which cargo announces the crate.
 fn summary(outputs: &[&Output]) -> String {
     let log = tempfile::NamedTempFile::new().expect("a file");
     let mut text = Vec::new();

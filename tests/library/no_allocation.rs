@@ -1,4 +1,4 @@
-//! A path takes no memory: nothing in its loop allocates, however long it is and whatever it hits.
+//! A path takes no memory: nothing in its loop allocates, on paths of any length and hits of any kind.
 
 use std::path::Path;
 

@@ -1,5 +1,5 @@
 //! Parts of a picture by the reference: however samples are shared out, interrupted and gone on with, they join to the part of
-//! one rendering, bit for bit. Small pictures of many samples: what is tried is the order of addition.
+//! one rendering, bit for bit. Small pictures of many samples: the order of addition is tested.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};

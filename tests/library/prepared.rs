@@ -186,7 +186,7 @@ fn within_2(p: &Prepared) -> bool {
     points.all(|v| v.abs().max_element() <= 2.0)
 }
 
-/// 2·.2/30 of the distance is a pixel; at 1e-9 of it, 2⁻²³ holds a hundred.
+/// 2·.2/30 of the distance is a pixel; at 1e-9 of it, 2⁻²³ covers a hundred.
 #[test]
 fn pixels_that_are_narrower_than_directions_are_warned_of() {
     for (ry, narrow) in [("1e-5", false), ("1e-9", true)] {
@@ -197,7 +197,7 @@ fn pixels_that_are_narrower_than_directions_are_warned_of() {
     }
 }
 
-/// 2⁻²⁴ of where it is must be less than a hundredth of what it is; of a mesh, of its largest extent.
+/// 2⁻²⁴ of its distance must be less than a hundredth of its size; for a mesh, of its largest extent.
 #[test]
 fn what_is_too_small_for_where_it_is_is_warned_of() {
     let tetrahedron = "mesh tests/data/scene/tetrahedron.ply";
@@ -221,7 +221,7 @@ fn what_is_too_small_for_where_it_is_is_warned_of() {
     }
 }
 
-/// On a ball, a face, an edge, a mantle and a cap of glass; not beside them, and not on what is opaque.
+/// On a ball, a face, an edge, a mantle and a cap of glass; not next to them, and not on opaque shapes.
 #[test]
 fn an_eye_on_the_surface_of_glass_is_warned_of() {
     let told = |material: &str, shape: &str, eye: &str| {

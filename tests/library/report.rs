@@ -248,7 +248,7 @@ fn concerns_name_causes() {
     assert_eq!(concerns(&record), expected);
     record.work.dropped = Dropped::default();
     record.work.long_paths = 0;
-    // By --time nobody has asked for a number; and what comes after the last sample leaves none out.
+    // With --time no number was requested; and after the last sample none is missing.
     for (spp_asked, expected) in [
         (
             u32::MAX,

@@ -52,7 +52,7 @@ fn asked() -> BTreeSet<String> {
     names.filter_map(slot).collect()
 }
 
-/// What is wrong with the table.
+/// The errors of the table.
 fn complaints(readme: &str) -> Vec<String> {
     let rows = rows(readme);
     let told: BTreeSet<String> = rows.iter().map(|r| r.slot.clone()).collect();

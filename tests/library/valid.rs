@@ -1,5 +1,5 @@
 //! Where shading normals are far from a face's: wo sees the normal of a mirror or of glass, and delta directions leave the
-//! face on the side they are meant for. What was valid stays as it was.
+//! face on the side they are meant for. Directions that were valid stay unchanged.
 
 use glam::DVec3;
 use vkpt::prepared::MaterialKind;

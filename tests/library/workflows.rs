@@ -36,7 +36,7 @@ fn values<'y>(yaml: &'y Yaml, key: &str, all: &mut Vec<&'y Yaml>) {
     }
 }
 
-/// What is wrong with one command.
+/// The errors of one command.
 fn fault_of_command(command: &str) -> Option<String> {
     let words: Vec<&str> = command.split_whitespace().collect();
     let after = |flag: &str| {

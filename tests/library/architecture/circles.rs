@@ -32,7 +32,7 @@ fn needs(sources: &[Source]) -> BTreeMap<Path, BTreeSet<Path>> {
     sources.iter().map(of).collect()
 }
 
-/// Modules of which each needs, by way of others, itself.
+/// Modules each of which needs itself, through others.
 fn in_circles(sources: &[Source]) -> Vec<String> {
     let needs = needs(sources);
     let reached = |start: &Path| {
@@ -52,7 +52,7 @@ fn in_circles(sources: &[Source]) -> Vec<String> {
     circular.map(ToString::to_string).collect()
 }
 
-/// Whether a file is of the command line: of a command, or of the parts that commands share.
+/// Whether a file belongs to the command line: to a command, or to the parts that commands share.
 fn is_of_command_line(source: &Source) -> bool {
     let path = source.path.as_str();
     let others = ["cli/export/", "cli/farm/", "cli/live/"];

@@ -1,4 +1,4 @@
-//! The table of rooms in ARCHITECTURE.md, held against the sources: it is the only place that says what a room may know.
+//! The table of rooms in ARCHITECTURE.md, compared with the sources: it is the only place that says what a room may know.
 
 mod circles;
 mod planted;
@@ -59,7 +59,7 @@ fn violations(source: &Source, table: &[Row]) -> Vec<String> {
     all
 }
 
-/// The row of the room that a module or an item is in: of rooms in one another, the innermost.
+/// The row of the room that contains a module or an item; the innermost of nested rooms.
 fn room_of<'t>(path: &source::Path, table: &'t [Row]) -> Option<&'t Row> {
     let around = table.iter().filter(|row| path.is_within(&row.room));
     around.max_by_key(|row| row.room.len())
@@ -74,7 +74,7 @@ fn is_word_in(word: &str, code: &str) -> bool {
     })
 }
 
-/// What the table says and no source bears out: rooms that are not there, and what a room may know and does not.
+/// Entries of the table without a source: rooms that do not exist, and permissions that no room uses.
 fn idle(table: &[Row], sources: &[Source]) -> Vec<String> {
     let mut all = Vec::new();
     for Row { room, may_know } in table {

@@ -1,4 +1,4 @@
-//! What the table does not allow, planted in sources that are not there.
+//! Violations of the table, planted in made-up sources.
 
 use super::source::Source;
 use super::table::rows;

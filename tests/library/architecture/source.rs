@@ -44,7 +44,7 @@ impl fmt::Display for Path {
 /// The folders of the crates' sources: that of vkpt, then those of the others, each below its own name.
 pub const FOLDERS: [&str; 3] = ["src", "lab/src", "cli/src"];
 
-/// The crates beside vkpt.
+/// The crates other than vkpt.
 const MEMBERS: [&str; 2] = ["lab", "cli"];
 
 /// A source file of one of the crates.
@@ -101,7 +101,7 @@ impl Source {
     /// All paths that begin with `crate::`, `super::`, `self::` or the name of a crate of vkpt's, with the number of their line; a
     /// `use` of several names is as many paths.
     pub fn names(&self) -> Vec<(usize, Path)> {
-        // A file ends with the module of its tests, where it has one.
+        // A file ends with the module of its tests, if it has one.
         let tests = self.code.find("mod tests {").unwrap_or(usize::MAX);
         let (mut all, mut read) = (Vec::new(), 0);
         for (start, _) in self.code.match_indices("::") {
@@ -142,7 +142,7 @@ fn below(base: &Path, names: &[&str]) -> Path {
     }
 }
 
-/// Adds the paths of the use tree that `text` begins with, each after `prefix`; returns what follows the tree.
+/// Adds the paths of the use tree at the start of `text`, each after `prefix`; returns the text after the tree.
 fn branches<'t>(text: &'t str, prefix: &[&'t str], all: &mut Vec<Vec<&'t str>>) -> &'t str {
     let text = text.trim_start();
     if let Some(mut rest) = text.strip_prefix('{') {

@@ -14,7 +14,7 @@ pub struct Row {
 #[derive(Debug, PartialEq)]
 pub enum Known {
     Everything,
-    /// These modules and items, and what is below them; none where the table says "nothing".
+    /// These modules and items, with all below them; none if the table says "nothing".
     These(Vec<Path>),
 }
 
@@ -71,7 +71,7 @@ fn known(cell: &str) -> Result<Known, String> {
     }
 }
 
-/// What stands between two backquotes and contains no other.
+/// The text between two backquotes, without another backquote.
 fn quoted(text: &str) -> Option<&str> {
     let inner = text.strip_prefix('`')?.strip_suffix('`')?;
     (!inner.is_empty() && !inner.contains('`')).then_some(inner)

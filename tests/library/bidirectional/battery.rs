@@ -17,7 +17,7 @@ const SEEDS: u32 = 8;
 const LARGEST: u32 = 1 << 16;
 /// Two means in f32 may differ by their rounding.
 const ROUNDING: f64 = 1e-5;
-/// What f32 has no normal number for.
+/// Values for which f32 has no normal number.
 const LEAST: f64 = f32::MIN_POSITIVE as f64;
 
 fn mean(film: &Film) -> f64 {
@@ -38,11 +38,11 @@ fn means(case: &Case, prepared: &Prepared, settings: Settings, first: u32) -> Ve
     (first..first + SEEDS).map(of).collect()
 }
 
-/// What is wrong with a case, if anything.
+/// The errors of a case, if any.
 fn complaint(case: &Case, settings: Settings, level: f64) -> Option<String> {
     let (scene, _) = case.scene().expect("a scene");
     let prepared = prepare(&scene, &settings, None).expect("a scene");
-    // Whatever the crop, the light paths of all pixels are followed.
+    // With any crop, the light paths of all pixels are followed.
     if prepared.camera.width * prepared.camera.height > LARGEST {
         return None;
     }

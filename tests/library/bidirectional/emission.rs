@@ -1,4 +1,4 @@
-//! The density of a light path's first point, asked for from elsewhere.
+//! The density of a light path's first point, computed from another point.
 
 use vkpt::reference::math::Vec3;
 use vkpt::reference::world::World;

@@ -26,7 +26,7 @@ fn both(mut settings: Settings) -> Settings {
     settings
 }
 
-/// A sharp lobe beside a diffuse one, α = .002, and a sphere of glass hardly rougher than smooth.
+/// A sharp lobe next to a diffuse one, α = .002, and a sphere of glass hardly rougher than smooth.
 const SHARP: &str = "screen 32 24
 camera 0 -6 3 .35 x 64
 light 6 5 4
@@ -40,7 +40,7 @@ brdf 0 0 0 .04 .04 .04 .002 .9 .9 .8 1.5
 sphere -.6 -.8 .6 .6
 ";
 
-/// The defaults, and what bears on both kinds of paths in one word each.
+/// The defaults, and each setting that affects both kinds of paths.
 fn variants() -> Vec<(&'static str, Settings)> {
     let with = |change: fn(&mut Settings)| {
         let mut s = Settings::default();
@@ -104,7 +104,7 @@ fn all_ways_together_have_the_mean_of_path_tracing() {
     agree(Effort { seeds: 16, spp: 24 });
 }
 
-/// Light paths of the whole picture are followed, whatever is rendered of it.
+/// Light paths of the whole picture are followed, whichever crop is rendered.
 #[test]
 fn a_crop_has_the_bits_of_the_whole() {
     let settings = both(Settings::default());
@@ -135,7 +135,7 @@ fn all_ways_together_have_the_mean_of_path_tracing_to_a_thousandth() {
     agree(Effort::LONG);
 }
 
-/// Block means of pictures by some ways, seed by seed; `adjoint` is what light paths scatter by.
+/// Block means of pictures by some ways, seed by seed; light paths scatter by `adjoint`.
 fn by_ways(
     text: &str,
     settings: &Settings,
@@ -173,7 +173,7 @@ fn by_ways(
     all
 }
 
-/// What path tracing finds with exactly `depth` scatterings: two pictures by the same seeds, one less the other.
+/// The light that path tracing finds with exactly `depth` scatterings: two pictures by the same seeds, one less the other.
 fn of_depth(text: &str, depth: u32, effort: Effort) -> Vec<Vec<f64>> {
     let up_to = |n: u32| {
         let mut settings = Settings::default();
@@ -188,7 +188,7 @@ fn of_depth(text: &str, depth: u32, effort: Effort) -> Vec<Vec<f64>> {
 }
 
 /// Paths of two and of three scatterings by every number of light vertices, without weights, where each can find all of them:
-/// all surfaces are rough, and the light shines from its outside alone.
+/// all surfaces are rough, and the light emits from its outside only.
 #[test]
 fn each_way_alone_has_the_mean_of_path_tracing() {
     let cube = cube();

@@ -26,7 +26,7 @@ brdf .8 .8 .8 0 0 0 1
 box -4 -4 0 8 8 8
 ";
 
-/// A ball of light that stands on the floor of the same room.
+/// A ball of light on the floor of the same room.
 const TOUCHING: &str = "screen 16 16
 camera -2 -2 1 .3 z -45 x 75
 light 10 10 10
@@ -80,7 +80,7 @@ fn no_sample_is_large_in_the_corner_of_a_room() {
     let joined = largest(CORNER, Ways::Only { light: 2, eye: 2 });
     println!("largest {all:.1}, bound {bound:.1}; without weights {joined:.1}");
     assert!(all <= bound, "{all}");
-    // Without weights two vertices that meet in the corner bring as much as they like.
+    // Without weights, the contribution of two vertices that meet in the corner has no bound.
     assert!(joined > 10.0 * bound, "{joined}");
 }
 

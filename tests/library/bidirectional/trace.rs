@@ -16,7 +16,7 @@ use crate::common::render::{job, prepared};
 use crate::common::scenes::{INSIDE, LENS, SMOOTH, TABLE, WIDE};
 use crate::common::settings::by;
 
-/// What arrived over each connection, by the numbers of vertices from the light and from the eye.
+/// The light that arrived over each connection, by the numbers of vertices from the light and from the eye.
 #[derive(Default)]
 struct Arrived {
     eye: u32,
@@ -42,7 +42,7 @@ impl Recorder<f64> for Arrived {
     }
 }
 
-/// What the text says of one way: the light in red, and the weight of the row that is marked.
+/// The text about one way: the light in red, and the weight of the row that is marked.
 fn told(text: &str) -> Vec<((u32, u32), f64, f64)> {
     let number = |s: &str| s.parse::<f64>().expect("a number");
     let mut all = Vec::new();

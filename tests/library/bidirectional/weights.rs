@@ -69,7 +69,7 @@ fn towards_eye(node: &Node) -> Junction<f64> {
     }
 }
 
-/// The weight of each number of eye vertices, from 1 on, as the two subpaths' recursions have it.
+/// The weight of each number of eye vertices, from 1 on, by the recursions of the two subpaths.
 fn by_recursion(c: &Chain, planted: Planted) -> Vec<f64> {
     let (n, k) = (&c.nodes, c.nodes.len());
     let (p_n, emission) = (c.source.connection, c.source.start * c.source.leaving);

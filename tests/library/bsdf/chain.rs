@@ -1,4 +1,4 @@
-//! Chains of internal reflections, as along the rim of a ball of glass: what becomes of the variance of a product of weights.
+//! Chains of internal reflections, as along the rim of a ball of glass: the variance of a product of weights.
 //!
 //! In a ball a chord meets the surface at the angle at which it left it, so that wo.z is all that a path remembers. Up to n
 //! reflections, then light of radiance 1: V is the path's mean, S its second moment, U the second moment of one whose every
@@ -18,11 +18,11 @@ const STATES: usize = 64;
 const SIDE: u32 = 32;
 const REFLECTIONS: usize = 1000;
 
-/// Means over what a vertex draws, to be applied to those of what follows, by its cosine.
+/// Means over the samples of a vertex, to be applied to those of the rest of the path, by its cosine.
 struct Step {
     /// Weights, their squares, and weights times the most that the energy asks for, of reflections from state to state.
     reflected: [Vec<[f64; STATES]>; 3],
-    /// The same of what leaves.
+    /// The same of the light that leaves.
     left: [[f64; STATES]; 3],
 }
 

@@ -1,7 +1,7 @@
-//! Coloured glass: what a path carries in each channel, when it is reflected within and refracted again and again.
+//! Coloured glass: the throughput of a path in each channel, when it is reflected within and refracted again and again.
 //!
 //! Chosen by the mean of F, a reflection weighs F/F̄ in each channel, whose square means 1 + (F − F̄)²/(F̄ (1 − F̄)): a product of n
-//! has a variance that grows with n without end. Chosen by the mean of F over what the path carries, Σ βF/Σ β, it leaves
+//! has a variance that grows with n without end. Chosen by the mean of F weighted by the path's throughput, Σ βF/Σ β, it leaves
 //! the mean of the throughput as it is, and no channel is above three times that.
 
 use glam::DVec3;
@@ -62,7 +62,7 @@ fn most(glass: &Material, carried: Carried) -> [f64; 2] {
             energy *= gain(glass, cos);
             most[0] = most[0].max(mean3(throughput) / energy);
             most[1] = most[1].max(throughput.f64().max_element() / energy);
-            // what stays within meets the ball at the angle at which it left it; what leaves meets another
+            // light that stays within meets the ball at the angle at which it left it; light that leaves meets another
             outside ^= s.wi.z < 0.0;
             cos = if outside {
                 1.0 - r.unit()
@@ -91,7 +91,7 @@ fn channels_grow_when_chosen_by_the_plain_mean() {
     assert!(mean > 5.0 && channel > 15.0, "{mean} {channel}");
 }
 
-/// The choice moves no mean: what is reflected and what is refracted, each by its probability, come to F and 1 − F.
+/// The choice moves no mean: the reflected and the refracted part, each by its probability, come to F and 1 − F.
 #[test]
 fn the_choice_leaves_the_mean() {
     let settings = flux(LobeChoice::Fresnel, Normals::Visible);
@@ -105,7 +105,7 @@ fn the_choice_leaves_the_mean() {
         let (near, far) = (sample(0.0), sample(1.0 - f64::EPSILON));
         let sum = near.weight * near.pdf + far.weight * far.pdf;
         assert!((sum.f64() - DVec3::ONE).abs().max_element() < 1e-14);
-        // by what is carried: near.pdf is the probability of the reflection
+        // by throughput: near.pdf is the probability of the reflection
         let f = near.weight.f64() * near.pdf;
         let expected = f.dot(DVec3::from_array(carried)) / 3.0;
         assert!(

@@ -62,7 +62,7 @@ fn materials(distribution: Distribution, width: f64) -> Vec<(prepared::Material,
         for (outside, fresnel) in sides.flat_map(|side| terms.map(|f| (side, f))) {
             let mut m = dielectric(distribution, alpha, ior);
             m.fresnel = fresnel;
-            // a reflectance of its own in each channel: the choice goes by their mean
+            // its own reflectance in each channel: the choice goes by their mean
             m.f0 = DVec3::new(0.02, 0.1, 0.3);
             // enough of either lobe, by norms
             m.p_r = 0.4;

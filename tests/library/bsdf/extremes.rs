@@ -20,7 +20,7 @@ const COSINES: [f64; 9] = [1e-7, 1e-6, 1e-4, 1e-2, 0.1, 0.5, 0.745_356, 0.99, 1.
 /// 0, the largest below 1, and between.
 const UNIFORMS: [f64; 4] = [0.0, 1.0 - 1.0 / 16_777_216.0, 0.3, 0.75];
 
-/// What is wrong with `s`, if anything.
+/// The error in `s`, if any.
 fn complaint<F: Real>(s: &BsdfSample<F>, length_tolerance: f64) -> Option<String> {
     let (wi, weight, pdf) = (s.wi.f64(), s.weight.f64(), s.pdf.f64());
     if s.lobe == LOBE_NONE {

@@ -64,7 +64,7 @@ fn fresnel_is_the_same_from_both_sides() {
             let c = f64::from(i) / 100.0;
             let refracted = (1.0 - (1.0 - c * c) / 2.25).sqrt();
             let (front, back) = (fresnel(&at(true), c).x, fresnel(&at(false), refracted).x);
-            // seen from inside, r = 1 − eta²(1 − c²) ≈ c² has lost what 1 and eta² share
+            // seen from inside, r = 1 − eta²(1 − c²) ≈ c² has lost the digits that 1 and eta² share
             let tolerance = 1e-15 / (c * c);
             assert!(
                 (front - back).abs() < tolerance,

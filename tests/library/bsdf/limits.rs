@@ -1,4 +1,4 @@
-//! What the model tends to for α → 0 and ior → 1, and the kinds that stand in there; energy.
+//! The limits of the model for α → 0 and ior → 1, and the kinds that replace it there; energy.
 
 use vkpt::reference::bsdf::bsdf_sample;
 use vkpt::reference::bsdf::distribution::distribution_g1;
@@ -10,7 +10,7 @@ use super::support::random::random;
 use super::support::surface::{dielectric, direction, parameter, seen};
 use crate::common::table::Table;
 
-/// α → 0: the rough interface, and the smooth one that stands in for it below the limit (model.md,
+/// α → 0: the rough interface, and the smooth one that replaces it below the limit (model.md,
 /// "Limits of width and index").
 #[test]
 fn alpha_to_zero() {

@@ -1,4 +1,4 @@
-//! The kinds with one lobe, or with lobes that have no density: what has one fits it (model.md, "Samples against density"),
+//! The kinds with one lobe, or with lobes that have no density: those with one fit it (model.md, "Samples against density"),
 //! and every lobe is drawn as often as it should be (model.md, "Choice of lobe"), in probabilities computed here from
 //! cosines and constants alone.
 
@@ -184,7 +184,7 @@ fn likeliest(case: &Case, choice: LobeChoice, c: f64) -> usize {
 }
 
 /// p-values of the numbers of diffuse, reflected and transmitted samples, if each probability were `factor` times
-/// what it is.
+/// its value.
 fn frequencies(case: &Case, choice: LobeChoice, c: f64, seed: u64, factor: f64) -> [f64; 3] {
     let settings = estimator(choice, Normals::Visible);
     let at = seen(&case.m, case.outside, direction(c, 0.4));

@@ -90,7 +90,7 @@ fn micro_normals_follow_their_density() {
 }
 
 /// Another distribution of the same width, a width 10 % off, a density 1 % off, the masking left out, the azimuth of
-/// `wo` mirrored: all at the narrowest width, where coarse bins would not tell.
+/// `wo` mirrored: all at the narrowest width, where coarse bins would not distinguish them.
 #[test]
 fn planted_errors_are_rejected() {
     let c = case(Distribution::Ggx, 1e-3, Normals::Visible, 0.6);

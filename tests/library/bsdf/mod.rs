@@ -1,4 +1,4 @@
-//! The surface model against what this project did not compute: tables, closed forms, its own samples.
+//! The surface model against independent results: tables, closed forms, its own samples.
 //!
 //! The numbers are those of model.md, "Checks". Statistical tests have fixed seeds, state their significance over the
 //! whole family of a test (Šidák), and each comparator is shown to fail on a planted error.

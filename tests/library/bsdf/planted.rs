@@ -63,7 +63,7 @@ fn swapped_lobes_are_rejected() {
 
 #[test]
 fn the_handouts_half_vector_is_rejected() {
-    // m = −normalize(eta wo + wi) whatever the ior: below N' for ior < 1, where D = 0
+    // m = −normalize(eta wo + wi) for any ior: below N' for ior < 1, where D = 0
     let p = Planted::new();
     let handout = |wi: Vec3<f64>| if wi.z < 0.0 { 0.0 } else { p.pdf(wi) };
     assert!(p.verdict(handout).p() < REJECTED);

@@ -1,4 +1,4 @@
-//! What f32 costs: the forms in use against the same function in f64 on the same inputs.
+//! The cost of f32: the forms in use against the same function in f64 on the same inputs.
 
 use glam::DVec3;
 use vkpt::reference::bsdf::distribution::{distribution_d, distribution_sample};
@@ -22,7 +22,7 @@ fn relative(a: f64, b: f64) -> f64 {
     if a == b { 0.0 } else { (a / b - 1.0).abs() }
 }
 
-/// A number that f32 holds exactly, in [0, 1).
+/// A number that f32 represents exactly, in [0, 1).
 fn uniform(r: &mut Random) -> f64 {
     (r.bits() >> 40) as f64 / 16_777_216.0
 }
@@ -33,7 +33,7 @@ fn distributions_keep_their_digits() {
     let mut r = Random::new(1);
     for d in DISTRIBUTIONS {
         for width in WIDTHS {
-            // an exponent that f32 holds exactly
+            // an exponent that f32 represents exactly
             let alpha = f64::from(parameter(d, width) as f32);
             let m = opaque(d, alpha, DVec3::ZERO, DVec3::ONE);
             let up = vec3(0.0, 0.0, 1.0);

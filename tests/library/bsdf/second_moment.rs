@@ -1,4 +1,4 @@
-//! The second moment of a weight, by quadrature: what variance a path gains at a vertex (model.md,
+//! The second moment of a weight, by quadrature: the variance that a path gains at a vertex (model.md,
 //! "Visible micro-normals").
 //!
 //! With the choice of lobe by Fresnel, eta² left out, the mean over RGB of a weight is at most the energy that the model
@@ -81,7 +81,7 @@ fn all_are_bounded(stride: usize) {
                 case.found(own),
                 case.most()
             );
-            // what the sentence promises: 4e-3 above the model's own energy, 3.3e-2 for Phong
+            // the claim: 4e-3 above the model's own energy, 3.3e-2 for Phong
             let promised = match distribution {
                 Distribution::Phong => 1.033,
                 _ => 1.0,
@@ -102,7 +102,7 @@ fn weights_are_bounded_by_the_models_energy_at_every_incidence() {
     all_are_bounded(1);
 }
 
-/// Normals of the GGX of the same width, as all distributions had them once, have weights whose square means more than 1.
+/// Normals of the GGX of the same width, as all distributions once had, have weights whose square means more than 1.
 #[test]
 fn the_ggx_proposal_is_rejected() {
     for distribution in [Distribution::Beckmann, Distribution::Phong] {

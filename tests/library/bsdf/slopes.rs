@@ -1,4 +1,4 @@
-//! Slopes of visible normals: how near the inversion comes to the share that it is asked for.
+//! Slopes of visible normals: how near the inversion comes to the requested share.
 
 use vkpt::reference::bsdf::normals::visible::beckmann::beckmann_view;
 use vkpt::reference::bsdf::normals::visible::phong::phong_law;
@@ -16,7 +16,7 @@ fn laws<F: Real>() -> Vec<SlopeLaw<F>> {
     let ends = [0.0, 1e-6, 1e-3, 0.999_99, 0.999_999_9, 1.0];
     let seen = cosines.chain(ends).flat_map(|z| {
         let wo: Vec3<F> = Vec3::new(direction(z, 0.0).f64());
-        // what the sine of a rounded direction is
+        // the sine of a rounded direction
         let sine = wo.x;
         let width = [1e-4, 1e-2, 0.1, 0.3, 1.0].map(|a| beckmann_view(wo, sine, F::new(a)).law);
         let exponent = exponents.map(|n| phong_law(wo, sine, F::new(n)));
@@ -74,7 +74,7 @@ fn slopes_have_the_share_that_is_asked_for() {
     assert!(two_steps > 1e-7, "{two_steps:e}");
 }
 
-/// 0, which stands for a cell of 2⁻²⁴, is drawn as its neighbour.
+/// 0, which represents a cell of 2⁻²⁴, is drawn as its neighbour.
 #[test]
 fn the_ends_of_the_uniform_numbers_have_slopes() {
     let last = 1.0 - 1.0 / 16_777_216.0;

@@ -1,4 +1,4 @@
-//! Identities of weights and densities, whatever they weigh; bounds; the hand-out's own density.
+//! Identities of weights and densities, for any weight; bounds; the hand-out's own density.
 
 use std::f64::consts::PI;
 
@@ -64,7 +64,7 @@ fn value_over_density_is_the_weight() {
     assert!(f64_error < 1e-13, "{f64_error:e}");
     let f32_error = weight_error::<f32>(1e-3);
     assert!(f32_error < 1e-3, "{f32_error:e}");
-    // the comparison sees what rounding does: a planted error of that size would be seen
+    // the comparison sees the effect of rounding: a planted error of that size would be seen
     assert!(f32_error > 1e-7);
 }
 

@@ -18,7 +18,7 @@ fn letters(text: &str) -> Vec<Letter> {
     text.chars().map(letter).collect()
 }
 
-/// A pattern, the surfaces of paths that it has, and of paths that it has not.
+/// A pattern, the surfaces of paths that match it, and of paths that do not.
 const TABLE: [(&str, &[&str], &[&str]); 25] = [
     ("EL", &[""], &["D", "S", "DD"]),
     ("EDL", &["D"], &["", "G", "S", "DD"]),
@@ -65,7 +65,7 @@ fn a_pattern_has_the_paths_whose_whole_strings_match() {
     }
 }
 
-/// What is wrong is said, and what is allowed.
+/// The message names the error, and what is allowed.
 #[test]
 fn what_is_no_pattern_is_refused() {
     let long = format!("E{}L", "D".repeat(200));
@@ -136,7 +136,7 @@ fn the_name_of_a_layer_has_no_dot() {
 }
 
 proptest! {
-    /// Whatever is typed is a class of some path or an error, and no other ending.
+    /// Any input is a class of some path or an error.
     #[test]
     fn any_text_is_read_or_refused(text in "[EDGSRTL.*+?|()<>\\[\\]^x-]{0,24}") {
         if let Ok(class) = PathClass::new(&text) {

@@ -58,7 +58,7 @@ const PARTITIONS: [[&str; 4]; 3] = [
     ["EL", "ER.*L", "E<TG>.*L", "E<TS>.*L"],
 ];
 
-/// The largest difference from the picture, by what is allowed.
+/// The largest difference from the picture, relative to the bound.
 fn off(picture: &[[f32; 3]], classes: &[Vec<[f32; 3]>], integrator: Integrator) -> f64 {
     let allowed = f64::from(contributions(integrator) + 3) * 2f64.powi(-24);
     let pixel = |(i, rgb): (usize, &[f32; 3])| {
@@ -84,7 +84,7 @@ fn classes_add_up_to_the_picture() {
             let worst = off(&picture, &all, integrator);
             assert!(worst <= 1.0, "{integrator:?}, {patterns:?}: {worst}");
             for (i, pattern) in patterns.iter().enumerate() {
-                // Light tracing shows neither mirrors nor what is behind glass, and nothing lies between lights and the eye.
+                // Light tracing shows neither mirrors nor surfaces behind glass, and nothing lies between lights and the eye.
                 let is_dark = all[i].iter().flatten().all(|&x| x == 0.0);
                 let smooth = ["ES.*L", "E<TS>.*L"].contains(pattern);
                 let unseen = integrator == Integrator::Light && smooth;
@@ -92,7 +92,7 @@ fn classes_add_up_to_the_picture() {
                 if is_dark {
                     continue;
                 }
-                // One that is left out is missed, and so is one that is there twice.
+                // One that is missing is noticed, and so is one that occurs twice.
                 let mut without = all.clone();
                 without.remove(i);
                 assert!(off(&picture, &without, integrator) > 1e3, "{pattern}");
@@ -107,7 +107,7 @@ fn classes_add_up_to_the_picture() {
     }
 }
 
-/// A crop has the pixels of the whole picture, to the bit, and so do other classes beside.
+/// A crop has the pixels of the whole picture, to the bit, and the same with other classes next to it.
 #[test]
 fn classes_depend_neither_on_the_crop_nor_on_one_another() {
     for integrator in INTEGRATORS {
@@ -150,7 +150,7 @@ fn who_stops_it_gets_none() {
     let scene = prepared(SCENE, &settings);
     let job = job(&scene, settings, 4, 3);
     let stop = AtomicBool::new(true);
-    // Nothing is asked for, so nothing is left to do.
+    // Nothing is requested, so nothing is left to do.
     let channels = light_classes(&job, 4, &stop, &mut |_| {});
     assert_eq!(channels, Some(Vec::new()));
     let classes = classes(&["EL"]);
@@ -159,7 +159,7 @@ fn who_stops_it_gets_none() {
         ..job
     };
     assert_eq!(light_classes(&job, 4, &stop, &mut |_| {}), None);
-    // It is told of each step to the end.
+    // Each step is reported to the end.
     let mut told = Vec::new();
     light_classes(&job, 4, &AtomicBool::new(false), &mut |p| told.push(p));
     assert_eq!(

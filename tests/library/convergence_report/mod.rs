@@ -1,5 +1,5 @@
-//! What `vkpt converge` shows of an experiment: the plot, held against logarithms and the labels of its own ticks, and
-//! the page, held against the record.
+//! The output of `vkpt converge` for an experiment: the plot, compared with logarithms and the labels of its own ticks, and
+//! the page, compared with the record.
 
 mod page;
 mod plot;

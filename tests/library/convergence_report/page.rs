@@ -1,5 +1,5 @@
-//! The page as a text: whole by itself, and nothing in it is taken for markup that is none. How it looks and works is
-//! told by `tests/commands/report_page`.
+//! The page as a text: self-contained, and nothing in it is mistaken for markup. Its look and behaviour are
+//! tested in `tests/commands/report_page`.
 
 use vkpt::metrics::convergence::{Curve, Reference};
 use vkpt_lab::converge::report::plot::palette::Colour;
@@ -90,7 +90,7 @@ fn it_tells_all_that_the_record_has() {
     ] {
         assert!(page.contains(words), "{words}");
     }
-    // Both variants have one reference: it is there once.
+    // Both variants have one reference: it is on the page once.
     assert_eq!(page.matches("<figure class=\"reference\"").count(), 1);
 }
 
@@ -136,7 +136,7 @@ fn a_reference_of_its_own_stands_beside_each_variant() {
     assert_eq!(judged, ["0", "1", "0"]);
 }
 
-/// Each colour of the plot has its counterpart, and none of the SVG's is without.
+/// Each colour of the plot has its counterpart, and every colour of the SVG has one.
 #[test]
 fn the_dark_theme_knows_every_colour_of_the_plot() {
     let page = one("a.scn", "");

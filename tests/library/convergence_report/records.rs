@@ -22,7 +22,7 @@ pub fn reference() -> Reference {
     Reference::halves(film(1.0), film(1.002), &viewing).expect("two halves")
 }
 
-/// Two replicates a step, whose relMSE and seconds are a tenth below and above what is given.
+/// Two replicates a step, whose relMSE and seconds are a tenth below and above the given values.
 pub fn curve(steps: &[(f64, f64)]) -> Curve {
     let step = |(i, &(seconds, rel_mse)): (usize, &(f64, f64))| {
         let figures = |factor: f64| {

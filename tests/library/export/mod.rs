@@ -11,7 +11,7 @@ use vkpt::prepared::prepare;
 use vkpt::settings::{Absorption, Model, Settings};
 use vkpt_cli::export::{Export, Remark, Subject};
 
-/// What `by` makes of the scene that a text holds.
+/// The export by `by` of a text's scene.
 fn exported<E>(
     text: &str,
     settings: &Settings,

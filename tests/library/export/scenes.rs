@@ -1,4 +1,4 @@
-//! Which of the project's own scenes go where, and what keeps the others back: what docs/exchange.md says of the language,
+//! Which of the project's own scenes can be exported where, and the reasons why others cannot: the table of docs/exchange.md,
 //! word by word.
 
 use std::collections::BTreeSet;

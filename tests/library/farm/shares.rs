@@ -46,7 +46,7 @@ proptest! {
         let shares = shares(samples.clone(), tasks);
         prop_assert!(covers(&shares, samples));
         prop_assert!(shares.len() <= tasks as usize);
-        // All but the last, which has what is left.
+        // All but the last, which has the rest.
         let sizes = shares[..shares.len() - 1].iter().map(|s| s.len());
         if let (Some(least), Some(most)) = (sizes.clone().min(), sizes.max()) {
             prop_assert!(most - least <= if least < 256 { 1 } else { 256 }, "{least} to {most}");

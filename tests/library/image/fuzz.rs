@@ -1,4 +1,4 @@
-//! Whatever a file holds, it is read or it is refused: never a panic, and never a value that is not a number.
+//! Any file is read or refused: never a panic, and never a value that is not a number.
 //!
 //! Without optimisation exr 1.74 panics on some broken B44 data (it relies on wrapping); `decode` makes that a refusal,
 //! but the panic's own words are seen in this test's output.
@@ -53,7 +53,7 @@ fn mutate(bytes: &mut Vec<u8>, random: &mut Random) {
             let end = bytes.len().min(at + 4);
             bytes[at..end].copy_from_slice(&word[..end - at]);
         }
-        // Most of what matters is in the header.
+        // Most of the important bytes are in the header.
         4 => {
             let at = random.below(bytes.len().min(400));
             bytes[at] = random.next() as u8;

@@ -1,4 +1,4 @@
-//! The bound on rounding, against rounding itself: it holds, and no smaller one would.
+//! The bound on rounding, against rounding itself: it is kept, and no smaller one would be.
 
 use vkpt::image::{Precision, rgbe, srgb};
 
@@ -43,7 +43,7 @@ fn floats() {
 #[test]
 fn rgbe_rounded_and_truncated() {
     let nearest = |rgb: [f64; 3]| rgbe::nearest(rgb.map(|x| x as f32));
-    // Half of what a writer that truncates may lose.
+    // Half of the loss of a writer that truncates.
     let rounded = worst(Precision::Rgbe, [1e-3, 1e3], nearest);
     assert!((0.45..=0.5).contains(&rounded), "{rounded}");
     // Ward's: the largest channel is between 128 and 256 steps; fractions of a step are dropped.

@@ -1,4 +1,4 @@
-//! What can't be read is told with the file's name, in words that help.
+//! Files that can't be read give an error with the file's name, in words that help.
 
 use std::fs;
 use std::path::Path;
@@ -24,7 +24,7 @@ fn of_bytes(bytes: &[u8]) -> String {
     decode(bytes).expect_err("must be refused").to_string()
 }
 
-/// What a message quotes of a file reaches no terminal as it stands.
+/// A message's quotation from a file is escaped before it reaches a terminal.
 #[test]
 fn a_message_holds_no_control_characters() {
     let hdr = b"#?RADIANCE\nFORMAT=32-bit_\x1b[2J\n\n-Y 1 +X 1\n";

@@ -1,4 +1,4 @@
-//! What vkpt writes it reads again: an EXR to the bit, an HDR and a PNG to their rounding.
+//! vkpt reads its own files again: an EXR to the bit, an HDR and a PNG to their rounding.
 
 use vkpt::film::Film;
 use vkpt::image::{Format, Precision, decode, read};
@@ -48,7 +48,7 @@ fn an_hdr_is_half_a_step_off() {
     // Half of 1/128, reached where the largest m is 128; truncation would come near the whole.
     assert!(worst <= 1.0 / 256.0, "{worst}");
     assert!(worst > 0.9 / 256.0, "{worst}");
-    // And what was read is written again as it is.
+    // And a film that was read is written again unchanged.
     let again = decode(&encoded(&picture.film, Format::Hdr, 0.0)).expect("a picture");
     assert_eq!(bits(&again.film.rgb), bits(&picture.film.rgb));
 }
@@ -77,7 +77,7 @@ fn an_hdr_clamps_what_it_cannot_hold() {
         rgb: vec![[f32::MAX, 0.0, 1e38], [1e-33, 1e-45, 0.0], [-1.0, 0.5, 0.0]],
     };
     let picture = decode(&encoded(&film, Format::Hdr, 0.0)).expect("a picture");
-    // The largest is 255·2^119 (e = 255); beside it a step is 2^119, of which 1e38 has 150.46.
+    // The largest is 255·2^119 (e = 255); next to it a step is 2^119, of which 1e38 has 150.46.
     let step = 119f64.exp2();
     assert_eq!(
         picture.film.rgb,

@@ -30,10 +30,10 @@ pub fn pictures(text: &str, integrator: Integrator, spp: u32, seeds: u32) -> Vec
     (0..seeds).map(picture).collect()
 }
 
-/// Rounding of sums in f32, for what has no variance.
+/// Rounding of sums in f32, for pictures without variance.
 const ROUNDING: f64 = 1e-5;
 
-/// The least p-value of what a ball makes being what it should.
+/// The least p-value for a ball's picture to be the expected one.
 fn ball_p(rendered: &Ball, expected: &Ball, integrator: Integrator) -> f64 {
     let found = found(expected, pictures(&rendered.scene(), integrator, 256, 12));
     if found.outside > 0.0 {
@@ -135,7 +135,7 @@ fn an_edge_out_of_focus_fades_as_the_share_of_a_disc_does() {
     }
 }
 
-/// All that a path may meet, near a lens as wide as what it sees.
+/// All that a path may meet, near a lens as wide as the view.
 #[test]
 fn all_integrators_have_the_same_mean() {
     let effort = Effort { seeds: 16, spp: 32 };

@@ -18,7 +18,7 @@ fn grid(n: usize) -> impl Iterator<Item = [f64; 4]> {
 }
 
 /// A centred square of half the side s becomes the circle of radius s, and areas shrink by π/4: by the map's derivatives, which
-/// differences over 1e-5 tell to 1e-9.
+/// differences over 1e-5 give to 1e-9.
 #[test]
 fn the_disc_is_covered_evenly() {
     for [u, v, ..] in grid(24).step_by(24 * 24) {

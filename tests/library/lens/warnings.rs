@@ -1,4 +1,4 @@
-//! What is refused of a lens, and warned of.
+//! The refusals and the warnings of a lens.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! What is drawn against what the density says, over the sphere of directions.
+//! The samples against their density, over the sphere of directions.
 
 use std::f64::consts::PI;
 
@@ -210,7 +210,7 @@ fn densities_integrate_to_one() {
     }
 }
 
-/// Beside a cylinder some samples show their back: the arc tells how many.
+/// Next to a cylinder some samples show their back: the arc gives their share.
 #[test]
 fn samples_are_lost_as_often_as_the_arc_says() {
     let cases = cases();
@@ -303,7 +303,7 @@ fn planted_errors_are_caught() {
 }
 
 /// The samples of f32 are those of f64 for the same random numbers, but for rounding: 1e-7, seen under cosines down to
-/// 1e-4. What is seen more edge-on has a density beyond 1e3, and a choice at its limit may fall either way.
+/// 1e-4. A light seen more edge-on has a density beyond 1e3, and a choice at its limit may fall either way.
 #[test]
 fn samples_in_f32_are_those_in_f64() {
     let v = DVec3::new;

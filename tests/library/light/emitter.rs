@@ -88,7 +88,7 @@ impl<F: Real> Emitter<F> {
         }
     }
 
-    /// What lies along a line of sight: the first point of a solid, every triangle of a mesh.
+    /// The hits along a line of sight: the first point of a solid, every triangle of a mesh.
     pub fn sights(&self, p: Vec3<F>, d: Vec3<F>) -> Vec<Sight<F>> {
         let ray = Ray::new(p, d);
         let hit = |t: F, prim: u32| Hit {

@@ -12,7 +12,7 @@ const HALF_ULP: f64 = 1.0 / 16_777_216.0;
 /// 1 − 2⁻²⁴
 const LAST: f32 = 0.999_999_94;
 
-/// 1 − cos θ_max = s²/(1 + √(1 − s²)) in f64: at most eight roundings of f32 away, whatever r/d.
+/// 1 − cos θ_max = s²/(1 + √(1 − s²)) in f64: at most eight roundings of f32 away, for any r/d.
 #[test]
 fn the_height_of_a_cone_keeps_its_digits() {
     let mut random = Random(1);
@@ -63,7 +63,7 @@ fn samples_of_far_and_near_spheres_keep_their_digits() {
             (a.pdf.f64() / b.pdf - 1.0).abs() <= 16.0 * HALF_ULP,
             "{apart}: {a:?} {b:?}"
         );
-        // A unit vector in f32, turned by a frame of such.
+        // A unit vector in f32, turned by a frame of unit vectors.
         assert!((a.wi.f64() - b.wi.f64()).length() <= 16.0 * HALF_ULP);
         assert!((a.wi.f64().length() - 1.0).abs() <= 1e-6);
         // By the rim the distance is as steep as a square root.

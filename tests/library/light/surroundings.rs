@@ -16,7 +16,7 @@ use crate::shape::random::Random;
 
 const LAST: f64 = 1.0 - 1.0 / 16_777_216.0;
 
-/// A scene of nothing but a picture.
+/// A scene with only a picture.
 fn surroundings(
     width: u32,
     height: u32,
@@ -91,7 +91,7 @@ fn a_mirrored_and_a_flipped_picture_and_another_frame_are_noticed() {
     assert!(wrong_texels::<f32>(&s, another, 1e-3, place) > 0);
 }
 
-/// What is said in the format's page: the middle is +X, the upper edge +Z, and +Y a quarter of the width to the left.
+/// As the format's page says: the middle is +X, the upper edge +Z, and +Y a quarter of the width to the left.
 #[test]
 fn axes_are_where_the_format_says() {
     let s = Surroundings::<f32>::new(&surroundings(8, 4, "", uneven));

@@ -33,7 +33,7 @@ impl Window {
         }
     }
 
-    /// Between two planes through `axis` that touch a cylinder, about the azimuth of `towards`. Seen from beside,
+    /// Between two planes through `axis` that touch a cylinder, about the azimuth of `towards`. Seen from the side,
     /// a density per area of the side goes to infinity at these planes as 1/√x; a graded φ takes that away.
     pub fn beside(axis: DVec3, towards: DVec3, half: f64, z: [f64; 2]) -> Self {
         let frame = frame_about(Vec3::new(axis.normalize()));

@@ -1,4 +1,4 @@
-//! The block z-test on pictures whose z can be told by hand.
+//! The block z-test on pictures whose z can be computed by hand.
 
 use vkpt::image::Precision;
 use vkpt::metrics::MetricsError;

@@ -1,4 +1,4 @@
-//! How often the block z-test rejects pictures that agree, and what its deviation tells of the errors given.
+//! How often the block z-test rejects pictures that agree, and what its deviation says about the given errors.
 
 use statrs::distribution::{Binomial, DiscreteCDF};
 use vkpt::film::Film;
@@ -109,7 +109,7 @@ fn errors_that_lie_show_in_the_deviation() {
 
 /// The test relies on a block's mean being normal. Fireflies (a pixel is 2500 with probability 1/2500, else 0)
 /// come 0.25 to a block: even with errors that are right, their count is Poisson's, and three in one block, which
-/// is nothing rare, are 5.5 standard errors. Where they are a fifth of the pixels the level holds.
+/// is nothing rare, are 5.5 standard errors. Where they are a fifth of the pixels the level is kept.
 #[test]
 fn rare_fireflies_are_no_normal_noise() {
     // 100 pictures, α = 1e-3: 4 rejections have the probability 4e-6 by chance.

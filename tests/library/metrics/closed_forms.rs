@@ -1,4 +1,4 @@
-//! Pictures whose errors can be told by hand.
+//! Pictures whose errors can be computed by hand.
 
 use vkpt::film::Film;
 use vkpt::metrics::{Errors, Pair, Trimmed, trimmed};

@@ -53,7 +53,7 @@ fn halves(random: &mut Random, truth: &Film, spp: u32) -> Reference {
     Reference::halves(a, b, &VIEWING).expect("two halves")
 }
 
-/// Two-sided p of `k` intervals out of `n` holding what they should hold with 95 %.
+/// Two-sided p of `k` intervals out of `n` containing the truth when each should with 95 %.
 fn p_of_coverage(k: u64, n: u64) -> f64 {
     let binomial = Binomial::new(0.95, n).expect("a probability");
     let above = if k == 0 { 1.0 } else { binomial.sf(k - 1) };
@@ -189,7 +189,7 @@ fn a_floor_is_found_where_there_is_one() {
 fn a_floor_knows_its_own_error() {
     let (truth, mut random) = (truth(), Random(17));
     let reference = Reference::picture(truth.clone(), None).expect("a reference");
-    // Above the noise everywhere, or there would be too little of what pairs share.
+    // Above the noise everywhere, or too little would be left of the part that pairs share.
     let biased = mapped(&truth, |v| v + 0.1);
     let expected = {
         let limits = [biased.clone(), biased.clone(), biased.clone()];
@@ -226,7 +226,7 @@ fn a_bias_flattens_the_curve() {
     assert!(between(&biased, 1 << 14).low > -0.3);
 }
 
-/// SMAPE and FLIP fall too, and the summary holds what was measured.
+/// SMAPE and FLIP fall too, and the summary contains the measurements.
 #[test]
 fn every_metric_falls_with_the_samples() {
     let (truth, mut random) = (truth(), Random(13));

@@ -32,7 +32,8 @@ fn error(d: &Film, r: &Film) -> f64 {
     terms.sum::<f64>() / d.rgb.as_flattened().len() as f64
 }
 
-/// Errors of the estimates, and how many bounds hold the truth, where `pictures` makes the denoised picture and the two quarters.
+/// Errors of the estimates, and how many bounds contain the truth, where `pictures` makes the denoised picture and the two
+/// quarters.
 fn trials(mut pictures: impl FnMut(&mut Random) -> [Film; 3]) -> (Vec<f64>, u64) {
     let truth = truth();
     let mut random = Random(19);
@@ -47,7 +48,7 @@ fn trials(mut pictures: impl FnMut(&mut Random) -> [Film; 3]) -> (Vec<f64>, u64)
     (errors, held)
 }
 
-/// How likely a bound that holds 95 times in a hundred holds so few of the trials.
+/// The probability that so few of the trials are within a bound that covers 95 in a hundred.
 fn p_of_held(held: u64) -> f64 {
     let law = Binomial::new(0.95, TRIALS as u64).expect("a law");
     law.cdf(held)

@@ -34,18 +34,18 @@ struct Trials {
     integrator: Integrator,
     size: [u32; 2],
     count: u32,
-    /// Of each of the two pictures that stand for the truth.
+    /// Samples of each of the two pictures that represent the truth.
     truth_spp: u32,
 }
 
-/// What came of them: for each trial what the estimate is off by, and how many bounds hold the error.
+/// The results: for each trial the error of the estimate, and how many bounds contain the error.
 struct Found {
     off: Vec<f64>,
     held: u64,
 }
 
 impl Found {
-    /// How likely so few of ends that hold 95 times in a hundred hold.
+    /// The probability that so few of ends that cover 95 times in a hundred do.
     fn p_of_held(&self, held: u64) -> f64 {
         let law = Binomial::new(0.95, self.off.len() as u64).expect("a law");
         law.cdf(held)

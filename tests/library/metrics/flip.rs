@@ -149,7 +149,7 @@ fn pictures_are_compared_as_their_pngs_show_them() {
         flip(&pair, &viewing).expect("a usual screen").errors
     };
     let (a, b) = (shown(30, 20, ramp), shown(30, 20, noisy));
-    // A thousandth of a code is no difference; nor is what is brighter than white.
+    // A thousandth of a code is no difference; nor are values brighter than white.
     let hardly = mapped(&a, |v| v * 1.000_01);
     assert!(map(&hardly, &a, 0.0).iter().all(|&e| e == 0.0));
     let [white, lamp] = [1.0, 50.0].map(|v| constant(30, 20, [v; 3]));

@@ -1,4 +1,4 @@
-//! The error that a picture tells of itself, against the error that it has: films of known truth and distribution.
+//! The error that a picture estimates of itself, against its actual error: films of known truth and distribution.
 
 use statrs::distribution::{Binomial, DiscreteCDF};
 use vkpt::film::Film;
@@ -24,7 +24,7 @@ fn of_a_constant_picture_it_is_the_closed_form() {
     }
 }
 
-/// One pixel of sixty-three is a firefly of height f: it counts with what its neighbours converge to.
+/// One pixel of sixty-three is a firefly of height f: it counts with the value to which its neighbours converge.
 #[test]
 fn a_firefly_counts_with_the_weight_of_its_neighbours() {
     let at = |x, y, f, rest| if (x, y) == (4, 3) { [f; 3] } else { [rest; 3] };
@@ -34,7 +34,7 @@ fn a_firefly_counts_with_the_weight_of_its_neighbours() {
     );
     let exact = 1e8 / (0.25 + 0.01) / 63.0;
     assert!((found.estimate / exact - 1.0).abs() < 1e-6, "{found:?}");
-    // Of one pixel nothing can be said, but which it is.
+    // One pixel gives no estimate, only its own place.
     let it = Culprits {
         half: 1,
         worst: [4, 3],
@@ -131,9 +131,9 @@ struct Row {
     group: fn(&mut Random, r: [f32; 3]) -> [f64; 3],
     /// Whether intervals are to be as short as they can be: of normal noise, the same in all channels.
     exact: bool,
-    /// Whether there is to be an interval; with fireflies it may be said that none can be told.
+    /// Whether an interval is expected; with fireflies there may be none.
     told: bool,
-    /// Factors by which the noise may be told too small or too large, and be found out.
+    /// Factors by which the noise may be reported too small or too large, and be noticed.
     planted: [f32; 2],
 }
 

@@ -1,4 +1,4 @@
-//! What the block z-test should see, and what it cannot.
+//! Errors that the block z-test should see, and errors that it cannot.
 
 use vkpt::film::Film;
 
@@ -6,7 +6,7 @@ use super::estimates::{measured, test};
 use super::pictures::{Random, at, film, mapped};
 use crate::common::data::data;
 
-/// A picture of several colours with 5 % of noise, and its errors: what a few hundred samples give.
+/// A picture of several colours with 5 % of noise, and its errors: as with a few hundred samples.
 fn scene() -> [Film; 2] {
     let mean = film(200, 150, |x, y| {
         let (x, y) = (x as f32 / 40.0, y as f32 / 30.0);
@@ -45,7 +45,7 @@ fn it_sees_what_it_should() {
     assert_eq!(against(&lobe).worst().origin, [0, 0]);
 }
 
-/// A shift by a pixel moves a block's mean by what enters less what leaves: an edge across it gives 1/25 of its
+/// A shift by a pixel moves a block's mean by the pixels that enter less those that leave: an edge across it gives 1/25 of its
 /// height, a smooth picture next to nothing.
 #[test]
 fn it_sees_a_shift_where_there_are_edges() {

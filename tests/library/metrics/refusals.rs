@@ -1,4 +1,4 @@
-//! What cannot be compared, and what is said about it.
+//! Pictures that cannot be compared, and the messages about them.
 
 use vkpt::film::Film;
 use vkpt::metrics::Pair;

@@ -1,4 +1,4 @@
-//! The tree of lights: probabilities that add up, choices as often as they say, no light lost that shines.
+//! The tree of lights: probabilities that add up, choices with their frequencies, no emitter lost.
 
 use glam::DVec3;
 use vkpt::prepared::{LightKind, Prepared};
@@ -101,7 +101,7 @@ fn lights_are_drawn_as_often_as_their_probabilities_say() {
         expected.push(n - expected.iter().sum::<f64>());
         let p = chi_square(&counts, &expected);
         assert!(p > level, "place {k}: p = {p:e}");
-        // the comparator tells a twentieth of the choices that went to another light
+        // the comparator detects a twentieth of the choices going to another light
         expected.iter_mut().for_each(|e| *e *= 0.95);
         expected[(0..pmfs.len()).max_by_key(|&i| counts[i]).expect("lights")] += 0.05 * n;
         assert!(chi_square(&counts, &expected) < level, "place {k}");

@@ -23,7 +23,7 @@ use crate::common;
 /// Level of a family of tests.
 const ALPHA: f64 = 1e-3;
 
-/// What a path did.
+/// The result of a path.
 #[derive(Default)]
 struct Story {
     /// Surfaces that it met.

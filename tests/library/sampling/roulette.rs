@@ -54,7 +54,7 @@ struct Case {
 
 /// Red is the largest channel. On throughput the first two bounces are free: what is left of a path after three
 /// is survived with 0.5³, and from there on it has throughput 1 before each bounce and 0.5 after it. A mirror that
-/// loses nothing is left at 0.95 from bounce 1000 on, whatever the setting.
+/// loses nothing is left at 0.95 from bounce 1000 on, under every setting.
 fn cases() -> Vec<Case> {
     let case = |name, brdf, roulette, first, [at_first, then]: [f64; 2]| Case {
         name,

@@ -1,4 +1,4 @@
-//! What is wrong with a scene, and where: line and column, and what is said.
+//! Errors of a scene: line, column and message.
 
 use std::path::Path;
 
@@ -118,7 +118,7 @@ fn each_mistake_is_told_once_and_in_its_place() {
     }
 }
 
-/// The same at the camera and the screen: text of the whole file, what is said.
+/// The same at the camera and the screen: text of the whole file, and the messages.
 #[test]
 fn views_are_checked_too() {
     let rows: &[(&str, &[Row])] = &[
@@ -131,7 +131,7 @@ fn views_are_checked_too() {
                 ("E", 0, 0, "a.scn has no `camera`"),
             ],
         ),
-        // A command that is there but wrong is not missing as well.
+        // A command that is present but wrong is not missing as well.
         (
             "screen 0 3\ncamera 0 0 0 1",
             &[(

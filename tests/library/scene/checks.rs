@@ -1,4 +1,4 @@
-//! What is asked of a mesh that light goes through.
+//! Requirements on a transmissive mesh.
 
 use glam::{DQuat, DVec3};
 use vkpt::scene::{Edges, Mesh, edges, flip, open_edges, signed_volume};
@@ -74,7 +74,7 @@ fn a_triangle_wound_the_other_way_tears_its_edges() {
 #[test]
 fn vertices_at_one_place_are_one_and_slivers_do_not_count() {
     let mut mesh = cuboid(DVec3::ZERO);
-    // Each triangle gets vertices of its own, and every other zero becomes negative.
+    // Each triangle gets its own vertices, and every other zero becomes negative.
     let corners: Vec<usize> = mesh
         .triangles
         .iter()

@@ -5,7 +5,7 @@ use vkpt::scene::{Geometry, Mesh, Read, Scene, read};
 
 use crate::common::data::data;
 
-/// `tests/data/classroom/NAME` and what was said of it.
+/// `tests/data/classroom/NAME` and the messages about it.
 fn classroom(name: &str) -> Read {
     let path = data("classroom").join(name);
     read(&path, false).unwrap_or_else(|errors| panic!("{errors}: {:?}", errors.diagnostics))

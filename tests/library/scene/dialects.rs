@@ -9,7 +9,7 @@ use vkpt::scene::{Camera, Geometry, MaterialKind, parse};
 
 use super::read_lines;
 
-/// What a camera line is read as, and the warnings; or the errors.
+/// The reading of a camera line, and the warnings; or the errors.
 fn camera(line: &str) -> Result<(Camera, Vec<String>), String> {
     let read =
         parse(&format!("screen 4 3\n{line}\n"), Path::new("a.scn"), false).map_err(|errors| {
@@ -51,7 +51,7 @@ fn cameras_of_other_programs() {
             format!("camera 1 2 3  .4  q {TURN}  5"),
             vec!["`5` is not a rotation: ignored".into()],
         ),
-        // Words within the orientation, each by itself.
+        // Words within the orientation, each alone.
         (
             "camera 1 2 3  .4  x 0 up y 90".into(),
             vec!["`up` is not a rotation: ignored".into()],
@@ -216,7 +216,7 @@ fn lines_of_a_scene_end_as_they_may() {
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-/// The file that a `mesh` line reads in a folder of meshes, and what is said; or the error and its help.
+/// The file that a `mesh` line reads in a folder of meshes, and the messages; or the error and its help.
 fn mesh_read(name: &str) -> Result<(String, Vec<String>), String> {
     let folder = tempfile::tempdir().expect("a folder");
     let root = folder.path();
@@ -272,7 +272,7 @@ fn meshes_that_are_missing_are_named() {
             "C:\\meshes\\two.obj",
             "/C:\\meshes\\two.obj: no such file (did you mean `two.obj`?)",
         ),
-        // Both `two.obj` and `TWO.obj` are there.
+        // Both `two.obj` and `TWO.obj` exist.
         (
             "Two.obj",
             "/Two.obj: no such file (did you mean `two.obj`?)",

@@ -1,4 +1,4 @@
-//! Whatever a file holds, it is read or it is refused: never a panic, and never a scene that breaks a promise.
+//! Any file is read or refused: never a panic, and never a scene that breaks a promise.
 
 use std::path::Path;
 

@@ -132,7 +132,7 @@ fn lists_strips_and_fans() {
     }
 }
 
-/// The largest index of its type stands for no vertex (glTF 2.0, section 3.7.2.1).
+/// The largest index of its type is no vertex (glTF 2.0, section 3.7.2.1).
 #[test]
 fn an_index_that_restarts_a_strip_is_refused() {
     for (kind, index) in [(U8, 0xff), (U16, 0xffff), (U32, u32::MAX)] {
@@ -224,7 +224,7 @@ fn a_position_that_is_not_finite_matters_where_a_triangle_uses_it() {
     for corner in [0, 2, 3] {
         assert_eq!(mesh.positions[corner], DVec3::from(CORNERS[corner]));
     }
-    // It is no place of its own: pictures are scaled to the box about all positions.
+    // It has no place of its own in pictures: they are scaled to the box about all positions.
     assert_eq!(mesh.positions[1], DVec3::from(CORNERS[2]));
     let said = read(&one(&buffer, primitive(2)), &buffer.bytes).expect_err("not finite");
     assert_eq!(

@@ -9,7 +9,7 @@ use vkpt::scene::{parse_mesh, read_mesh};
 use super::gltf::{CORNERS, one, plain, read, square};
 use crate::common::gltf_writer::{Buffer, F32, U8, glb};
 
-/// A pointer into the document, what is put there, and what is said.
+/// A pointer into the document, the value put there, and the message.
 const FAULTS: [(&str, &str, &str); 37] = [
     ("/scene", "7", "its default scene does not exist"),
     ("/scenes/0/nodes/0", "7", "node 7 does not exist"),
@@ -262,7 +262,7 @@ fn small_files_cannot_ask_for_large_meshes() {
     );
 }
 
-/// A file that is read must keep what is promised.
+/// A file that is read must keep the promises.
 fn try_bytes(bytes: &[u8]) {
     if let Ok(mesh) = parse_mesh(bytes, Path::new("tests/mesh.glb")) {
         let vertices = mesh.positions.len() as u32;
@@ -325,7 +325,7 @@ pub fn never_panics(document: &Value, bin: &[u8]) {
         for _ in 0..=random.below(3) {
             let at = random.below(bytes.len());
             bytes[at] = match (round % 3, random.below(2)) {
-                // Most of the file is JSON; a number that becomes another is what goes furthest.
+                // Most of the file is JSON; changing one number into another has the widest effect.
                 (0, _) if !bytes[at].is_ascii_digit() => continue,
                 (0, _) => digits[random.below(10)],
                 (_, 0) => digits[random.below(digits.len())],

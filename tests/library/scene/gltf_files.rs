@@ -1,4 +1,4 @@
-//! What glTF files are stored in: GLB or JSON alone, buffers within them and beside them; and what they ask of a reader.
+//! Containers of glTF files: GLB or JSON alone, buffers within them and next to them; and their requirements on a reader.
 
 use std::path::Path;
 
@@ -63,7 +63,7 @@ fn names_may_be_in_another_encoding() {
     parse(&bytes).expect("a mesh");
 }
 
-/// Chunks of unknown kinds are passed over (glTF 2.0, section 4.4.3), and those that break off are told of.
+/// Chunks of unknown kinds are skipped (glTF 2.0, section 4.4.3), and truncated ones give an error.
 #[test]
 fn chunks_are_known_by_their_kinds() {
     let (document, bin) = plain();
@@ -132,7 +132,7 @@ fn chunks_are_known_by_their_kinds() {
     }
 }
 
-/// glTF 1.0 has objects where 2.0 has arrays; the version is told and not that.
+/// glTF 1.0 has objects where 2.0 has arrays; the message is about the version only.
 #[test]
 fn other_versions_are_refused_by_name() {
     let mut document = alone();
@@ -193,7 +193,7 @@ fn extensions_that_change_what_is_read_must_be_known() {
         "KHR_lights_punctual",
     ];
     document["extensionsRequired"] = json!(harmless);
-    // Nothing of this is looked at.
+    // None of this is inspected.
     document["textures"] = json!([{"extensions": {"KHR_texture_basisu": {"source": 0}}}]);
     document["images"] = json!([{"uri": "none.ktx2"}]);
     read(&document, &bin).expect("a mesh");
@@ -221,7 +221,7 @@ fn extensions_that_change_what_is_read_must_be_known() {
     }
 }
 
-/// Compressed data that are not required have a copy that is not compressed; where it is missing, they are told of.
+/// Compressed data that are not required have an uncompressed copy; if it is missing, there is an error.
 #[test]
 fn compression_that_is_not_required_leaves_a_copy() {
     let (mut document, bin) = plain();

@@ -34,7 +34,7 @@ fn nodes_are_placed_and_a_mesh_may_stand_in_several() {
     assert_eq!(mesh.triangles[2..], [[4, 5, 6], [4, 6, 7]]);
 }
 
-/// The normals of the ellipsoid that a scaled unit sphere is: (x/a², y/b², z/c²), which points out whatever the signs
+/// The normals of the ellipsoid that a scaled unit sphere is: (x/a², y/b², z/c²), which points out for any signs
 /// of a, b, c; and the triangle's own normal keeps to their side.
 #[test]
 fn normals_stay_outward_under_stretching_and_mirroring() {
@@ -131,7 +131,7 @@ fn a_scene_without_triangles_gives_way_to_one_that_has_some() {
     }
 }
 
-/// Nothing of this is looked at, so it may be of any form.
+/// None of this is inspected, so it may have any form.
 #[test]
 fn what_is_not_read_may_be_as_it_likes() {
     let (mut document, bin) = plain();
@@ -167,7 +167,7 @@ fn what_is_not_read_may_be_as_it_likes() {
     assert_eq!(read(&document, &bin).expect("a mesh"), expected);
 }
 
-/// What is wrong with a node, by its number and name; nodes that are not read may be as they like.
+/// The errors of a node, by its number and name; nodes that are not read may be wrong.
 #[test]
 fn transforms_that_place_nothing_are_refused_by_node() {
     let rows = [
@@ -267,7 +267,7 @@ fn what_is_scaled_to_nothing_is_left_out() {
     assert_eq!(said, format!("it has no triangles: {hidden} is skipped"));
 }
 
-/// Each instance would be a mesh of its own.
+/// Each instance would be its own mesh.
 #[test]
 fn instances_are_missed_with_a_warning() {
     let (mut document, bin) = plain();

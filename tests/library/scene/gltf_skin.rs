@@ -54,7 +54,7 @@ impl Skinned {
 const FIRST: [[f64; 4]; 3] = [[1., 0., 0., 0.]; 3];
 
 /// A root that turns z to y above mesh and joint, as exporters write it: (x, y, z) becomes (x, z, −y). The joint stood
-/// at (0, 0, 1) when it was bound and stands there still.
+/// at (0, 0, 1) when it was bound and is there still.
 #[test]
 fn a_mesh_follows_its_joints_and_not_its_node() {
     let skinned = Skinned::new(&[[0.; 4]; 3], &FIRST);
@@ -185,7 +185,7 @@ fn damaged_skins_never_panic() {
     never_panics(&document, &skinned.buffer.bytes);
 }
 
-/// A pointer into the document, what is put there, and what is said.
+/// A pointer into the document, the value put there, and the message.
 const FAULTS: [(&str, &str, &str); 13] = [
     ("/nodes/0/skin", "7", "skin 7 does not exist"),
     (

@@ -1,4 +1,4 @@
-//! What a legal scene means.
+//! The meaning of legal scenes.
 
 use std::path::Path;
 
@@ -191,7 +191,7 @@ fn words_hold_for_the_materials_that_follow() {
     assert_eq!(words, expected);
 }
 
-/// Where the camera of `orientation` puts a vector of its own frame.
+/// The image of a vector of the camera's frame under its `orientation`.
 fn turned(orientation: &str, v: DVec3) -> DVec3 {
     let text = format!("screen 4 3\ncamera 0 0 0 1 {orientation}");
     let scene = parse(&text, Path::new("a.scn"), true)

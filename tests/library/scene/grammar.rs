@@ -11,7 +11,7 @@ use vkpt::scene::{Geometry, Read, Shape, parse};
 use super::fuzz::NASTY;
 use crate::bodies;
 
-/// Runs with the same cases each time: a failure shrinks to a small scene, which becomes a test of its own.
+/// Runs with the same cases each time: a failure shrinks to a small scene, which becomes a separate test.
 fn config(cases: u32) -> ProptestConfig {
     ProptestConfig {
         cases,
@@ -21,7 +21,7 @@ fn config(cases: u32) -> ProptestConfig {
     }
 }
 
-/// Any number that single precision holds: of everyday size, or of any exponent.
+/// Any number that single precision represents: of everyday size, or of any exponent.
 fn number() -> impl Strategy<Value = f64> {
     let whole_range = prop::num::f32::ANY.prop_filter("finite", |v| v.is_finite());
     prop_oneof![
@@ -123,7 +123,7 @@ fn read(text: &str) -> Read {
         .unwrap_or_else(|e| panic!("{e}: {:?}\n{text}", e.diagnostics))
 }
 
-/// The words of a mutation: which line, which token of it, and what stands there then.
+/// The words of a mutation: which line, which token of it, and its replacement.
 fn mutation() -> impl Strategy<Value = (Index, Index, &'static str)> {
     (any::<Index>(), any::<Index>(), select(NASTY.to_vec()))
 }
@@ -151,7 +151,7 @@ proptest! {
         prop_assert_eq!(one, other);
     }
 
-    /// All digits of a number count, whatever its notation.
+    /// All digits of a number count, in any notation.
     #[test]
     fn numbers_are_read_as_they_were_written(
         [x, y, z] in [number(), number(), number()],

@@ -15,7 +15,7 @@ fn read(model: &Model) -> Read {
     read.unwrap_or_else(|errors| panic!("{:?}", errors.diagnostics))
 }
 
-/// What is said of it with a severity, without the file's name.
+/// The messages of a severity, without the file's name.
 fn said(read: &Read, severity: Severity) -> Vec<String> {
     let of = read.warnings.iter().filter(|d| d.severity == severity);
     of.map(|d| d.to_string().replace("m.glb: ", "")).collect()
@@ -29,7 +29,7 @@ fn block(material: Value) -> Model {
     model
 }
 
-/// What a material becomes, and the warnings.
+/// The result of a material, and the warnings.
 fn kind(material: Value) -> (MaterialKind, Vec<String>) {
     let read = read(&block(material));
     let warnings = said(&read, Severity::Warning);
@@ -43,7 +43,7 @@ fn brdf(material: Value) -> (Brdf, Vec<String>) {
     }
 }
 
-/// Sums and products of the table, with nothing but their rounding.
+/// Sums and products of the table, with only their rounding.
 fn near(a: DVec3, b: DVec3) {
     assert!((a - b).abs().max_element() < 1e-12, "{a} and {b}");
 }
@@ -177,7 +177,7 @@ fn what_emits_is_a_light() {
     assert_eq!(kind(shining), (radiance, vec![told.to_owned()]));
 }
 
-/// A square that shines has a rim; glTF has it shine to one side unless it is double-sided.
+/// An emitting square has a rim; in glTF it emits to one side unless it is double-sided.
 #[test]
 fn an_open_light_shines_to_both_sides() {
     for both in [false, true] {
@@ -261,7 +261,7 @@ fn without_a_light_all_around_is_white() {
     assert_eq!(said(&lit, Severity::Advice), [""; 0]);
 }
 
-/// A node's transform places a primitive, and a mesh at two nodes stands there twice.
+/// A node's transform places a primitive, and a mesh at two nodes is in the scene twice.
 #[test]
 fn a_primitive_of_a_node_is_a_shape() {
     let mut model = block(matte([0.5; 3]));

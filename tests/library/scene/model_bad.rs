@@ -181,7 +181,7 @@ fn places(value: &Value, place: &str, all: &mut Vec<String>) {
     }
 }
 
-/// Whatever stands in place of any value, the file is read as a scene that keeps its promises, or refused.
+/// With any value replaced by any other, the file is read as a scene that keeps its promises, or refused.
 #[test]
 fn any_value_may_stand_anywhere() {
     let mut model = block(glass([0.9, 0.5, 0.1], 2.0));

@@ -1,4 +1,4 @@
-//! Pictures of glTF files, held against closed forms.
+//! Pictures of glTF files, compared with closed forms.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -34,10 +34,10 @@ fn channels(model: &Model, spp: u32) -> [Vec<f64>; 3] {
     [0, 1, 2].map(|c| film.rgb.iter().map(|p| f64::from(p[c])).collect())
 }
 
-/// Below this a mean is taken for another one. With the nine that are expected to hold it is crossed once in 10⁵ seeds.
+/// Below this a mean is taken for another one. With the nine that should pass it is crossed once in 10⁵ seeds.
 const LEVEL: f64 = 1e-6;
 
-/// What angles within a pixel, below 1e-4, make of a cosine is below 1e-8, and f32 of the film's digits 6e-8.
+/// Angles within a pixel, below 1e-4, change a cosine by less than 1e-8, and f32 of the film's digits by 6e-8.
 const ROUNDING: f64 = 1e-6;
 
 /// A slab whose attenuationColor is transmitted over `distance`, seen along its normal before a lamp of radiance 1.
@@ -58,7 +58,7 @@ fn slab(thickness: f64, distance: f64) -> Model {
     model
 }
 
-/// T of slab_beer.csv along the normal, for what the colour of [`slab`] lets through over the thickness.
+/// T of slab_beer.csv along the normal, for the transmittance of the colour of [`slab`] over the thickness.
 fn transmitted() -> [f64; 3] {
     let table = Table::open("slab_beer.csv");
     ["0.9", "0.5", "0.1"].map(|kt| {
@@ -80,7 +80,7 @@ fn a_slab_transmits_what_the_table_says() {
     }
 }
 
-/// A slab absorbs too little if attenuationColor is taken for what a unit transmits, and not a distance of 2 units.
+/// A slab absorbs too little if attenuationColor is taken for the transmittance of a unit, and not of a distance of 2 units.
 #[test]
 fn another_distance_is_noticed() {
     let seen = channels(&slab(1.0, 2.0), 256);

@@ -37,7 +37,7 @@ fn directions(camera: &Camera) -> [DVec3; 3] {
     [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|v| camera.orientation * v)
 }
 
-/// Numbers of the format are single: what follows from them is as close as that.
+/// Numbers of the format are single: results computed from them are as close as that.
 fn near(a: DVec3, b: DVec3) {
     assert!((a - b).length() < 1e-7 * (1.0 + b.length()), "{a} and {b}");
 }
@@ -67,7 +67,7 @@ fn field_of_view_and_size_are_the_cameras() {
     );
 }
 
-/// A quarter turn about Y looks along −X; what is above it moves, turns and scales it.
+/// A quarter turn about Y looks along −X; the nodes above it move, turn and scale it.
 #[test]
 fn nodes_place_and_turn_it_and_their_scales_do_not_count() {
     let half = 0.5f64.sqrt();

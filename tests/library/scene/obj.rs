@@ -36,7 +36,7 @@ fn a_polygon_is_a_fan_and_positions_keep_f64() {
     assert_eq!(mesh, expected);
 }
 
-/// What may stand in a file besides, and the many ways of saying the same.
+/// Other statements that a file may contain, and the many ways of saying the same.
 #[test]
 fn ways_of_writing_a_square() {
     let plain = soup(&read(&format!("{CORNERS}f 1 2 3 4\n")).expect("a square"));
@@ -195,7 +195,7 @@ fn what_is_wrong_is_said_with_its_line() {
     }
 }
 
-/// Lines are read from above; what the faces name is looked for at the end, the highest first.
+/// Lines are read from above; the targets of the faces are looked up at the end, the highest first.
 #[test]
 fn of_several_faults_the_first_is_told() {
     let rows = [

@@ -11,7 +11,7 @@ use super::fuzz::Random;
 /// A corner: which position, and which normal if it names one; from 0.
 type Corner = (usize, Option<usize>);
 
-/// What a file says.
+/// The contents of a file.
 struct Meant {
     positions: Vec<DVec3>,
     normals: Vec<DVec3>,
@@ -148,7 +148,7 @@ fn vector(random: &mut Random) -> DVec3 {
     DVec3::from_array([(); 3].map(|()| number(random)))
 }
 
-/// A number that single precision holds: small and whole, with all digits of f64, or of any exponent.
+/// A number that single precision represents: small and whole, with all digits of f64, or of any exponent.
 fn number(random: &mut Random) -> f64 {
     let wide = f32::from_bits(random.next() as u32);
     match random.below(3) {
@@ -187,7 +187,7 @@ fn position(p: DVec3, random: &mut Random) -> String {
     }
 }
 
-/// An index, from 1; of what stands above perhaps counted back from there.
+/// An index, from 1; or, for a vertex above, perhaps counted back from there.
 fn index(place: usize, above: usize, random: &mut Random) -> i64 {
     match place < above && random.below(2) == 0 {
         true => place as i64 - above as i64,

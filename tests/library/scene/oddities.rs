@@ -272,7 +272,7 @@ fn normals_without_a_direction_are_those_of_the_face() {
             "{word}"
         );
     }
-    // What no face has is not counted.
+    // Elements that no face has are not counted.
     is_read(format!("{OBJ}vn nan nan nan\n").as_bytes(), "a.obj", &[]);
 }
 
@@ -325,7 +325,7 @@ fn triangle_strips() {
         0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 4\n10 0 1 3 2 -1 0 1 4 4 1\n";
     let mesh = read(text.as_bytes(), "a.ply").expect("strips");
     assert_eq!(mesh.triangles, [[0, 1, 3], [3, 1, 2], [0, 1, 4]]);
-    // Beside faces, and of an index that is not there.
+    // With faces, and for an index that does not exist.
     let both = text.replace(
         "element tristrips",
         "element face 1\nproperty list uchar int vertex_indices\nelement tristrips",
@@ -359,7 +359,7 @@ fn triangle_strips() {
     );
 }
 
-/// What makes no triangles here is told where a person may miss it.
+/// Input that makes no triangles gives a warning where a person may miss it.
 #[test]
 fn statements_that_are_left_out() {
     let rows = [

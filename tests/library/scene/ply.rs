@@ -12,7 +12,7 @@ fn read(bytes: &[u8]) -> Result<MeshFile, MeshError> {
     parse_mesh(bytes, Path::new("mesh.PLY"))
 }
 
-/// A square and a triangle below it, with normals, between properties and elements that nobody asked for.
+/// A square and a triangle below it, with normals, between unknown properties and elements.
 const DRESSED: &str = "comment a test\nobj_info nothing\nelement vertex 5\nproperty uchar red\nproperty float x\n\
     property float y\nproperty list uchar short tags\nproperty float z\nproperty double nx\nproperty double ny\n\
     property double nz\nelement lamp 2\nproperty double power\nelement face 2\nproperty uint id\n\
@@ -211,7 +211,7 @@ fn what_is_wrong_is_said() {
     }
 }
 
-/// What C++ streams write and read, and the other numbers that ASCII files have.
+/// The numbers that C++ streams write and read, and the other numbers of ASCII files.
 #[test]
 fn numbers_may_begin_or_end_with_a_point() {
     let whole = file(Encoding::Ascii, HEADER, &triangle(0.0, [0, 1, 2]));

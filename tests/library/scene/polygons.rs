@@ -39,7 +39,7 @@ fn is_inside(corners: &[DVec2], p: DVec2) -> bool {
     crossed.count() % 2 == 1
 }
 
-/// What is wrong with the triangles of a polygon in the plane z = 0; they must be wound as it is, lie in it, and have its
+/// The errors of the triangles of a polygon in the plane z = 0; they must be wound as it is, lie in it, and have its
 /// area.
 fn fault(corners: &[DVec2], triangles: &[[u32; 3]]) -> Option<String> {
     let whole = area(corners);
@@ -147,7 +147,7 @@ fn the_triangles_cover_the_polygon_whichever_corner_comes_first() {
                     None,
                     "{corners:?} from {first}"
                 );
-                // Neighbours of a solid share whole sides: no corner on a straight side is left out.
+                // Neighbours of a solid share whole sides: no corner on a straight side is omitted.
                 let used: std::collections::HashSet<u32> =
                     mesh.triangles.as_flattened().iter().copied().collect();
                 let places = corners.iter().map(|p| p.to_array().map(f64::to_bits));
@@ -248,7 +248,7 @@ fn polygons_without_an_area_and_bent_ones_are_read() {
     }
 }
 
-/// Scales from the smallest that single precision holds to the largest.
+/// Scales from the smallest that single precision represents to the largest.
 #[test]
 fn of_any_size() {
     for exponent in [-120, -60, 0, 60, 120] {

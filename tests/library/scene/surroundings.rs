@@ -1,4 +1,4 @@
-//! `background FILE` and `ibl FILE`: what is read, what is warned of, and what is refused.
+//! `background FILE` and `ibl FILE`: reading, warnings, and refusals.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Meshes that another program wrote: `fixtures/trimesh/make.py` tells how.
+//! Meshes that another program wrote, by `tests/data/scene/trimesh/make.py`.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use crate::common::render::{difference, film};
 
 const FOLDER: &str = "tests/data/scene/trimesh";
 
-/// The endings of the formats that are held against PLY.
+/// The endings of the formats that are compared with PLY.
 const OTHERS: [&str; 3] = ["obj", "glb", "gltf"];
 
 fn read(name: &str) -> MeshFile {
@@ -72,7 +72,7 @@ fn so_are_its_normals() {
 fn transforms_are_applied() {
     let (truth, _) = corners(&read("family.ply"));
     assert_eq!(truth.len(), 60);
-    // OBJ holds what trimesh made of them, GLB the transforms: in single precision, coordinates below 8.
+    // OBJ contains trimesh's results, GLB the transforms: in single precision, coordinates below 8.
     for (name, limit) in [
         ("family.obj", 1e-12),
         ("family.glb", 16.0 * f64::from(f32::EPSILON)),

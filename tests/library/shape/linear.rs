@@ -1,4 +1,4 @@
-//! The order among hits: least (t, shape, primitive), whatever is asked first; targets and limits.
+//! The order among hits: least (t, shape, primitive), in any order of tests; targets and limits.
 
 use vkpt::prepared::NONE;
 use vkpt::reference::math::{Vec3, vec3};

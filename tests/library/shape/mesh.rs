@@ -143,7 +143,7 @@ fn moller_trumbore(o: DVec3, d: DVec3, v: [DVec3; 3]) -> (f64, f64, f64, f64) {
     )
 }
 
-/// What f32 may be off in the distance to a triangle, and in the weights of its corners.
+/// The error of f32 in the distance to a triangle, and in the weights of its corners.
 ///
 /// Sheared coordinates are at most 4 roundings of numbers up to `away` off; the plane and the edges appear that far from
 /// their place, seen under the cosine and in units of the least height.
@@ -249,7 +249,7 @@ fn edge_distance(ray: Ray<f32>, triangle: &Triangle<f32>) -> f64 {
 }
 
 /// Whether a ray runs into the front of a triangle in whose plane it starts, past an edge of its own, all up to
-/// rounding: it starts on both, and no arithmetic with rounded points can tell that it passes by.
+/// rounding: it starts on both, and no arithmetic with rounded points can decide that it passes by.
 fn touches(ray: Ray<f32>, own: &Triangle<f32>, other: &Triangle<f32>, rounding: f64) -> bool {
     let [a, b, c] = other.v.map(Vec3::f64);
     let n = (b - a).cross(c - a).normalize();
@@ -257,7 +257,7 @@ fn touches(ray: Ray<f32>, own: &Triangle<f32>, other: &Triangle<f32>, rounding: 
     n.dot(ray.d.f64()) < 0.0 && in_plane && edge_distance(ray, own) <= rounding
 }
 
-/// What leaves a convex mesh to the outside never meets it again, but where it touches it at its start.
+/// A ray that leaves a convex mesh to the outside never meets it again, but where it touches it at its start.
 #[test]
 fn a_convex_mesh_has_no_acne() {
     for (faces, place) in [(round(), 0.0), (round(), 10.0), (cube(), 0.0)] {
@@ -276,7 +276,7 @@ fn a_convex_mesh_has_no_acne() {
     }
 }
 
-/// What leaves a closed mesh to the inside meets it, unless it passes by an edge of its own triangle more
+/// A ray that leaves a closed mesh to the inside meets it, unless it passes by an edge of its own triangle more
 /// closely than coordinates are rounded: beyond the edge, in the corner between two triangles, outside begins.
 #[test]
 fn no_ray_to_the_inside_of_a_mesh_gets_lost() {

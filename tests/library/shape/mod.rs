@@ -1,4 +1,4 @@
-//! Intersection against closed forms in f64, at every scale, and what must never happen: leaks and acne.
+//! Intersection against closed forms in f64, at every scale, and errors that must never happen: leaks and acne.
 
 mod linear;
 mod mesh;

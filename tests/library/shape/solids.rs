@@ -12,7 +12,7 @@ const SCALES: [f64; 5] = [1e-5, 1e-2, 1.0, 1e3, 1e5];
 /// Distances of the origin from the solid, in its sizes.
 const DISTANCES: [f64; 4] = [0.01, 1.0, 30.0, 1000.0];
 
-/// A hit as a formula in f64 tells it: distance and |n·d|.
+/// A hit by a formula in f64: distance and |n·d|.
 type Exact = Option<(f64, f64)>;
 
 /// The roots of a t² − 2 b t + c that is the textbook's way.

@@ -116,11 +116,11 @@ fn the_chord_of_a_sphere_is_twice_the_cosine() {
 fn a_start_in_the_plane_of_another_face_is_not_stopped_there() {
     let (lo, hi) = (Vec3::<f32>::zero(), Vec3::one());
     let slanted = |z: f32| vec3(0.6, 0.0, z);
-    // Beside the box, in the plane of its top, downwards: its side is hit, not its top.
+    // Next to the box, in the plane of its top, downwards: its side is hit, not its top.
     let beside = vec3(-1.0, 0.5, 1.0);
     let hit = box_hit(beside, vec3(0.8, 0.0, -0.6), lo, hi, START_ELSEWHERE);
     assert_eq!((hit.t, hit.face), (1.25, 0));
-    // On its top, upwards: nothing. Downwards: what comes after the start is the way out.
+    // On its top, upwards: nothing. Downwards: the next hit after the start is the way out.
     let on_top = vec3(0.25, 0.5, 1.0);
     assert_eq!(
         box_hit(on_top, slanted(0.8), lo, hi, START_ELSEWHERE).t,
@@ -130,7 +130,7 @@ fn a_start_in_the_plane_of_another_face_is_not_stopped_there() {
         box_hit(on_top, slanted(-0.8), lo, hi, START_ELSEWHERE).t,
         1.25
     );
-    // Sliding along a face's plane, within or beside the face: a miss, and no NaN.
+    // Sliding along a face's plane, within or next to the face: a miss, and no NaN.
     let x = vec3(1.0, 0.0, 0.0);
     for o in [beside, on_top, vec3(-1.0, 0.0, 0.5), vec3(-1.0, 0.0, 0.0)] {
         assert_eq!(box_hit(o, x, lo, hi, START_ELSEWHERE).t, -1.0, "{o:?}");
@@ -177,7 +177,7 @@ fn rays_along_the_axis_of_a_cylinder() {
     assert_eq!((across.t, across.part), (2.0, 0));
 }
 
-/// A ball that touches a table: what starts on the table next to the point of contact sees the ball.
+/// A ball that touches a table: a ray that starts on the table next to the point of contact sees the ball.
 #[test]
 fn no_offset_skips_a_shape_that_touches() {
     for k in 1..=20 {

@@ -125,7 +125,7 @@ fn points_lie_on_triangles() {
             let off = n.dot(at.p.f64() - a) / n.length();
             // Seven roundings a coordinate (see `nearer`), three coordinates.
             assert!(off.abs() <= 7.0 * 3.0 * HALF_ULP * scale);
-            // e₁ × e₂ of rounded edges: as good as the triangle is fat.
+            // e₁ × e₂ of rounded edges: its error grows as the triangle gets thinner.
             let fat = n.length() / ((b - a).length() * (c - a).length());
             assert!((at.ng.f64() - n.normalize()).length() <= 8.0 * HALF_ULP / fat);
             assert_eq!(at.ns, at.ng);

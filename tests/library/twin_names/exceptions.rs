@@ -1,7 +1,7 @@
 //! Where kernel and reference differ by name, and why.
 
-/// (start of a GLSL file, the Rust file with its twins): what is a file for a slot there is an arm of a `match` here,
-/// or a function of the file that calls it; what is generated there is written here.
+/// (start of a GLSL file, the Rust file with its twins): a file for a slot there is an arm of a `match` here,
+/// or a function of the file that calls it; code that is generated there is written by hand here.
 pub const HOMES: &[(&str, &str)] = &[
     // `mixed` with Kd = 0, to the bit
     ("bsdf/diffuse/absent", "bsdf/diffuse/mixed"),

@@ -27,7 +27,7 @@ impl fmt::Display for Function {
     }
 }
 
-/// Types of arguments that stand for what a kernel has in its slots, buffers and push constants, or that record.
+/// Types of arguments that represent a kernel's slots, buffers and push constants, or that record.
 const GIVEN_TO_RUST: [&str; 18] = [
     "&Settings",
     "&World<F>",
@@ -94,7 +94,7 @@ pub fn rust_functions() -> Vec<Function> {
     all
 }
 
-/// The Rust files below a folder with their texts, tests left out.
+/// The Rust files below a folder with their texts, without tests.
 pub fn sources(folder: &Path) -> Vec<(std::path::PathBuf, String)> {
     let mut all = Vec::new();
     for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
@@ -169,7 +169,7 @@ fn without_comments(text: &str) -> String {
     text.lines().map(code).collect::<Vec<_>>().join("\n")
 }
 
-/// What stands between the first parenthesis and the one that closes it, and what follows.
+/// The text between the first parenthesis and the one that closes it, and the text after it.
 fn parentheses(text: &str) -> Option<(&str, &str)> {
     let mut depth = 0;
     for (i, c) in text.char_indices() {

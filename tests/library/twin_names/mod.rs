@@ -87,7 +87,7 @@ fn homes(glsl: &str) -> Vec<String> {
     all
 }
 
-/// What is wrong with a kernel's function, given the reference's; marks the exceptions that it needs.
+/// The errors of a kernel's function, given the reference's; marks the exceptions that it needs.
 fn complaint<'a>(
     glsl: &'a Function,
     rust: &[Function],

@@ -14,7 +14,7 @@ use super::surface::estimator;
 
 /// Of a whole family.
 pub const LEVEL: f64 = 0.01;
-/// Error that the tables admit, 1e-6, and what an event has that none of 2¹⁶ points need to have met (3/2¹⁶).
+/// Error that the tables admit, 1e-6, and that of an event that 2¹⁶ points may all miss (3/2¹⁶).
 pub const UNCERTAINTY: f64 = 5e-5;
 pub const POINTS: usize = 2048;
 
@@ -35,13 +35,13 @@ pub fn split(settings: &Settings, at: &Interaction<f64>, u: [f64; 2]) -> [f64; 2
     let c = dot3(at.wo, normals_sample(settings, at, u));
     let reflect = reflect_probability(settings, at, c, carried_mean(at, fresnel(at, c)));
     let sample = |u_reflect| bsdf_sample(settings, at, random(0.5, u_reflect, u, [0.5; 2]));
-    // below R, whatever it is, and above
+    // below R, at any value of it, and above
     let (near, far) = (sample(0.0), sample(1.0 - f64::EPSILON));
     let transmitted = if far.wi.z < 0.0 { far.weight.x } else { 0.0 };
     [near.weight.x * reflect, transmitted * (1.0 - reflect)]
 }
 
-/// Directional albedo: what is reflected, and what is transmitted.
+/// Directional albedo: the reflected part, and the transmitted part.
 pub fn albedo(settings: &Settings, at: &Interaction<f64>, seed: u64) -> [Estimate; 2] {
     estimate(POINTS, seed, |u: [f64; 2]| split(settings, at, u))
 }
@@ -54,7 +54,7 @@ impl Comparison {
     pub fn add(&mut self, name: String, found: Estimate, expected: f64) {
         self.0.push((name, found, expected));
     }
-    /// What is rejected.
+    /// The rejected estimates.
     pub fn rejected(&self) -> Vec<String> {
         let least = sidak(LEVEL, self.0.len());
         let bad = |(_, e, x): &&(String, Estimate, f64)| e.p_value(*x, UNCERTAINTY) < least;
@@ -73,7 +73,7 @@ impl Comparison {
                 .collect(),
         )
     }
-    /// Holds, and every expectation, were it planted, would be rejected.
+    /// Passes, and every expectation, if planted, would be rejected.
     pub fn assert_holds(&self) {
         let (bad, planted) = (self.rejected(), self.planted().rejected());
         let all = self.0.len();

@@ -1,4 +1,4 @@
-//! Samples of directions held against the density they claim.
+//! Samples of directions compared with the density they claim.
 
 use std::f64::consts::TAU;
 
@@ -22,7 +22,7 @@ pub struct Histogram {
     total: u64,
 }
 
-/// What the comparison found.
+/// The result of the comparison.
 #[derive(Clone, Copy, Debug)]
 pub struct Verdict {
     /// Probability of histograms that fit no better.

@@ -1,4 +1,4 @@
-//! Moments of the mean over RGB of a sample's weight, by quadrature over what it is drawn from.
+//! Moments of the mean over RGB of a sample's weight, by quadrature over its distribution.
 
 use vkpt::reference::bsdf::choice::reflect_probability;
 use vkpt::reference::bsdf::fresnel::fresnel;

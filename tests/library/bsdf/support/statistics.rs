@@ -8,7 +8,7 @@ pub fn sidak(level: f64, tests: usize) -> f64 {
     -f64::exp_m1(f64::ln_1p(-level) / tests as f64)
 }
 
-/// P(χ² ≥ `statistic`); 1 without freedom, where one cell holds everything and its count says nothing.
+/// P(χ² ≥ `statistic`); 1 without freedom, where one cell contains everything and its count says nothing.
 pub fn chi_square_p(statistic: f64, freedom: usize) -> f64 {
     if freedom == 0 {
         return 1.0;

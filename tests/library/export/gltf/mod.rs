@@ -1,4 +1,4 @@
-//! Scenes as glTF: read back by vkpt's own reader, they are the same; and what glTF cannot say is refused.
+//! Scenes as glTF: read back by vkpt's own reader, they are the same; and scenes that glTF cannot express are refused.
 
 mod refusals;
 mod round_trip;
@@ -25,7 +25,7 @@ fn ready(scene: &Scene) -> Prepared {
     prepare(scene, &Settings::default(), None).expect("a scene that can be prepared")
 }
 
-/// The scene of a text, and what its export is read as: without a warning.
+/// The scene of a text, and the scene that its export is read as: without a warning.
 fn there_and_back(text: &str) -> [Scene; 2] {
     let there = parse(text, Path::new("scene.scn"), false).expect("a scene");
     let bytes = glb(text, &Settings::default()).expect("nothing is refused");

@@ -1,4 +1,4 @@
-//! What glTF cannot say.
+//! Scenes that glTF cannot express.
 
 use vkpt::settings::{Fresnel, Model};
 use vkpt_cli::export::gltf::setting;

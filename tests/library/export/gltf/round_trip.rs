@@ -14,7 +14,7 @@ fn of(words: &str, material: &str) -> String {
     )
 }
 
-/// What the kernels know of a material, in single precision. Where nothing is mirrored there is no width.
+/// The fields of a material that kernels read, in single precision. Where nothing is mirrored there is no width.
 fn seen(m: &Material) -> (MaterialKind, Vec<f32>) {
     use MaterialKind::{Black, Diffuse, NullInterface, RoughDielectric};
     let has_width = matches!(m.kind, MaterialKind::Glossy | RoughDielectric);

@@ -1,4 +1,5 @@
-//! Scenes in Mitsuba's words: well-formed, each value as computed by hand from the scene, and what has no equal refused.
+//! Scenes in Mitsuba's format: well-formed, each value as computed by hand from the scene; scenes without an equivalent are
+//! refused.
 
 mod camera;
 mod refusals;
@@ -12,7 +13,7 @@ use vkpt_cli::export::{Beside, Remark};
 
 use super::{exported, models_without_an_equal, refusals, same, written};
 
-/// What an export left: the XML and the meshes.
+/// The files of an export: the XML and the meshes.
 struct Exported {
     xml: String,
     meshes: Vec<Beside>,
@@ -45,7 +46,7 @@ fn plugins<'a>(document: &'a Document, tag: &'static str) -> Vec<Node<'a, 'a>> {
     all.filter(|node| node.has_tag_name(tag)).collect()
 }
 
-/// The bsdf of a line, without what makes it two-sided.
+/// The bsdf of a line, without the plugin that makes it two-sided.
 fn bsdf<'a>(document: &'a Document, line: usize) -> Node<'a, 'a> {
     let id = format!("bsdf-{line}");
     let all = document.descendants();

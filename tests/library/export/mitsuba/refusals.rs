@@ -1,4 +1,4 @@
-//! What Mitsuba has no equal of.
+//! Scenes that Mitsuba has no equivalent of.
 
 use std::path::Path;
 
@@ -103,7 +103,7 @@ fn places_that_rounding_decides_are_refused() {
     assert_eq!(refused(&scene(&glass)), [(7, Reason::Coincident(5))]);
     let flush = format!("{floor}brdf .9 .5 .5 0 0 0 1\nbox -1 -1 -.5 2 2 .5\n");
     assert_eq!(refused(&scene(&flush)), [(7, Reason::Coincident(5))]);
-    // Nobody sees between opaque solids, nor tells one colour from itself.
+    // No path reaches between opaque solids, and a colour equals itself.
     export(&scene(&format!(
         "{floor}brdf .9 .5 .5 0 0 0 1\nbox -1 -1 0 2 2 1\n"
     )));

@@ -1,4 +1,4 @@
-//! What stands before the world.
+//! The directives before the world.
 
 use super::*;
 
@@ -33,7 +33,7 @@ fn the_field_of_view_is_that_of_the_shorter_side() {
     let film = export(AIR);
     check(film.only("Film"), "integer xresolution", &[400.0]);
     check(film.only("Film"), "integer yresolution", &[200.0]);
-    // pbrt rounds to half precision where it is not told.
+    // pbrt rounds to half precision by default.
     assert_eq!(film.only("Film").values("bool savefp16"), ["false"]);
 }
 

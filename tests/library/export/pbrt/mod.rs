@@ -1,4 +1,5 @@
-//! Scenes in pbrt's words: legal statements, each value as computed by hand from the scene, and what has no equal refused.
+//! Scenes in pbrt's format: legal statements, each value as computed by hand from the scene; scenes without an equivalent are
+//! refused.
 
 mod camera;
 mod format;
@@ -13,7 +14,7 @@ use vkpt_cli::export::{Beside, Remark};
 
 use super::{exported, models_without_an_equal, refusals, same, written};
 
-/// What an export left.
+/// The files of an export.
 struct Exported {
     statements: Vec<Statement>,
     meshes: Vec<Beside>,

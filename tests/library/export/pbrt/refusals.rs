@@ -1,4 +1,4 @@
-//! What pbrt has no equal of.
+//! Scenes that pbrt has no equivalent of.
 
 use std::path::Path;
 
@@ -46,7 +46,7 @@ fn meshes_with_shading_normals_are_refused_and_lights_of_open_ones_are_not() {
     };
     let grey = scene("brdf .5 .5 .5 0 0 0 1", with_normals.path());
     assert_eq!(refused(&grey), [(4, Reason::ShadingNormals)]);
-    // What is black has no use for them, and lights shine to both sides.
+    // A black surface has no use for them, and lights emit to both sides.
     export(&scene("light 1 1 1", with_normals.path()));
     export(&scene("light 1 1 1", open.path()));
 }
@@ -57,7 +57,7 @@ fn places_that_rounding_decides_are_refused() {
         "screen 8 8\ncamera 0 0 9 1\nfresnel exact\nbrdf .5 .5 .5 0 0 0 1\nbox -2 -2 -1 4 4 1\n";
     let glass = format!("{floor}brdf 0 0 0 0 0 0 0 .5 .5 .5 1.5\nbox -1 -1 0 2 2 1\n");
     assert_eq!(refused(&glass), [(7, Reason::Coincident(5))]);
-    // A light about the eye shines inwards too.
+    // A light about the eye emits inwards too.
     export("screen 8 8\ncamera 0 0 9 1\nlight 1 1 1\nsphere 0 0 9 2\n");
 }
 

@@ -93,7 +93,7 @@ fn another_model_is_warned_of_by_line() {
     assert_eq!(said(&of("#", ".5 .5 .5 0 0 0 1")), "");
     assert_eq!(said(&of("#", ".5 .5 .4 0 0 0 1")), "5: a colou");
     assert_eq!(exact("0 0 0 0 0 0 0 .5 .5 .4 1.5"), "5: a colou");
-    // Of what exact glass has no use for.
+    // A parameter that exact glass does not use.
     assert_eq!(exact("0 0 0 .1 .2 .3 0 .5 .5 .5 1.5"), "");
     assert_eq!(
         exact("0 0 0 0 0 0 .2 .5 .4 .5 1.5"),

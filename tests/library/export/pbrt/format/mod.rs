@@ -41,7 +41,7 @@ impl Statement {
     }
 }
 
-/// The statements of a file; an error says what is wrong with it.
+/// The statements of a file; an error describes the mistake.
 pub fn read(text: &str) -> Result<Vec<Statement>, String> {
     let mut statements: Vec<Statement> = Vec::new();
     let mut tokens = tokens(text)?.into_iter();
@@ -83,7 +83,7 @@ fn until_bracket(tokens: &mut impl Iterator<Item = Token>) -> Result<Vec<String>
     Err("a bracket is open".to_owned())
 }
 
-/// What is named must be there, and attributes must end.
+/// Named objects must exist, and attributes must end.
 fn named(statements: &[Statement]) -> Result<(), String> {
     let made = |directive: &str, name: &str| {
         let mut made = statements.iter().filter(|s| s.directive == directive);

@@ -1,4 +1,4 @@
-//! Directives and plugins, and what each of them takes.
+//! Directives and plugins, and the parameters of each.
 
 use super::Statement;
 
@@ -24,7 +24,7 @@ const DIRECTIVES: [(&str, usize); 18] = [
     ("Shape", 1),
 ];
 
-/// Each plugin of a directive and what it takes.
+/// Each plugin of a directive and its parameters.
 const PLUGINS: [(&str, &str, &[&str]); 17] = [
     (
         "Film",
@@ -85,7 +85,7 @@ pub fn words(directive: &str) -> Option<usize> {
     found.map(|(_, words)| *words)
 }
 
-/// What is wrong with it.
+/// The errors in it.
 pub fn check(statement: &Statement) -> Result<(), String> {
     let words = words(&statement.directive)
         .ok_or_else(|| format!("{} is no directive", statement.directive))?;

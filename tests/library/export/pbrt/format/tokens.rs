@@ -1,4 +1,4 @@
-//! A text → words, brackets, and what stands in quotes.
+//! A text → words, brackets, and quoted strings.
 
 /// A token: in quotes, or not.
 #[derive(Clone, Debug, PartialEq)]
