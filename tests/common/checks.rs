@@ -1,4 +1,4 @@
-//! Records of `vkpt check` that never ran, and pictures to stand beside them.
+//! Records of `vkpt check` that never ran, and pictures to show next to them.
 
 use vkpt::film::Film;
 use vkpt::metrics::difference_map;
@@ -6,7 +6,7 @@ use vkpt::report::SettingsRecord;
 use vkpt::settings::Settings;
 use vkpt_lab::check::report::{CaseRecord, Check, Held, Shown};
 
-/// A case that is held against `held`.
+/// A case that is compared with `held`.
 pub fn case(name: &str, held: Vec<Held>) -> CaseRecord {
     CaseRecord {
         name: name.to_owned(),

@@ -2,7 +2,7 @@
 //! and in f64, by nothing that a renderer has.
 //!
 //! The eye is the origin and looks along z; R is the lens's radius, F the distance that is sharp. A ball of radius ρ whose
-//! centre is d deep and s beside the axis of a pinhole covers the area
+//! centre is d deep and s off the axis of a pinhole covers the area
 //!
 //! π ρ² √(d² + s² − ρ²) / √(d² − ρ²)³
 //!
@@ -24,12 +24,12 @@ pub struct Ball {
     pub lens: f64,
     pub focus: f64,
     pub radius: f64,
-    /// Beside the axis, and how deep.
+    /// Off the axis, and how deep.
     pub at: [f64; 2],
     pub depth: f64,
 }
 
-/// The half axes of that ellipse, and how far its middle is beside the projection of the ball's, which is at s/d.
+/// The half axes of that ellipse, and how far its middle is from the projection of the ball's, which is at s/d.
 fn contour(radius: f64, depth: f64, aside: f64) -> (f64, f64, f64) {
     let square = depth * depth - radius * radius;
     let long = radius * (square + aside * aside).sqrt() / square;
@@ -57,7 +57,7 @@ impl Ball {
         )
     }
 
-    /// The mean over the picture, which holds all of the disc: each point l of the lens is a pinhole that sees the ball.
+    /// The mean over the picture, which contains all of the disc: each point l of the lens is a pinhole that sees the ball.
     /// By 200 × 200 points of the lens, whose integrand is smooth: its second differences leave 1e-5.
     pub fn mean(&self) -> f64 {
         const N: usize = 200;
@@ -95,7 +95,7 @@ impl Ball {
     }
 
     /// The mean over each pixel, where it is known: by 4 × 4 points. The radiance varies by √(1 + s²/h²): by a few per cent
-    /// over the picture, so that what the points leave out is far below 1e-4.
+    /// over the picture, so the error of the points is far below 1e-4.
     pub fn pixels(&self) -> Vec<Option<f64>> {
         let at = |k: f64| HALF * (2.0 * k / SIDE as f64 - 1.0);
         let point = |i: usize, a: f64, b: f64| {
@@ -163,7 +163,7 @@ pub fn found(ball: &Ball, films: impl IntoIterator<Item = Film>) -> Found {
     found
 }
 
-/// One behind what is sharp, and one before it: discs of eight pixels' radius beside the middle.
+/// One behind the sharp plane, and one before it: discs of eight pixels' radius next to the middle.
 pub const BALLS: [Ball; 2] = [
     Ball {
         lens: 0.4,

@@ -1,4 +1,4 @@
-//! What a surface's facets show of themselves, by quadrature: the energy that the model gains or loses there.
+//! The visible part of a surface's facets, by quadrature: the energy that the model gains or loses there.
 //!
 //! Smith's G1 is what makes G1(wo)/wo.z ∫ D(m) max(0, wo·m) dm 1 (Heitz, Understanding the Masking-Shadowing Function in
 //! Microfacet-Based BRDFs, JCGT 2014, eq. 16). GGX has Smith's own; Beckmann's rational one is within 3.1e-3 of it, and
@@ -66,8 +66,8 @@ pub fn facets(distribution: Distribution, width: f64, z: f64) -> f64 {
     g1(distribution, width, z) / z * sum / f64::from(NODES)
 }
 
-/// By how much the weights of normals as they are seen may be above their mean, G1(wi) apart: Phong's law has that much more
-/// than its facets show, √(2π/(k + ½)) for ∫ cosᵏ along the plane of incidence, k = α_p + 1, and across it, k = α_p + 2
+/// By how much the weights of visible normals may be above their mean, apart from G1(wi): Phong's law has that much more
+/// than its visible facets, √(2π/(k + ½)) for ∫ cosᵏ along the plane of incidence, k = α_p + 1, and across it, k = α_p + 2
 /// (model.md, "Visible micro-normals").
 pub fn excess(distribution: Distribution, width: f64) -> f64 {
     let alpha = 2.0 / (width * width) - 2.0;
@@ -77,7 +77,7 @@ pub fn excess(distribution: Distribution, width: f64) -> f64 {
         (TAU / (k + 0.5)).sqrt() / ln_integral.exp()
     };
     match distribution {
-        // beyond, what is left of it is lost in the logarithms
+        // beyond, the rest of it is lost in the logarithms
         Distribution::Phong if alpha < 1e4 => share(alpha + 1.0) * share(alpha + 2.0),
         Distribution::Phong => 1.0 + 1e-8,
         Distribution::Ggx | Distribution::Beckmann => 1.0,

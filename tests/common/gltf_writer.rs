@@ -9,7 +9,7 @@ pub const U16: u32 = 5123;
 pub const U32: u32 = 5125;
 pub const F32: u32 = 5126;
 
-/// A buffer, with a view and an accessor for each array that it holds.
+/// A buffer, with a view and an accessor for each array that it contains.
 #[derive(Default)]
 pub struct Buffer {
     pub bytes: Vec<u8>,
@@ -48,7 +48,7 @@ impl Buffer {
         )
     }
 
-    /// Adds an array of vectors of three, each 4 bytes into `stride` bytes of something else.
+    /// Adds an array of vectors of three, each 4 bytes into `stride` bytes of other data.
     pub fn interleaved(&mut self, kind: u32, rows: &[[f64; 3]], stride: usize) -> usize {
         let mut bytes = Vec::new();
         for row in rows {

@@ -21,7 +21,7 @@ pub fn square() -> NamedTempFile {
     )
 }
 
-/// What follows `format ascii 1.0` in a PLY file.
+/// The text after `format ascii 1.0` in a PLY file.
 pub fn ply(rest: &str) -> NamedTempFile {
     let file = tempfile::Builder::new()
         .suffix(".ply")

@@ -1,7 +1,7 @@
-//! What the three crates of tests share; here the Vulkan device that they run on.
+//! Code that the three crates of tests share; here the Vulkan device that they run on.
 //!
 //! `VKPT_TEST_DEVICE` picks it (part of a name, or an index; default: the best). A test that finds none fails, unless
-//! the run goes without (`needs`).
+//! the run skips devices (`needs`).
 
 #![allow(dead_code, reason = "each of the three crates uses a part of it")]
 
@@ -36,7 +36,7 @@ pub fn root() -> &'static Path {
     package.ancestors().find(is_root).expect("the repository")
 }
 
-/// One device for all tests of a crate, under the validation layer. `None`: the run goes without.
+/// One device for all tests of a crate, under the validation layer. `None`: the run skips devices.
 pub fn device() -> Option<&'static Device> {
     static DEVICE: OnceLock<Device> = OnceLock::new();
     Need::Device.find(|| {
@@ -57,7 +57,7 @@ pub fn cpu_driver() -> Option<&'static Device> {
     })
 }
 
-/// The device that is asked for.
+/// The requested device.
 pub fn selector() -> Selector {
     std::env::var("VKPT_TEST_DEVICE").map_or(Selector::Best, |name| Selector::from(name.as_str()))
 }
@@ -67,7 +67,7 @@ pub fn open(options: Options) -> Option<Device> {
     Need::Device.find(|| opened(options))
 }
 
-/// Under the validation layer, but where the run goes without it.
+/// Under the validation layer, unless the run skips it.
 fn opened(options: Options) -> Result<Device, GpuError> {
     let validation = !Need::Validation.waived();
     let options = Options {

@@ -4,14 +4,14 @@ use serde_json::{Value, json};
 
 use super::gltf_writer::{Buffer, F32, U16, glb};
 
-/// A document of boxes and squares, each a mesh of a node of its own with a material of its own.
+/// A document of boxes and squares, each a mesh of its own node with its own material.
 pub struct Model {
     pub document: Value,
     buffer: Buffer,
 }
 
 impl Model {
-    /// Nothing but a camera at `eye` that looks down −Z; yfov is twice the angle whose tangent is `ry`.
+    /// Only a camera at `eye` that looks down −Z; yfov is twice the angle whose tangent is `ry`.
     pub fn seen_from(eye: [f64; 3], ry: f64) -> Self {
         let mut model = Self::unseen();
         let perspective = json!({"yfov": 2.0 * ry.atan(), "aspectRatio": 1, "znear": 0.01});
@@ -64,7 +64,7 @@ impl Model {
         self.mesh(&corners, triangles.as_flattened(), material)
     }
 
-    /// Adds a mesh at a node of its own; returns the node.
+    /// Adds a mesh at its own node; returns the node.
     pub fn mesh(&mut self, corners: &[[f64; 3]], indices: &[u32], material: Value) -> usize {
         let positions = self.buffer.vectors(F32, corners);
         let indices = self.buffer.scalars(U16, indices);
@@ -118,7 +118,7 @@ pub fn matte(base: [f64; 3]) -> Value {
     })
 }
 
-/// A material that shines and is black otherwise.
+/// A material that emits and is black otherwise.
 pub fn lamp(radiance: f64) -> Value {
     let mut lamp = matte([0.0; 3]);
     lamp["emissiveFactor"] = json!([1, 1, 1]);

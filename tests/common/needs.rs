@@ -1,4 +1,4 @@
-//! What tests need beside this repository: a device, drivers, programs.
+//! Requirements of tests outside this repository: a device, drivers, programs.
 //!
 //! A test fails where one is missing, and says what to install. A run may go without it, and says so outright by an
 //! environment variable: the tests that need it then return early, each with one line that `.ci/run` counts,
@@ -23,7 +23,7 @@ pub enum Need {
     /// `spirv-val` and `spirv-dis`.
     SpirvTools,
     Chromium,
-    /// What layers of Vulkan are compiled against.
+    /// Headers that layers of Vulkan are compiled against.
     VulkanHeaders,
     /// Disks of the test's own: user namespaces that may mount.
     Mounts,
@@ -56,7 +56,7 @@ impl Need {
         }
     }
 
-    /// What Debian calls it.
+    /// Debian's name for it.
     fn package(self) -> &'static str {
         match self {
             Self::Device | Self::CpuDriver | Self::Lavapipe | Self::Radv => "mesa-vulkan-drivers",
@@ -72,12 +72,12 @@ impl Need {
         }
     }
 
-    /// Whether the run goes without.
+    /// Whether the run skips it.
     pub fn waived(self) -> bool {
         std::env::var_os(self.variable()).is_some_and(|v| v == "1")
     }
 
-    /// What the test needs; `None`, with a line that says so, where the run goes without.
+    /// A requirement of the test; `None`, with a line that says so, if the run skips it.
     ///
     /// # Panics
     /// Where it is missing.
@@ -88,7 +88,7 @@ impl Need {
         Some(find().unwrap_or_else(|missing| self.fail(missing)))
     }
 
-    /// Whether the run goes without, and so the test is skipped, which is said.
+    /// Whether the run skips it, and so the test is skipped, which is printed.
     pub fn skips(self) -> bool {
         if self.waived() {
             skipped(&format!("{}=1", self.variable()));
@@ -96,7 +96,7 @@ impl Need {
         self.waived()
     }
 
-    /// It is missing: what went wrong, and what to do.
+    /// It is missing: prints the error, and what to do.
     pub fn fail(self, missing: impl Display) -> ! {
         panic!(
             "{missing}\nDebian: apt-get install {}\n{}=1 skips the tests that need it",
@@ -106,7 +106,7 @@ impl Need {
     }
 }
 
-/// radv's manifest for the loader; `None` where the run goes without.
+/// radv's manifest for the loader; `None` if the run skips it.
 pub fn radv() -> Option<String> {
     Need::Radv.find(|| {
         let folder = "/usr/share/vulkan/icd.d";

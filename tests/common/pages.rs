@@ -1,6 +1,6 @@
-//! What HTML pages must not have.
+//! Things that HTML pages must not have.
 
-/// Every address that a browser would ask for: what stands in src, href, url() and @import.
+/// Every address that a browser would request: those in src, href, url() and @import.
 pub fn outside(page: &str) -> Vec<&str> {
     let mut found = Vec::new();
     for (before, harmless) in [
@@ -26,7 +26,7 @@ pub fn outside(page: &str) -> Vec<&str> {
 /// Words that would be markup, were they not escaped.
 pub const MARKUP: &str = "</pre><script>alert(1)</script>&\"'<img src=x onerror=y>";
 
-/// A page about [`MARKUP`] has the tags of a plain one and no more, and tells the words as words.
+/// A page about [`MARKUP`] has only the tags of a plain one, and shows the words as words.
 pub fn no_markup(page: &str, plain: &str) {
     for tag in ["<script", "<img", "</pre", "<style"] {
         assert_eq!(

@@ -41,7 +41,7 @@ pub fn outcome(job: &Job, target: &Target) -> Outcome {
     render(job, target, &AtomicBool::new(false), &mut |_| {}).expect("a rendering")
 }
 
-/// Renders on the tests' device, which the validation layer watches; `None` where the run goes without.
+/// Renders on the tests' device, which the validation layer watches; `None` if the run skips devices.
 pub fn on_device(job: &Job) -> Option<Outcome> {
     let limits = DispatchLimits::of(super::device()?).expect("a probe");
     on_device_within(job, limits)
@@ -60,7 +60,7 @@ pub fn film(text: &str, settings: Settings, spp: u32, seed: u32, target: &Target
 }
 
 /// For each seed, pixel and channel: the variance that the mean of the job's samples would have if they were independent,
-/// Σ (x − x̄)²/(n (n − 1)). A sample is what it changes a picture by; by cpu-f32.
+/// Σ (x − x̄)²/(n (n − 1)). A sample is the change that it makes to a picture; by cpu-f32.
 pub fn spread_of_samples(job: &Job, seeds: &[u32]) -> Vec<Vec<[f64; 3]>> {
     let mut replicates = Replicates::new(job, &Engine::CpuF32, seeds).expect("ready");
     let mut of = |i: usize| {

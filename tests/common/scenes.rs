@@ -1,4 +1,4 @@
-//! Scene files, and small scenes that between them hold every part of the model; each fits a picture of 32 × 24.
+//! Scene files, and small scenes that together contain every part of the model; each fits a picture of 32 × 24.
 
 use std::path::{Path, PathBuf};
 
@@ -127,7 +127,7 @@ cylinder -0.6 -1.7 3.1 .1 .1 .2 .04
 ";
 
 /// Faces that coincide: a lamp flush with the ceiling, glass that stands on the floor and touches other glass, a ball and a
-/// cylinder whose lines stand there twice.
+/// cylinder whose lines occur twice.
 pub const FLUSH: &str = "screen 32 24
 camera 0 -6 1.5 .35 x 80
 light 6 5 4
@@ -193,7 +193,7 @@ brdf 0 0 0 0 0 0 1 .5 .7 .9 1
 box -.6 -3.6 .8 1 .5 1
 ";
 
-/// Diffuse, glossy and clear, under a picture that is turned, beside a light.
+/// Diffuse, glossy and clear, under a picture that is turned, next to a light.
 pub fn surroundings(picture: &Path) -> String {
     format!(
         "screen 32 24\ncamera 0 -6 2 .35 x 75\nbackground {} .7 z 40 x 15\nlight 3 2 1\nsphere 3 0 4 .5\n\

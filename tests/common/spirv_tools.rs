@@ -5,7 +5,7 @@ use std::process::Command;
 
 use super::needs::Need;
 
-/// Standard output of a tool that must succeed; `None` where the run goes without.
+/// Standard output of a tool that must succeed; `None` if the run skips it.
 pub fn tool(name: &str, args: &[&str], input: &[u8]) -> Option<String> {
     try_tool(name, args, input).map(|r| r.unwrap_or_else(|e| panic!("{name}: {e}")))
 }

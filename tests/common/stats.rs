@@ -73,7 +73,7 @@ pub fn chi_square(counts: &[usize], expected: &[f64]) -> f64 {
         sum += term(pooled.0, pooled.1);
         bins += 1;
     } else if pooled.0 > pooled.1 + 30.0 {
-        // Hits where none are due, too few expected for a test of their own.
+        // Hits where none are due, too few expected for a separate test.
         return 0.0;
     }
     let degrees = (bins - 1).max(1) as f64;

@@ -1,4 +1,4 @@
-//! The light of classes of paths beside a device's picture: the reference makes them, from the samples that the device had.
+//! The light of classes of paths next to a device's picture: the reference makes them, from the samples that the device had.
 
 use std::sync::atomic::AtomicBool;
 
@@ -51,7 +51,7 @@ fn classes_add_up_to_the_picture_of_a_cpu_device() {
         let channels = channels.expect("nobody stops it");
         let worst = off(&picture, &channels);
         assert!(worst <= 1e-5, "{integrator:?}: {worst}");
-        // A class that is left out is missed, and so are the samples of another seed.
+        // A class that is missing is noticed, and so are the samples of another seed.
         let without_diffuse = [&channels[..3], &channels[6..]].concat();
         assert!(off(&picture, &without_diffuse) > 1e-2, "{integrator:?}");
         let other = Job { seed: 4, ..job };

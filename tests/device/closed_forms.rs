@@ -31,7 +31,7 @@ pub struct Case {
     pub settings: Settings,
     pub spp: u32,
     pub expected: Rgb,
-    /// The most that one path brings: of light that is found in two ways, by both together.
+    /// The largest contribution of one path: for light that is found in two ways, of both together.
     pub most: f64,
     /// 1: all pixels show the same thing, each is a sample. More: the mean of each seed's picture is a sample.
     pub seeds: u32,
@@ -61,8 +61,8 @@ fn samples(case: &Case, target: &Target) -> [Vec<f64>; 3] {
     })
 }
 
-/// Every case on every target. Each must fail with its expectation 1 % off, or, where so few paths cannot tell 1 %, by
-/// what they can tell.
+/// Every case on every target. Each must fail with its expectation 1 % off, or, where so few paths cannot detect 1 %, by
+/// the amount that they can detect.
 pub fn check(cases: &[Case]) {
     let level = sidak(ALPHA, 3 * cases.len() * targets().len());
     for target in targets() {
@@ -114,7 +114,7 @@ fn disc_light_over_a_lambert_plane() {
             settings.estimator.connect = connect;
             settings.estimator.roulette = roulette;
             let name = format!("{connect:?}, {roulette:?}");
-            // The disc is nearest right below it: Kd/π · area/h². What a path hits brings Kd, over its survival.
+            // The disc is nearest right below it: Kd/π · area/h². A light that a path hits contributes Kd, over its survival.
             let survival = match roulette {
                 Roulette::Constant(p) => p,
                 _ => 1.0,
@@ -140,8 +140,8 @@ fn disc_light_over_a_lambert_plane() {
 }
 
 /// A camera inside glass of index n sees a furnace at n² with radiance scaling, at 1 without (model.md,
-/// "Camera in glass"), from inside each of the four shapes. It looks along z, within 36° of it: whatever is reflected meets
-/// an end or the ball within the critical angle again and again, so that no path is trapped, and each brings as much.
+/// "Camera in glass"), from inside each of the four shapes. It looks along z, within 36° of it: reflected light meets
+/// an end or the ball within the critical angle again and again, so that no path is trapped, and each contributes as much.
 #[test]
 fn camera_inside_glass_sees_the_furnace_scaled() {
     let glass = "background 1 1 1\nfresnel exact\nbrdf 0 0 0 .04 .04 .04 0 1 1 1 1.5\n";
@@ -210,8 +210,8 @@ fn absorbing_sphere_in_a_furnace() {
     check(&cases);
 }
 
-/// A slab of unit thickness: T and R of `slab_beer.csv` (model.md, "Slab with absorption"). What it transmits is red,
-/// what it reflects green.
+/// A slab of unit thickness: T and R of `slab_beer.csv` (model.md, "Slab with absorption"). Transmitted light is red,
+/// reflected light green.
 #[test]
 fn absorbing_slab() {
     let table = Table::open("slab_beer.csv");

@@ -33,7 +33,7 @@ fn examine(device: &Device, own: &[OwnFile]) -> Examination {
     examined(Examiner { own, ..PROBES }, device)
 }
 
-/// The file's text with `from` replaced, which it must hold.
+/// The file's text with `from` replaced, which it must contain.
 fn altered(name: &str, from: &str, to: &str) -> String {
     let text = file(name).expect("a file of shaders/");
     assert!(text.contains(from), "{name} has no {from}");
@@ -81,7 +81,7 @@ fn the_device_of_the_tests_is_healthy() {
     assert_eq!(device.validation_messages(), Vec::<String>::new());
 }
 
-/// Vulkan's bounds are wide: whatever keeps to them, and lavapipe does, is told so.
+/// Vulkan's bounds are wide: a device that keeps them, as lavapipe does, is reported to.
 #[test]
 fn the_drivers_functions_are_measured_and_judged_by_vulkans_bounds() {
     let Some(device) = common::device() else {
@@ -98,7 +98,7 @@ fn the_drivers_functions_are_measured_and_judged_by_vulkans_bounds() {
     }
     let functions = found.driver_functions.expect("they were examined");
     for f in &functions {
-        // Nothing but a correctly rounded function is 0.5 ulp off; nothing at all is less, over so many arguments.
+        // Only a correctly rounded function is 0.5 ulp off; none is less, over so many arguments.
         assert!(f.ulps.error > 0.49, "{f:?}");
         assert!(f.relative.error > 0.0 && f.absolute.error > 0.0, "{f:?}");
     }

@@ -1,4 +1,4 @@
-//! What a kernel holds and who brought it in: held against scenes whose lines are known, and against the kernels.
+//! The contents of a kernel and the lines that require them: compared with scenes whose lines are known, and with the kernels.
 
 use vkpt::film::Aov;
 use vkpt::prepared::Prepared;
@@ -16,7 +16,7 @@ fn plan(job: &Job) -> Plan {
     Plan::new(job, PlanLimits::default()).expect("a plan")
 }
 
-/// The parts of a job whose settings are told against the defaults.
+/// The parts of a job whose settings are reported against the defaults.
 fn explained(job: &Job, text: &str) -> Vec<Part> {
     let preset = Preset {
         name: "the default",
@@ -43,7 +43,7 @@ fn find<'a>(parts: &'a [Part], group: &str, name: &str) -> &'a Part {
     found.unwrap_or_else(|| panic!("{group} {name} is not told"))
 }
 
-/// (group, name, lines): what this scene holds and which lines brought it in.
+/// (group, name, lines): the features of this scene and the lines that require them.
 type Row = (&'static str, &'static str, &'static [usize]);
 
 /// Exactly these rows have lines, and these lines.
@@ -210,7 +210,7 @@ fn what_a_scene_lacks_is_left_out_and_the_reason_told() {
     }
 }
 
-/// What the features hold, and nothing else, is in the kernel by some line; all else has a reason.
+/// Exactly the features are in the kernel, each by some line; all else has a reason.
 fn check_whole(job: &Job, text: &str, name: &str) {
     for part in explained(job, text) {
         let told = !part.why.is_empty() || !part.quote.is_empty();

@@ -1,5 +1,5 @@
-//! Where f32 ends: throughput that underflows ends its path, what is broken breaks its sample and is dropped, each is
-//! counted by its cause; and what is rarer than a uniform number can tell is right on average.
+//! Where f32 ends: throughput that underflows ends its path, a broken value breaks its sample, which is dropped, each is
+//! counted by its cause; and events rarer than a uniform number can represent are right on average.
 
 use vkpt::kernel::{OwnFile, file};
 use vkpt::render::{Dropped, Job, KernelChoice, Outcome, Target};
@@ -28,7 +28,7 @@ fn by_both(text: &str) -> Vec<Outcome> {
         .collect()
 }
 
-/// Between mirrors of Ks ½ throughput is 2⁻ᵏ after k bounces. 2⁻¹²⁶ is still held, so a path dies at bounce 127.
+/// Between mirrors of Ks ½ throughput is 2⁻ᵏ after k bounces. 2⁻¹²⁶ can be stored, so a path dies at bounce 127.
 #[test]
 fn a_path_ends_where_its_throughput_underflows() {
     let mirrors = "screen 4 4\ncamera 0 0 .5 1e-9\nbackground 1 1 1\nbrdf 0 0 0 .5 .5 .5 0\n\
@@ -76,7 +76,7 @@ fn a_colour_that_takes_all_light_is_no_underflow() {
     }
 }
 
-/// A sky of 2⁹⁶ or more is dropped, for the sum of its samples may be infinite; what is below is added up.
+/// A sky of 2⁹⁶ or more is dropped, because the sum of its samples may be infinite; radiance below is added up.
 #[test]
 fn what_may_add_up_to_infinity_is_dropped() {
     for (sky, kept) in [("7.9e28", true), ("7.93e28", false), ("3e38", false)] {
@@ -177,7 +177,7 @@ fn what_is_broken_is_counted_by_its_cause_wherever_it_comes_from() {
 }
 
 /// Glass of n = 1 + 2e-6 reflects F = ((n − 1)/(n + 1))² = 1e-12 of the light. All random numbers being 0, the least of
-/// 2²⁴, each sample is reflected: that stands for 2⁻²⁴ of them all, so one brings F·2²⁴ of the sky.
+/// 2²⁴, each sample is reflected: that represents 2⁻²⁴ of them all, so one contributes F·2²⁴ of the sky.
 #[test]
 fn what_hardly_ever_happens_brings_what_it_should_on_average() {
     let settings = independent();
@@ -190,7 +190,7 @@ fn what_hardly_ever_happens_brings_what_it_should_on_average() {
     let Some(made) = made else { return };
     let n: f64 = 1.000002;
     let expected = ((n - 1.0) / (n + 1.0)).powi(2) * 2f64.powi(24);
-    // A path of some 20 roundings; F is the square of what the material has in f32.
+    // A path of some 20 roundings; F is the square of the material's value in f32.
     let bound = 64.0 * expected * 2f64.powi(-24);
     for x in made.film.rgb.iter().flatten() {
         assert!(

@@ -38,7 +38,7 @@ fn words(bytes: &[u8]) -> Vec<u32> {
     bytemuck::pod_collect_to_vec(bytes)
 }
 
-/// Fails with what the validation layer says.
+/// Fails with the messages of the validation layer.
 fn assert_valid(device: &Device) {
     let messages = device.validation_messages();
     assert!(
@@ -96,7 +96,7 @@ fn devices_open_by_part_of_their_name() {
     assert_eq!(again.info().name, device.info().name);
 }
 
-/// Run by the test below in a process whose loader is told of no driver.
+/// Run by the test below in a process whose loader has no driver.
 #[test]
 #[ignore = "only of use to no_driver_is_told_with_what_to_install"]
 fn child_without_a_driver() {
@@ -340,7 +340,7 @@ fn a_kernel_beyond_the_limits_is_refused() {
     ));
 }
 
-/// What the layer says does arrive: the kernel has push constants, the pipeline is made without.
+/// The layer's messages do arrive: the kernel has push constants, the pipeline is made without.
 #[test]
 fn the_validation_layer_is_heard() {
     let Some(device) = common::open(Options::default()) else {

@@ -1,8 +1,8 @@
-//! Compiled kernels on disk, and what drivers tell of them.
+//! Compiled kernels on disk, and the statistics that drivers report about them.
 //!
 //! lavapipe's pipeline cache is empty. Mesa's radv, which the same package installs, compiles for AMD's GPUs where
 //! there is none: `RADV_FORCE_FAMILY` gives it null hardware, on which kernels compile and nothing runs. Processes
-//! with that variable stand for processes on a GPU.
+//! with that variable represent processes on a GPU.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -34,7 +34,7 @@ void main() {{
 
 // ---- the process on a GPU
 
-/// Compiles `kernel(STEPS)` with the cache CACHE, and prints what the driver counts where STATISTICS is set.
+/// Compiles `kernel(STEPS)` with the cache CACHE, and prints the driver's counts if STATISTICS is set.
 #[test]
 #[ignore = "run by the tests below, in processes of their own"]
 fn child_that_compiles() {
@@ -78,7 +78,7 @@ fn lines(child: Child) -> Vec<String> {
     text.lines().map(str::to_owned).collect()
 }
 
-/// Starts to compile for a GPU that is not there. Mesa's own cache is off: what is found is found in vkpt's.
+/// Starts to compile for a GPU that does not exist. Mesa's own cache is off: every hit is in vkpt's.
 fn start(radv: &str, cache: &Path, variables: &[(&str, &str)]) -> Child {
     let cache = cache.display().to_string();
     let mut all = vec![
@@ -92,7 +92,7 @@ fn start(radv: &str, cache: &Path, variables: &[(&str, &str)]) -> Child {
     child("gpu_cache::child_that_compiles", &all)
 }
 
-/// All files of a folder, with what tells a file from its replacement.
+/// All files of a folder, with the values that distinguish a file from its replacement.
 fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     entries
@@ -274,7 +274,7 @@ fn there_are_no_statistics_without_asking() {
     assert!(!told.iter().any(|line| line.starts_with("statistic ")));
 }
 
-/// Whatever the device of the tests tells, asking is valid; lavapipe has no such extension and tells nothing.
+/// The query is valid on any device of the tests; lavapipe lacks the extension and reports nothing.
 #[test]
 fn asking_for_statistics_is_no_error_anywhere() {
     let Some(device) = common::open(Options {

@@ -1,5 +1,5 @@
 //! A thousand bounces in a deep hierarchy: more loop steps than Mesa 22 lets a subgroup take in one dispatch, which it
-//! ends in silence after 65,535. The picture is right because paths are handed over before that.
+//! ends in silence after 65,535. The picture is right because paths continue in another dispatch before that.
 //!
 //! The room is a closed mesh of perfect mirrors, bumpy at several scales, around a small light. It is chaotic: after a
 //! few dozen bounces one rounding done otherwise shows in every digit.

@@ -1,4 +1,4 @@
-//! The error that a rendering tells of itself, against the error that it has: the project's scenes, by random numbers
+//! The error that a rendering estimates of itself, against its actual error: the project's scenes, by random numbers
 //! and by Sobol's points, with pictures of a hundred times the samples as the truth.
 
 use std::path::Path;
@@ -33,7 +33,7 @@ fn rendered(job: &Job) -> Outcome {
     device.unwrap_or_else(|| outcome(job, &Target::CpuF32))
 }
 
-/// What one picture is off by, and what it says of that.
+/// The error of one picture, and its own estimate of it.
 struct Told {
     truth: f64,
     estimate: RelMse,
@@ -66,7 +66,7 @@ fn told(scene: &Prepared, settings: Settings, pictures: u32) -> Vec<Told> {
     (5000..5000 + pictures).map(of).collect()
 }
 
-/// Intervals that there are, and how many of them miss a truth that is `scale` times what it is.
+/// The number of intervals, and how many of them miss a truth that is scaled by `scale`.
 fn misses(all: &[Told], scale: f64) -> [u64; 2] {
     let intervals = all
         .iter()

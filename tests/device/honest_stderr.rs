@@ -1,5 +1,5 @@
 //! `--aov stderr` is honest: over many seeds the mean of its square is the variance that a pixel has, by path and light
-//! tracing, of independent samples and of Sobol's points; what the spread of Sobol's points says is not.
+//! tracing, of independent samples and of Sobol's points; the estimate from the spread of Sobol's points is not.
 
 use vkpt::film::{Aov, Film};
 use vkpt::prepared::Prepared;
@@ -61,7 +61,7 @@ fn told(scene: &Prepared, settings: Settings) -> (Vec<Film>, Vec<Values>) {
 /// Whether the mean of `squares` is the variance of the pictures' values, as a p-value (Student's t).
 ///
 /// Of two pictures x and y by independent seeds, (x − y)²/2 estimates the variance of each value without bias. Less the
-/// mean of what both say, it is 0 on average; the mean over pixels and channels of that is a number a pair.
+/// mean of the estimates of both, it is 0 on average; the mean over pixels and channels of that is a number a pair.
 fn p_of_honesty(pictures: &[Film], squares: &[Values]) -> f64 {
     let excess = |(films, squares): (&[Film], &[Values])| {
         let values = films[0]

@@ -1,4 +1,4 @@
-//! The largest sample, as the film has it, against all samples traced one by one: of every integrator, in a crop, with any
+//! The largest sample in the film, against all samples traced one by one: of every integrator, in a crop, with any
 //! tiles and dispatches.
 
 use vkpt::prepared::Prepared;

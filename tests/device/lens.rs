@@ -92,7 +92,7 @@ fn pictures(
     (first_seed..first_seed + 8).map(picture).collect()
 }
 
-/// The least p-value of what balls out of focus make being what it should; `None` where the run goes without a device.
+/// The least p-value for pictures of balls out of focus to be the expected ones; `None` if the run skips devices.
 fn ball_p(
     balls: &[Ball],
     integrator: Integrator,

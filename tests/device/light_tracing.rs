@@ -24,7 +24,7 @@ fn bidirectional() -> Settings {
     by(Integrator::Bidirectional)
 }
 
-/// A cube whose corners have normals of their own, so that shading and geometric normals part.
+/// A cube whose corners have their own normals, so shading and geometric normals differ.
 fn rounded_cube() -> NamedTempFile {
     common::meshes::ply(
         "element vertex 8\nproperty float x\nproperty float y\nproperty float z\n\
@@ -36,7 +36,7 @@ fn rounded_cube() -> NamedTempFile {
     )
 }
 
-/// Such a cube, lit by another.
+/// The same cube, lit by another.
 fn meshes(cube: &Path) -> String {
     format!(
         "screen 32 24\ncamera 0 -6 2.5 .35 x 70\nlight 3 4 5\nmesh {0} 1.5 0 2 .5\n\
@@ -45,7 +45,7 @@ fn meshes(cube: &Path) -> String {
     )
 }
 
-/// Nothing shines; with a background nothing but that.
+/// No light; with a background only that.
 const DARK: &str = "screen 16 12
 camera 0 -6 2 .35 x 75
 brdf .5 .5 .5 0 0 0 1
@@ -118,7 +118,7 @@ fn same_as_the_reference(settings: Settings) {
     }
 }
 
-/// Of 24 samples a thread brings more splats than it has slots for.
+/// With 24 samples a thread makes more splats than it has slots for.
 #[test]
 fn tiles_and_dispatches_leave_no_trace() {
     limits_leave_no_trace(light(), 24);
@@ -131,7 +131,7 @@ fn a_crop_is_a_piece_of_the_picture() {
     crops_are_pieces(bidirectional());
 }
 
-/// Two lamps that the eye sees, and what they shine on.
+/// Two lamps that the eye sees, and surfaces that they light.
 const LAMPS: &str = "screen 32 24
 camera 0 -6 2 .35 x 75
 light 3 2 1
@@ -158,7 +158,7 @@ fn whole(settings: Settings, first_seed: u32, kernel: KernelChoice) -> Option<Ve
     (first_seed..first_seed + 16).map(mean).collect()
 }
 
-/// A cosine too few at the camera and at the light, a distance forgotten, the light's choice left out of the density.
+/// A cosine too few at the camera and at the light, a distance forgotten, the light's choice missing in the density.
 #[test]
 fn planted_errors_are_noticed() {
     let Some(paths) = whole(Settings::default(), 1, KernelChoice::Composed) else {

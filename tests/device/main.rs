@@ -1,4 +1,4 @@
-//! What the library does on a Vulkan device (see `common`).
+//! Tests of the library on a Vulkan device (see `common`).
 
 #![allow(
     clippy::expect_used,

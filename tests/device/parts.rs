@@ -1,4 +1,4 @@
-//! Parts of a picture on a device: the sums of cpu-f32, whatever tiles and dispatches made them.
+//! Parts of a picture on a device: the sums of cpu-f32, with any tiles and dispatches.
 
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;

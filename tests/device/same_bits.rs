@@ -62,7 +62,7 @@ fn a_crop_is_a_piece_of_the_picture() {
     crops_are_pieces(Settings::default());
 }
 
-/// Each crop of a picture, on the device and by the reference, is what the whole has there.
+/// Each crop of a picture, on the device and by the reference, equals the whole picture there.
 pub fn crops_are_pieces(settings: Settings) {
     let scene = prepared(TABLE, &settings);
     let whole = films(&job(&scene, settings, 4, 1));
@@ -94,7 +94,7 @@ fn tiles_and_dispatches_leave_no_trace() {
     limits_leave_no_trace(Settings::default(), 6);
 }
 
-/// Tiles of less than a row, of some rows, of all; paths handed over at every bounce, now and then, never; primitives
+/// Tiles of less than a row, of some rows, of all; paths that change dispatch at every bounce, now and then, never; primitives
 /// read first or where they are tried.
 pub fn limits_leave_no_trace(settings: Settings, spp: u32) {
     let scene = prepared(TABLE, &settings);
@@ -213,7 +213,7 @@ fn the_device_equals_the_reference_on_every_scene() {
     }
 }
 
-/// A surface that is not there among shapes of one kind, a light and a floor: kernels without any switch, on which
+/// An index-matched interface among shapes of one kind, a light and a floor: kernels without any switch, on which
 /// Mesa 22.3's compiler crashed.
 #[test]
 fn the_device_equals_the_reference_where_all_shapes_are_of_one_kind() {

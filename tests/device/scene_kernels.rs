@@ -1,4 +1,4 @@
-//! The kernels of whole scenes: valid, silent under the validation layer, and without what the scene does not need.
+//! The kernels of whole scenes: valid, silent under the validation layer, and without unneeded features.
 
 use std::sync::atomic::AtomicBool;
 
@@ -66,7 +66,7 @@ fn the_validation_layer_is_silent() {
     if Need::Validation.skips() {
         return;
     }
-    // Small tiles and budgets, so that films move to and from the device and paths are handed over.
+    // Small tiles and budgets, so that films move to and from the device and paths continue in further dispatches.
     let limits = [
         DispatchLimits::of(&device).expect("a probe"),
         DispatchLimits {
@@ -133,7 +133,7 @@ fn the_kernel_of_a_diffuse_scene_holds_nothing_of_microfacets_and_refraction() {
         let somewhere = found(&wide) || found(&table);
         assert!(somewhere, "{part}: no such function any more");
     }
-    // A kernel of GGX holds no other distribution.
+    // A kernel of GGX contains no other distribution.
     for other in ["beckmann", "phong", "log1p"] {
         assert!(
             !table.iter().any(|f| f.contains(other)),
@@ -185,8 +185,8 @@ fn values_are_not_in_the_text() {
     assert_ne!(text(DIFFUSE), text(&more));
 }
 
-/// A file of one's own stands in the place of its namesake, with a further one that it uses; one that nothing uses is
-/// an error, for it would be no one's estimator.
+/// A custom file replaces its namesake, with a further one that it uses; one that nothing uses is
+/// an error, because it would belong to no estimator.
 #[test]
 fn a_kernel_holds_files_of_ones_own() {
     let settings = Settings::default();

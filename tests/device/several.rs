@@ -1,4 +1,4 @@
-//! One rendering on several devices: the bits of one, whoever made which samples.
+//! One rendering on several devices: the bits of one, whichever device made which samples.
 
 use std::sync::atomic::AtomicBool;
 

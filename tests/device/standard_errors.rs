@@ -1,5 +1,5 @@
-//! `--aov stderr`: it leaves the picture alone to the bit, the device and the reference tell the same errors, and what
-//! they tell is the error that pictures have.
+//! `--aov stderr`: it does not change the picture, to the bit; the device and the reference report the same errors, and these
+//! are the errors that pictures have.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -194,7 +194,7 @@ fn pair(scene: &Prepared, seeds: [u32; 2]) -> [(Film, Film); 2] {
     })
 }
 
-/// z = (mean a − mean b)/√(stderr a² + stderr b²) of each block in one channel; blocks without any error are left out.
+/// z = (mean a − mean b)/√(stderr a² + stderr b²) of each block in one channel; blocks without any error are omitted.
 fn z_scores(pair: &[(Film, Film); 2], channel: usize, scale: f64) -> Vec<f64> {
     let [(a, error_a), (b, error_b)] = pair;
     let (width, height) = (a.width as usize, a.height as usize);

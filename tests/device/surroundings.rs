@@ -1,4 +1,4 @@
-//! Pictures of the surroundings: what the eye sees of them, and how they light what stands in them, by closed forms; by all
+//! Pictures of the surroundings: how the eye sees them, and how they light surfaces, by closed forms; by all
 //! integrators that see them, on the device and by the reference.
 
 use glam::{DQuat, DVec3};
@@ -24,7 +24,8 @@ fn settings() -> Vec<(&'static str, Settings)> {
     ]
 }
 
-/// What a pinhole sees that looks along −Z of its turned frame: each pixel is the texel in its middle, where it sees one alone.
+/// The view of a pinhole that looks along −Z of its turned frame: each pixel is the texel in its middle, where it sees one
+/// alone.
 #[test]
 fn the_eye_sees_the_texels_themselves() {
     const SIZE: u32 = 24;
@@ -111,7 +112,7 @@ fn one_bright_texel_is_a_distant_lamp() {
     check(&cases);
 }
 
-/// The same from beside: the picture turned by 90° about x has its texel of the equator above the plane.
+/// The same from the side: the picture turned by 90° about x has its texel of the equator above the plane.
 #[test]
 fn a_turned_picture_lights_from_elsewhere() {
     let picture = picture(64, 33, |x, y| [f32::from((x, y) == (16, 16)); 3]);
@@ -175,8 +176,8 @@ fn a_sky_in_two_parts_lights_a_plane() {
     check(&cases);
 }
 
-/// Grey surroundings are drawn as they shine, so a connection brings Kd cos θ/π times the whole of what they shine, ∫ L dω,
-/// whatever texel it found; chance hits weigh in with less than that again. A sun of 1e5 makes no sample that stands out.
+/// Grey surroundings are drawn in proportion to radiance, so a connection contributes Kd cos θ/π times all of it, ∫ L dω,
+/// at any texel it found; chance hits weigh in with less than that again. A sun of 1e5 makes no sample that stands out.
 #[test]
 fn a_sun_makes_no_sample_that_stands_out() {
     let (width, height) = (256, 128);
@@ -216,7 +217,7 @@ fn a_sun_makes_no_sample_that_stands_out() {
     }
 }
 
-/// A device that holds little in a buffer gets the arrays in parts; the picture is the same.
+/// A device with small buffers gets the arrays in parts; the picture is the same.
 #[test]
 fn arrays_in_parts_make_the_same_picture() {
     let sky = picture(64, 32, |x, y| {

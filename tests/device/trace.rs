@@ -1,4 +1,4 @@
-//! `--trace`: the device and the reference in f32 tell the same story of a path, event by event.
+//! `--trace`: the device and the reference in f32 report the same path, event by event.
 
 use vkpt::render::{Target, trace};
 use vkpt::settings::{Integrator, Settings};
@@ -97,7 +97,7 @@ fn a_connection_follows_its_vertex() {
     assert!(arrived > 10, "{arrived}");
 }
 
-/// f32 and f64 part at last, within the tolerance or in their decisions; both are told from the camera on.
+/// f32 and f64 diverge at last, within the tolerance or in their decisions; both are reported from the camera on.
 #[test]
 fn the_two_references_are_told_side_by_side() {
     let scene = prepared(SMOOTH, &Settings::default());
@@ -120,7 +120,7 @@ fn the_two_references_are_told_side_by_side() {
     );
 }
 
-/// Devices write no events of bidirectional paths down: what a sample brings, and the hash of its decisions, are compared.
+/// Devices record no events of bidirectional paths: the radiance of a sample, and the hash of its decisions, are compared.
 #[test]
 fn both_paths_are_told_with_every_way_to_find_light() {
     let settings = by(Integrator::Bidirectional);
@@ -134,7 +134,7 @@ fn both_paths_are_told_with_every_way_to_find_light() {
         let equal = "the same decisions and radiance as cpu-f32, to the bit";
         assert!(text.contains(equal), "{text}");
     }
-    // Light paths of the first begin at its lamp, those of the second at its sky, most of them, which sends out none.
+    // Light paths of the first begin at its lamp; most of those of the second at its sky, which emits none.
     let mut told = String::new();
     for text in [TABLE, SMOOTH] {
         let scene = prepared(text, &settings);

@@ -1,4 +1,4 @@
-//! What a rendering tells of its error and what may end it, by the device and by the reference.
+//! The error that a rendering reports and the conditions that may end it, by the device and by the reference.
 
 use std::sync::atomic::AtomicBool;
 
@@ -21,7 +21,7 @@ fn outcomes(job: &Job) -> Vec<(&'static str, Outcome)> {
     [f32, f64].into_iter().chain(gpu).collect()
 }
 
-/// What there is but the time that it took.
+/// All results except the time that it took.
 fn timeless(errors: &[ErrorAt]) -> Vec<ErrorAt> {
     let without = |e: &ErrorAt| ErrorAt { seconds: 0.0, ..*e };
     errors.iter().map(without).collect()
@@ -128,7 +128,7 @@ fn intervals_hold_the_error_of_a_lambert_ball() {
 
 // ---- ends
 
-/// What ends a rendering leaves the picture of so many samples.
+/// A rendering that ends early leaves the picture with that many samples.
 fn equals_its_spp(job: &Job, target: Option<&Target>, end: End) -> u32 {
     let render = |job: &Job| match target {
         Some(target) => Some(outcome(job, target)),
@@ -189,7 +189,7 @@ fn a_time_is_spent() {
     }
 }
 
-/// Where the error is looked at depends on no clock: any device ends at the same sample.
+/// The points at which the error is estimated depend on no clock: any device ends at the same sample.
 #[test]
 fn an_error_ends_with_the_picture_of_the_samples_done() {
     let scene = prepared(SMOOTH, &Settings::default());

@@ -156,8 +156,8 @@ const LIMIT: f64 = 1.0 + RATIONAL_G1;
 /// The shift of the mean of an interface's pixels that this many paths can detect.
 ///
 /// A path that is continued contributes no more than its weight, at most 1 by visible normals of GGX, 1.0033 of Beckmann and
-/// 1.83
-/// of Phong, whose facets gain up to 1.7675 and whose law is up to 1.033 times what they show (model.md, "Visible micro-normals"), and its connection at most half of that: f/p · p²/(p² + q²) ≤ f/2q.
+/// 1.83 of Phong, whose facets gain up to 1.7675 and whose law is up to 1.033 times their visible part (model.md, "Visible
+/// micro-normals"), and its connection at most half of that: f/p · p²/(p² + q²) ≤ f/2q.
 fn told(level: f64, mean: f64, distribution: Distribution, pixels: &[f64]) -> f64 {
     let weight = match distribution {
         Distribution::Ggx => 1.0,

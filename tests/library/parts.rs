@@ -1,4 +1,4 @@
-//! Parts of a picture by the reference: however samples are shared out, interrupted and gone on with, they join to the part of
+//! Parts of a picture by the reference: however samples are divided, interrupted and resumed, they join to the part of
 //! one rendering, bit for bit. Small pictures of many samples: the order of addition is tested.
 
 use std::ops::Range;

@@ -1,4 +1,4 @@
-//! Brute force over all primitives, and what two hits have to agree in.
+//! Brute force over all primitives, and the values in which two hits must agree.
 
 use vkpt::prepared::{NONE, Prepared};
 use vkpt::reference::math::Real;

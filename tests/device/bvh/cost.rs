@@ -1,4 +1,4 @@
-//! The cost that a hierarchy is told to have, against lines that are drawn at random.
+//! The computed cost of a hierarchy, against lines that are drawn at random.
 
 use glam::DVec3;
 use vkpt::flat::bvh::{self, Bvh};
@@ -10,7 +10,7 @@ use super::scenes::{self, Builder};
 use super::tree::{ALL_KINDS, bounds};
 use crate::common::stats::p_of_mean;
 
-/// What a line meets: an inner node, or a leaf of so many primitives.
+/// A node that a line meets: an inner node, or a leaf of that many primitives.
 struct Body {
     bounds: Extent,
     /// `None`: a node.

@@ -42,7 +42,7 @@ fn check<F: Real>(rays: u32) {
     }
 }
 
-/// What the padding rests on: a reported hit, taken exactly, lies within 48 u R of its primitive's box.
+/// The basis of the padding: a reported hit, taken exactly, lies within 48 u R of its primitive's box.
 #[test]
 fn hits_lie_in_the_boxes_of_their_primitives() {
     for (name, prepared) in scenes::all() {

@@ -117,7 +117,7 @@ impl<'a> Search<'a> {
         self.search(queries, false)
     }
 
-    /// Any hit of each, where there is one.
+    /// Any hit of each, if there is one.
     pub fn any(&self, queries: &[Query<f32>]) -> Vec<Hit<f32>> {
         self.search(queries, true)
     }
@@ -217,7 +217,7 @@ fn hit(bytes: &[u8]) -> Hit<f32> {
     }
 }
 
-/// A query, what the kernel found and what brute force finds.
+/// A query, the kernel's result and that of brute force.
 type Answer = (Query<f32>, Hit<f32>, Hit<f32>);
 
 /// At most [`BATCH`] more queries.
@@ -320,7 +320,7 @@ fn boxes_without_padding_hide_hits() {
     }
 }
 
-/// Of a hierarchy that has lost a leaf, the queries whose nearest hit was in it notice, all of them and no others.
+/// If a hierarchy has lost a leaf, the queries whose nearest hit was in it notice, all of them and no others.
 #[test]
 fn a_lost_leaf_is_noticed_by_the_rays_that_hit_it() {
     let Some(device) = common::device() else {

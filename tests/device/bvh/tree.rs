@@ -1,4 +1,4 @@
-//! The kernels' hierarchy as a data structure: decoded here anew from its words, held against exact boxes.
+//! The kernels' hierarchy as a data structure: decoded here anew from its words, compared with exact boxes.
 
 use glam::DVec3;
 use vkpt::flat::bvh::reference::decode;
@@ -10,7 +10,7 @@ use super::scenes::{self, Builder};
 
 pub const ALL_KINDS: [ShapeKind; 4] = ShapeKind::EVERY;
 
-/// What a walk over a tree found.
+/// The result of a walk over a tree.
 #[derive(Default)]
 struct Walk {
     /// How often each reference was met.
@@ -90,7 +90,7 @@ fn walked(bvh: &Bvh, prepared: &Prepared) -> Walk {
     seen
 }
 
-/// Every primitive is in exactly one leaf and inside every box above it; the stack's bound holds.
+/// Every primitive is in exactly one leaf and inside every box above it; the stack's bound is kept.
 fn check(name: &str, prepared: &Prepared) -> Bvh {
     let bvh = bvh::build(prepared, &ALL_KINDS);
     let seen = walked(&bvh, prepared);

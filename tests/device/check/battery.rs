@@ -16,7 +16,7 @@ fn names_are_unique_and_groups_stand_together() {
     groups.dedup();
     assert_eq!(groups.len(), groups.iter().collect::<HashSet<_>>().len());
     for case in &all {
-        // The table has 29 columns for what follows the group.
+        // The table has 29 columns for the text after the group.
         let below = case.name.split_once('/').map_or("", |(_, name)| name);
         assert!(
             (1..=29).contains(&below.len()) && !case.about.is_empty(),
@@ -39,7 +39,7 @@ fn names_are_unique_and_groups_stand_together() {
     }
 }
 
-/// Each has a scene that is read and prepared, and each is held against something beside f64.
+/// Each has a scene that is read and prepared, and each is compared with something other than f64.
 #[test]
 fn every_case_can_be_rendered_and_knows_what_to_expect() {
     for case in battery() {

@@ -1,4 +1,4 @@
-//! The battery's closed forms, held against tables that vkpt did not compute.
+//! The battery's closed forms, compared with tables that vkpt did not compute.
 
 use vkpt_lab::check::closed::interface::dielectric;
 

@@ -1,4 +1,4 @@
-//! `vkpt check`: that its battery is sound, and that what is planted in a kernel fails it.
+//! `vkpt check`: its battery is sound, and mistakes planted in a kernel fail it.
 
 mod battery;
 mod closed;
@@ -17,7 +17,7 @@ use vkpt_lab::check::{Case, battery};
 
 use crate::common;
 
-/// The named cases, by a kernel that has `files` of its own; `None` where the run goes without a device.
+/// The named cases, by a kernel with its own `files`; `None` if the run skips devices.
 fn ran(names: &[&str], files: &[OwnFile]) -> Option<Check> {
     Some(ran_with_pictures(names, files)?.record)
 }
@@ -50,7 +50,7 @@ fn ran_with_pictures(names: &[&str], files: &[OwnFile]) -> Option<Ran> {
     Some(ran)
 }
 
-/// What the case of a run fails by.
+/// The reason why the case of a run fails.
 fn fails_by(check: &Check, name: &str) -> Vec<&'static str> {
     let case = check.cases.iter().find(|c| c.name == name).expect("a case");
     case.held

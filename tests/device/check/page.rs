@@ -1,5 +1,5 @@
-//! The page as a text: whole by itself, every case with its bounds and pictures, what fails first. How it looks and works
-//! is told by `tests/commands/report_page`.
+//! The page as a text: self-contained, every case with its bounds and pictures, failures first. Its look and behaviour
+//! are tested in `tests/commands/report_page`.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;

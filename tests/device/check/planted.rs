@@ -1,4 +1,4 @@
-//! Faults planted in the kernel: each must be found by what is there to find it, beside the bits of a CPU driver.
+//! Faults planted in the kernel: each must be found by the test made for it, as well as by the bits of a CPU driver.
 
 use vkpt::film::Film;
 use vkpt::kernel::{OwnFile, file};
@@ -35,7 +35,7 @@ fn a_wrong_reflectance_fails_the_closed_form() {
     assert!(!check.passed);
 }
 
-/// The root of a negative number in the connection to lights: counted, on whatever device.
+/// The root of a negative number in the connection to lights: counted, on any device.
 #[test]
 fn a_nan_is_counted() {
     let name = "integrator/path/pick/candidate";
@@ -57,7 +57,7 @@ fn a_nan_is_counted() {
     assert_eq!(shown[0].difference, black);
 }
 
-/// The pictures are those of the samples that the record tells of: of a crop far from the corner too, and of one pixel.
+/// The pictures are those of the samples that the record reports: of a crop far from the corner too, and of one pixel.
 #[test]
 fn pictures_have_the_means_of_the_record() {
     let names = [
@@ -77,7 +77,7 @@ fn pictures_have_the_means_of_the_record() {
             let sum: f64 = film.rgb.iter().flatten().map(|&x| f64::from(x)).sum();
             sum / (3 * film.rgb.len()) as f64
         };
-        // f32 keeps a mean to 2⁻²⁴; what f64 makes of the same paths is as near as all of them are.
+        // f32 keeps a mean to 2⁻²⁴; f64's result for the same paths is as near as all of them are.
         assert!(
             (mean(&shown.device) - case.mean).abs() < 1e-6,
             "{}",

@@ -1,4 +1,4 @@
-//! What is told of a run: the table, the failures, the JSON.
+//! The report of a run: the table, the failures, the JSON.
 
 use vkpt_lab::check::report::{Held, failures, table};
 

@@ -22,7 +22,7 @@ const LIT: &str = "screen 24 16\ncamera 0 0 5 0.3\nlight 9 8 7\nsphere 0 2 1 0.5
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 
-/// Each of two replicates, brought on by turns, is at each step what a rendering of its seed makes.
+/// Each of two replicates, rendered in alternation, is at each step equal to a rendering of its seed.
 fn check_pictures(engine: &Engine, render: impl Fn(&Job) -> vkpt::film::Film) {
     let settings = Settings::default();
     let scene = prepared(TABLE, &settings);
@@ -41,7 +41,7 @@ fn check_pictures(engine: &Engine, render: impl Fn(&Job) -> vkpt::film::Film) {
             assert_eq!(replicates.done(i), spp);
         }
     }
-    // What is there already takes no samples.
+    // A step that is already rendered takes no samples.
     replicates.advance(0, 7, &RUNNING).expect("nothing");
     assert_eq!(replicates.done(0), 12);
 }
@@ -53,7 +53,7 @@ fn replicates_are_what_renderings_make() {
         return;
     };
     let whole = DispatchLimits::of(device).expect("a probe");
-    // One tile, several, and paths that are handed over from one dispatch to the next.
+    // One tile, several, and paths that continue from one dispatch to the next.
     let tiles = DispatchLimits {
         tile_pixels: 100,
         ..whole

@@ -24,7 +24,7 @@ fn one_cosine_too_many() -> String {
     text.replace(honest, biased)
 }
 
-/// All that `vkpt converge` tells of a job, but for what it is called.
+/// All that `vkpt converge` reports of a job, except its name.
 fn told(job: &Job, engine: &Engine, reference: &Reference) -> (VariantRecord, String) {
     let measured = measured(job, reference, engine, &plan());
     let subject = Subject {
@@ -94,7 +94,7 @@ fn one_cosine_too_many_flattens_the_curve_and_is_said_not_to_converge() {
 
     let truth = true_bias(&honest, &biased, &engine);
     let floor = wrong.floor.expect("six replicates");
-    // Both estimates have errors of their own, the floor's by 6 replicates, the truth's by 8 pairs: Student's t of
+    // Both estimates have their own errors, the floor's by 6 replicates, the truth's by 8 pairs: Student's t of
     // 5 degrees of freedom or more, and 6.87 of them two-sided at 1e-3.
     let tolerance = 6.87 * floor.standard_error.hypot(truth.standard_error);
     assert!(
@@ -119,7 +119,7 @@ const SEEDS: std::ops::Range<u32> = 100..116;
 const SAMPLES: u32 = 512;
 
 /// From 16 renderings of both: of two of them, w and w' biased, h and h' honest, the mean of (w − h)(w' − h') over the
-/// honest mean squared is what the bias makes, for no noise is in both factors. Eight such values are independent.
+/// honest mean squared is the effect of the bias, because no noise is in both factors. Eight such values are independent.
 fn true_bias(honest: &Job, biased: &Job, engine: &Engine) -> Truth {
     let [honest, biased] = [honest, biased].map(|job| rendered(job, engine));
     let count = honest[0].len();

@@ -1,5 +1,5 @@
-//! Samples by Sobol are not independent of one another, but those of two seeds are: what replicates and halves tell of
-//! the error holds, where the spread of a pixel's samples does not.
+//! Samples by Sobol are not independent of one another, but those of two seeds are: the error estimated from replicates
+//! and halves is right, where the spread of a pixel's samples is not.
 
 use vkpt::film::{Aov, Film};
 use vkpt::metrics::convergence::{Metric, Reference, floor};
@@ -23,7 +23,7 @@ fn pictures(job: &Job, seeds: std::ops::Range<u32>, spp: u32) -> Vec<Film> {
     (0..seeds.len()).map(picture).collect()
 }
 
-/// Mean over pixels and channels of what two pictures say.
+/// Mean over pixels and channels of the estimate from two pictures.
 fn mean(a: &Film, b: &Film, of: impl Fn(f64, f64) -> f64) -> f64 {
     let values = a.rgb.as_flattened().iter().zip(b.rgb.as_flattened());
     let sum: f64 = values.map(|(&a, &b)| of(a.into(), b.into())).sum();
@@ -59,7 +59,7 @@ fn halves_and_replicates_tell_the_error_and_the_spread_of_samples_does_not() {
         .map(|film| figures(film).of(Metric::Mse).all)
         .collect();
     let (truth, doubt_of_mse) = estimate(&errors);
-    // Of two seeds: E (x − y)²/2, as halves tell of their own error.
+    // For two seeds: E (x − y)²/2, as halves estimate their own error.
     let pairs = all
         .chunks_exact(2)
         .map(|two| mean(&two[0], &two[1], |x, y| 0.5 * (x - y) * (x - y)));
@@ -73,7 +73,7 @@ fn halves_and_replicates_tell_the_error_and_the_spread_of_samples_does_not() {
     let floor = floor(&all, &reference).expect("replicates");
     assert!(!floor.is_there(), "{floor:?}");
 
-    // What a rendering's last line says, from two groups of its samples, each with a scramble of its own.
+    // The estimate in a rendering's last line, from two groups of its samples, each with its own scramble.
     let relative = |film| figures(film).of(Metric::RelMse).all;
     let (truth_of_line, doubt) = estimate(&all.iter().map(relative).collect::<Vec<_>>());
     let told = |seed: u32| {
@@ -90,7 +90,7 @@ fn halves_and_replicates_tell_the_error_and_the_spread_of_samples_does_not() {
         "{by_groups} for {truth_of_line} ± {tolerance_of_line}"
     );
 
-    // What the standard errors of its pixels say, from the same two groups.
+    // The estimate of the standard errors of its pixels, from the same two groups.
     let squares = |seed: u32| {
         let with_errors = Job {
             aovs: &[Aov::Stderr],

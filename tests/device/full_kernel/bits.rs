@@ -15,7 +15,7 @@ use crate::common::render::{difference, job, on_device, prepared, prepared_file}
 use crate::common::scenes::{SMOOTH, scene_files};
 use crate::common::settings::{estimators, models};
 
-/// The picture of a kernel that holds `features`.
+/// The picture of a kernel that contains `features`.
 fn film(job: &Job, features: &Features) -> Film {
     let job = Job {
         kernel: KernelChoice::Given(features),
@@ -117,7 +117,7 @@ fn each_member_alone_on_and_alone_off_changes_no_bit() {
     assert_eq!(tried, Features::full(&Settings::default(), &[]).members());
 }
 
-/// Every member, on scenes that have most and least of them beside a mesh.
+/// Every member, on scenes that have most and least of them and a mesh.
 #[test]
 #[ignore = "a quarter of an hour: 80 kernels to compile"]
 fn each_member_alone_on_and_alone_off_changes_no_bit_of_two_scenes() {
@@ -134,7 +134,7 @@ fn random(state: &mut u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// Any number of members more than the scene needs, drawn at random: what no pair shows.
+/// Any number of members more than the scene needs, drawn at random: errors that no pair shows.
 #[test]
 #[ignore = "a quarter of an hour: 80 kernels to compile"]
 fn any_members_more_change_no_bit() {
@@ -175,7 +175,7 @@ fn a_member_that_is_missing_is_noticed() {
         let job = job(&scene, settings, 2, 1);
         let right = film(&job, &job.features());
         for member in job.features().members() {
-            // Whether a shape is searched in the hierarchy or by itself changes no picture.
+            // Whether a shape is searched in the hierarchy or alone changes no picture.
             if !matches!(member, Member::InBvh(_)) && tried.insert(member) {
                 let wrong = film(&job, &full(&job).without(member));
                 assert_ne!(

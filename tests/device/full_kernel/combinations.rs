@@ -14,7 +14,7 @@ use crate::common::device;
 use crate::common::render::{job, prepared};
 use crate::common::spirv_tools::tool;
 
-/// The kernels of these features, compiled but not run; `None` where the run goes without a device.
+/// The kernels of these features, compiled but not run; `None` if the run skips devices.
 fn compiled(job: &Job, features: &Features) -> Option<Result<Vec<Spirv>, RenderError>> {
     let job = Job {
         kernel: KernelChoice::Given(features),

@@ -62,7 +62,7 @@ fn what_a_member_cannot_do_without_comes_and_goes_with_it() {
     }
 }
 
-/// Members, settings and AOVs: whatever makes another kernel has another name.
+/// Members, settings and AOVs: everything that makes another kernel makes another name.
 #[test]
 fn features_that_differ_have_different_names() {
     let settings = Settings::default();

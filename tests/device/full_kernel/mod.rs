@@ -1,5 +1,5 @@
-//! Leaving out changes no bit: a kernel that holds more than its scene needs, one member or all there are, makes the
-//! same picture on a CPU driver; one that lacks what the scene needs makes another. Every combination compiles.
+//! Omission changes no bit: a kernel that contains more than its scene needs, one member or all, makes the
+//! same picture on a CPU driver; one that lacks a needed member makes another. Every combination compiles.
 
 mod bits;
 mod combinations;
@@ -16,7 +16,7 @@ fn full(job: &Job) -> Features {
     Features::full(&job.settings, job.aovs)
 }
 
-/// Every member that the composed kernel of a job does not hold.
+/// Every member that the composed kernel of a job does not contain.
 fn extra(job: &Job) -> BTreeSet<Member> {
     let all = full(job).members();
     all.difference(&job.features().members()).copied().collect()

@@ -30,14 +30,14 @@ sphere 0 0 -101 101
 sphere 0 0 1 1
 ";
 
-/// Nothing shines.
+/// No light.
 pub const DARK: &str = "screen 8 6
 camera 0 -6 3 .35 x 65
 brdf .6 .5 .4 0 0 0 1
 sphere 0 0 1 1
 ";
 
-/// Nothing is there but a background.
+/// Only a background.
 pub const EMPTY: &str = "screen 8 6
 camera 0 -6 3 .35 x 65
 background 1 2 3

@@ -1,4 +1,4 @@
-//! The same paths by a device and by both references: what `compare --paired` finds, and that it finds what is planted.
+//! The same paths by a device and by both references: the results of `compare --paired`, and that it finds planted errors.
 
 mod planted;
 mod scenes;
@@ -12,7 +12,7 @@ use vkpt::sample::PairedSample;
 
 use crate::common;
 
-/// Every sample of the job, three times; `None` where the run goes without a device.
+/// Every sample of the job, three times; `None` if the run skips devices.
 fn samples(job: &Job) -> Option<Vec<PairedSample>> {
     let mut all = Vec::new();
     let stop = AtomicBool::new(false);

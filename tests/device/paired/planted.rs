@@ -1,4 +1,4 @@
-//! What must be found: other random numbers, another decision, one bit in one sample.
+//! Differences that must be found: other random numbers, another decision, one bit in one sample.
 
 use vkpt::kernel::{OwnFile, file};
 use vkpt::metrics::paired::Verdict;
@@ -18,8 +18,8 @@ fn table(seed: u32) -> Option<Vec<PairedSample>> {
     samples(&job(&prepared(TABLE, &settings), settings, 16, seed))
 }
 
-/// Another seed is a renderer that decides otherwise, yet without bias; a quarter less light on every path is one.
-/// Two seeds part in a third of the paths: the others see the background, or the floor in the light.
+/// Another seed is a renderer that decides otherwise, but without bias; a quarter less light on every path is one.
+/// Two seeds diverge in a third of the paths: the others see the background, or the floor in the light.
 #[test]
 fn other_paths_part_without_bias_and_darker_ones_with() {
     let (Some(mut samples), Some(others)) = (table(1), table(2)) else {
@@ -95,8 +95,8 @@ fn one_path_of_all_is_found() {
     );
 }
 
-/// A mistake in the weights or in the adjoint of both kernels: the device brings another mean than cpu-f32 over the same samples,
-/// whatever it rounds like. A t-test over sample indices, Šidák over the mistakes at α = 1e-3.
+/// A mistake in the weights or in the adjoint of both kernels: the device has another mean than cpu-f32 over the same samples,
+/// on a device of any rounding. A t-test over sample indices, Šidák over the mistakes at α = 1e-3.
 #[test]
 fn mistakes_of_bidirectional_kernels_are_noticed() {
     let mistakes = [
@@ -146,7 +146,7 @@ fn mistakes_of_bidirectional_kernels_are_noticed() {
     }
 }
 
-/// How much more the device brings than cpu-f32, sample index by sample index.
+/// How much more radiance the device gives than cpu-f32, sample index by sample index.
 fn differences(scene: &str, files: &[OwnFile]) -> Option<Vec<f64>> {
     const SPP: u32 = 24;
     let settings = by(Integrator::Bidirectional);

@@ -15,7 +15,7 @@ use crate::common::{self, cpu_driver};
 /// The share of paths that may part.
 const MAY_PART: f64 = 1e-3;
 
-/// Probability that at least `parted` of `paths` part if each does so with [`MAY_PART`].
+/// Probability that at least `parted` of `paths` diverge if each does so with [`MAY_PART`].
 fn at_least(parted: u64, paths: u64) -> f64 {
     let Some(fewer) = parted.checked_sub(1) else {
         return 1.0;
@@ -25,7 +25,7 @@ fn at_least(parted: u64, paths: u64) -> f64 {
         .sf(fewer)
 }
 
-/// Probability that no more than `parted` of `paths` part if each does so with [`MAY_PART`].
+/// Probability that no more than `parted` of `paths` diverge if each does so with [`MAY_PART`].
 fn at_most(parted: u64, paths: u64) -> f64 {
     Binomial::new(MAY_PART, paths)
         .expect("a distribution")
@@ -43,7 +43,7 @@ fn the_binomial_statements_are_right() {
     assert!(at_least(96, 19_200) < 1e-6 && at_most(96, 19_200) > 0.999);
 }
 
-/// Paths that parted from f64, of all; the device must equal f32.
+/// Paths that diverged from f64, of all; the device must equal f32.
 fn parted(job: &Job, name: &str) -> (u64, u64) {
     let [device, precision] = compared(&samples(job).expect("a device"));
     assert_eq!(
@@ -84,7 +84,7 @@ fn every_scene_stays_together() {
     }
 }
 
-/// The same of bidirectional paths, splats among what they bring. Their kernels take seconds each: a scene of each kind.
+/// The same of bidirectional paths, with their splats. Their kernels take seconds each: a scene of each kind.
 #[test]
 fn bidirectional_paths_stay_together() {
     if cpu_driver().is_none() {
@@ -102,7 +102,7 @@ fn bidirectional_paths_stay_together() {
     }
 }
 
-/// What bidirectional samples bring, wherever it goes, is the picture.
+/// The radiance of all bidirectional samples, on any pixel, is the picture.
 #[test]
 fn bidirectional_samples_are_the_light_of_the_picture() {
     let settings = by(Integrator::Bidirectional);
@@ -112,7 +112,7 @@ fn bidirectional_samples_are_the_light_of_the_picture() {
     let brought: f64 = samples.iter().map(|s| s.device.radiance[1]).sum();
     let film = outcome(&job, &Target::CpuF32).film;
     let seen: f64 = film.rgb.iter().map(|rgb| f64::from(rgb[1]) * 19.0).sum();
-    // The film's sums keep 48 bits; what remains is the rounding of means to f32.
+    // The film's sums keep 48 bits; the rest is the rounding of means to f32.
     assert!(
         (brought - seen).abs() <= 2f64.powi(-23) * seen,
         "{brought} and {seen}"
@@ -180,7 +180,7 @@ fn the_samples_are_those_of_the_picture() {
     assert!(next.iter().all(|n| *n == 19));
     for (sum, mean) in sums.iter().flatten().zip(film.rgb.iter().flatten()) {
         let mean = f64::from(*mean);
-        // The film's sum keeps 48 bits; what remains is the mean's rounding to f32, twice.
+        // The film's sum keeps 48 bits; the rest is the mean's rounding to f32, twice.
         assert!(
             (sum - mean).abs() <= 2f64.powi(-23) * mean,
             "{sum} and {mean}"

@@ -16,7 +16,7 @@ impl Uniform {
         (self.0 >> 11) as f64 * 2f64.powi(-53)
     }
 
-    /// Radiance as a path brings it: nothing in two of five, else a density of 2.5 x^-3.5 above 1: no fourth moment.
+    /// Radiance of a path: 0 in two of five, else a density of 2.5 x^-3.5 above 1: no fourth moment.
     fn radiance(&mut self) -> f64 {
         if self.next() < 0.4 {
             0.0
@@ -68,7 +68,7 @@ fn a_broken_sample_is_counted_and_worst() {
     assert_eq!((worst.difference, worst.address), (1.0, address(1)));
 }
 
-/// Parted paths with radiances of one distribution, one side's times `factor`.
+/// Diverged paths with radiances of one distribution, one side's times `factor`.
 fn parted(paths: u64, factor: f64, seed: u64) -> Parted {
     let mut random = Uniform(seed);
     let mut parted = Parted::default();

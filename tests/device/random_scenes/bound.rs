@@ -28,7 +28,7 @@ fn schlick(f0: f64, z: f64) -> f64 {
     f0 + (1.0 - f0) * (1.0 - z).powi(5)
 }
 
-/// What channel `c` of the albedo does not exceed where light leaves along wo, z = wo.z.
+/// The bound of channel `c` of the albedo where light leaves along wo, z = wo.z.
 pub fn albedo(m: &Material, c: usize, z: f64) -> f64 {
     let micro = match m.kind {
         MaterialKind::Black | MaterialKind::Diffuse => 0.0,
@@ -39,7 +39,7 @@ pub fn albedo(m: &Material, c: usize, z: f64) -> f64 {
     m.kd[c] + micro
 }
 
-/// What no albedo of the material exceeds, in any channel, whatever wo: Phong's G1 is at most 1.7675 times Smith's, Beckmann's
+/// The bound of the material's albedo, in any channel, for any wo: Phong's G1 is at most 1.7675 times Smith's, Beckmann's
 /// 3.2e-3 more (model.md, "Distributions and shadowing"; model.md, "Energy").
 pub fn albedo_anywhere(m: &Material) -> f64 {
     let micro = match (m.kind, m.distribution) {
@@ -51,7 +51,7 @@ pub fn albedo_anywhere(m: &Material) -> f64 {
     m.kd.max_element() + micro
 }
 
-/// What the mean over RGB of no sample's weight exceeds, by visible normals and choice by Fresnel.
+/// The bound of the mean over RGB of a sample's weight, by visible normals and choice by Fresnel.
 ///
 /// Micro-normals are drawn as they are seen, of Phong nearly so: G1(wi) D G1(wo) wo·m/(wo.z pm) is at most [`normals`], F/F̄
 /// and (1 − F)/(1 − F̄) have the mean 1, and of a mixture of lobes, (a + b)/(p q_a + (1 − p) q_b), no weight is above the larger
@@ -87,7 +87,7 @@ pub fn weight(m: &Material, z: f64) -> f64 {
     }
 }
 
-/// What facets show of themselves, drawn as they are seen, times the most of G1(wi); the quadrature is 1e-5 off at most.
+/// The visible part of facets, as drawn, times the largest G1(wi); the quadrature is 1e-5 off at most.
 fn normals(distribution: Distribution, width: f64, z: f64) -> f64 {
     let gain = match distribution {
         Distribution::Ggx => 1.0,
@@ -128,7 +128,7 @@ mod tests {
         }
     }
 
-    /// α_p = 0, D = 1/π: the integral is (1 + cos θ)/2, and 3.535/2 what it comes to at the horizon.
+    /// α_p = 0, D = 1/π: the integral is (1 + cos θ)/2, and 3.535/2 its value at the horizon.
     #[test]
     fn what_facets_return_is_known_of_phong() {
         for z in COSINES {
@@ -160,7 +160,7 @@ mod tests {
 
     #[test]
     fn weights_are_those_of_the_model_page() {
-        // Beckmann's G1 over Smith's; 1.7675 by what Phong's law has in excess of its facets
+        // Beckmann's G1 over Smith's; 1.7675 by the excess of Phong's law over its facets
         for (width, z) in WIDTHS.into_iter().flat_map(|w| COSINES.map(|z| (w, z))) {
             assert_eq!(normals(Distribution::Ggx, width, z), 1.0);
             assert!(normals(Distribution::Beckmann, width, z) < 1.004);

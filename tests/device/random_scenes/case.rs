@@ -13,7 +13,7 @@ use super::number::{coordinate, decades, radiance, row};
 use super::settings::settings;
 use super::shape::{Shape, shape};
 
-/// What is rendered, and tried.
+/// The input of a rendering.
 #[derive(Clone)]
 pub struct Case {
     /// A scene file.
@@ -22,7 +22,7 @@ pub struct Case {
     pub seed: u32,
 }
 
-/// As what a test by name is made of.
+/// The same as the source of a named test.
 impl fmt::Debug for Case {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "seed {}, {:?}\n{}", self.seed, self.settings, self.text)
@@ -55,7 +55,7 @@ impl World {
     }
 }
 
-/// Up to six shapes of these materials, at any scale, mostly that of the units which people use; up to 1e8 times as far from
+/// Up to six shapes of these materials, at any scale, mostly that of everyday units; up to 1e8 times as far from
 /// the origin as they are large.
 pub fn world(material: impl Strategy<Value = String> + 'static) -> impl Strategy<Value = World> {
     let scale = prop_oneof![
@@ -82,7 +82,7 @@ pub struct Eye {
     pub at: [f64; 3],
     pub ry: f64,
     pub turn: String,
-    /// Radius of a lens, and what is sharp.
+    /// Radius of a lens, and the distance that is sharp.
     pub lens: Option<[f64; 2]>,
 }
 

@@ -1,4 +1,4 @@
-//! What random scenes have found, shrunk: each a test of its own.
+//! Failures that random scenes have found, shrunk: each a separate test.
 
 use vkpt::settings::{Connect, Settings};
 
@@ -24,7 +24,7 @@ fn radiance_out_of_the_densest_glass_is_finite() {
     }
 }
 
-/// All but a thousandth is reflected, as far as f32 tells: (1 − F)/(1 − F̄) was 1.00007, F̄ being F but for a rounding.
+/// All but a thousandth is reflected, as far as f32 resolves: (1 − F)/(1 − F̄) was 1.00007, F̄ being F but for a rounding.
 #[test]
 fn what_grey_glass_lets_through_next_to_total_reflection_weighs_1() {
     let mut settings = Settings::default();

@@ -18,8 +18,8 @@ const DEPTH: u32 = 64;
 /// 128 roundings a vertex, as `vkpt check` counts them.
 const ROUNDING: f64 = DEPTH as f64 * 128.0 / 16_777_216.0;
 
-/// What a path meets takes of its light and adds none; radiance scaling comes to 1 along a path that begins and ends in
-/// air. Roulette by throughput raises no throughput above 1.
+/// A surface that a path meets absorbs some of its light and adds none; radiance scaling comes to 1 along a path that begins
+/// and ends in air. Roulette by throughput raises no throughput above 1.
 fn settings() -> impl Strategy<Value = Settings> {
     (
         select(vec![None, Some(Fresnel::Exact), Some(Fresnel::Schlick)]),
@@ -40,7 +40,7 @@ fn settings() -> impl Strategy<Value = Settings> {
         )
 }
 
-/// Any shapes of materials that make no light, in a world of radiance 1.
+/// Any shapes of materials that emit no light, in a world of radiance 1.
 pub fn furnace() -> impl Strategy<Value = Case> {
     (
         looking_in(3.0..8.0f64),
@@ -74,7 +74,7 @@ pub fn brighter(all: &[Made]) -> Option<String> {
 fn nothing_is_brighter(case: &Case, by: By) -> TestCaseResult {
     let prepared = case.prepared();
     // In glass all radiance is n² times as large. Glass that overlaps glass is outside the model, and what an eye on its surface
-    // sees is left to rounding: both warned of.
+    // sees is left to rounding: both give warnings.
     let warnings = ["overlap", "the eye is on the surface"];
     let warned = prepared
         .warnings

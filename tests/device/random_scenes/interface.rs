@@ -29,7 +29,7 @@ pub struct Interface {
 /// tan of half the field of view: below the resolution of single precision, so that wo is one direction.
 const RY: f64 = 1e-12;
 
-/// What is let through, and what is reflected within, ends at a black body that shines below the interface; of n² where
+/// Light that is transmitted, or reflected within, ends at a black body that emits below the interface; of n² where
 /// radiance is scaled, which makes it 1 outside. Paths end at the light that they meet after the interface.
 fn scene(outside: bool, cos: f64, brdf: &str, inside: f64) -> String {
     let degrees = cos.acos().to_degrees();
@@ -48,7 +48,7 @@ fn scene(outside: bool, cos: f64, brdf: &str, inside: f64) -> String {
     )
 }
 
-/// n² of the shining body, within what radiances are: beyond it radiance is not scaled.
+/// n² of the emitting body, within the range of radiances: beyond it radiance is not scaled.
 const SCALED: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 
 impl Interface {
@@ -95,14 +95,14 @@ fn material(prepared: &Prepared) -> &Material {
         .map_or(0, |s| s.material as usize)]
 }
 
-/// What the picture must not exceed in each channel, and, by an estimator that bounds it, no sample in its mean.
+/// The bound of the picture in each channel, and, by an estimator that bounds it, of a sample's mean.
 pub struct Limits {
     pub mean: [f64; 3],
     pub sample: Option<f64>,
 }
 
 impl Interface {
-    /// The limits; `None` where the eye stands within an opaque slab.
+    /// The limits; `None` if the eye is within an opaque slab.
     pub fn limits(&self, prepared: &Prepared) -> Option<Limits> {
         let m = material(prepared);
         if !self.outside && !Prepared::is_transmissive(m) {
@@ -113,7 +113,7 @@ impl Interface {
         // (1 − F)/(1 − F̄) has the mean 1 over RGB but for what 1 − F̄ has lost, which may be all; grey loses nothing.
         let grey = m.f0.x == m.f0.y && m.f0.y == m.f0.z;
         let exact = m.fresnel == Fresnel::Exact || grey || !Prepared::is_transmissive(m);
-        // Where light is not connected to, a path brings its weight and nothing else.
+        // Where light is not connected to, a path contributes only its weight.
         let bounded = exact
             && e.connect == Connect::Bsdf
             && (e.lobe, e.normals) == (LobeChoice::Fresnel, Normals::Visible)
@@ -132,14 +132,14 @@ const SAMPLES: f64 = 64.0 * SPP as f64;
 const ROUNDING: f64 = 2.0 * 128.0 / 16_777_216.0;
 /// Below this single precision keeps fewer digits.
 const DENORMAL: f64 = f32::MIN_POSITIVE as f64;
-/// What recomputing a micro-normal in f32 does to D at the widths and contrasts that still have a density (model.md,
+/// The effect of recomputing a micro-normal in f32 on D at the widths and contrasts that still have a density (model.md,
 /// "Limits": 1e-8/(α|n − 1|) on the median, 6 times that at 99 %), at α|n − 1| = 1e-5.
 const RECOMPUTED: f64 = 6e-3;
 
-/// What is above its limit; each of the renderers' channels by a t-test of this level. Where single samples have a
-/// long tail upwards, such a test rejects less often than it says. Downwards the tail is events that bring nothing, of
-/// which samples tell nothing if none occurs: of probability p none does with (1 − p)ⁿ < e^(−pn), which is this level
-/// at p = −ln(level)/n, and without them the mean is at most 1/(1 − p) of what it should be.
+/// The values above their limits; each of the renderers' channels by a t-test of this level. Where single samples have a
+/// long tail upwards, such a test rejects less often than it says. Downwards the tail is events that contribute nothing, of
+/// which samples say nothing if none occurs: of probability p none does with (1 − p)ⁿ < e^(−pn), which is this level
+/// at p = −ln(level)/n, and without them the mean is at most 1/(1 − p) of its true value.
 pub fn excess(limits: &Limits, all: &[Made], settings: &Settings, level: f64) -> Option<String> {
     let rounding = match settings.estimator.connect {
         Connect::Bsdf => ROUNDING,

@@ -5,7 +5,7 @@ use proptest::sample::select;
 
 use super::number::{alpha, colour, grey, ior, radiance, row};
 
-/// The words before a material: they hold for all that follow, so that one is always said.
+/// The words before a material: they apply to all that follow, so one is always given.
 fn words() -> impl Strategy<Value = String> {
     let distributions = vec!["auto", "phong", "beckmann", "ggx"];
     (select(distributions), select(vec!["schlick", "exact"]))

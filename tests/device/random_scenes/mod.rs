@@ -1,5 +1,5 @@
-//! Random scenes: materials and settings over the whole legal range, shapes that touch, nest and overlap. Whatever they
-//! are, no path brings a NaN, an infinity or less than nothing, and no surface returns more light than it may.
+//! Random scenes: materials and settings over the whole legal range, shapes that touch, nest and overlap. In all of
+//! them, no path contributes a NaN, an infinity or less than 0, and no surface returns more light than it may.
 //!
 //! Cases are the same in every run. A case that fails is shrunk and printed as a scene file; its seed goes to
 //! `regressions.txt`, which is tried first ever after, and the scene becomes a test by name in `found.rs`.

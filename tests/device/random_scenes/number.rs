@@ -42,7 +42,7 @@ pub fn grey() -> impl Strategy<Value = [f64; 3]> {
     share().prop_map(|x| [x; 3])
 }
 
-/// alpha: any number from 0 on. A width to 1, across the limit of what counts as smooth; above 1 a Phong exponent, smooth
+/// alpha: any number from 0 on. A width to 1, across the limit of smooth surfaces; above 1 a Phong exponent, smooth
 /// above 2e8 (model.md, "Limits").
 pub fn alpha() -> impl Strategy<Value = f64> {
     let edges = [
@@ -69,8 +69,8 @@ pub fn alpha() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// An index of refraction: any number above 0 whose square, and that of its inverse, single precision holds; across the
-/// limit below which a surface is not there (model.md, "Limits").
+/// An index of refraction: any number above 0 whose square, and that of its inverse, single precision represents; across the
+/// limit below which an interface is index-matched (model.md, "Limits").
 pub fn ior() -> impl Strategy<Value = f64> {
     let off = [1e-9, 0.9e-7, 1.1e-7, 2e-6, 1e-4, 0.1];
     let near_one = (select(off.to_vec()), any::<bool>());
@@ -83,7 +83,7 @@ pub fn ior() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// A radiance: any number from 0 to 1e19. A sample of 2⁹⁶ is dropped and counted; that leaves 2³² to what a path weighs, each
+/// A radiance: any number from 0 to 1e19. A sample of 2⁹⁶ is dropped and counted; that leaves 2³² to a path's weight, each
 /// vertex up to 256 by choice of lobes by norms.
 pub fn radiance() -> impl Strategy<Value = f64> {
     prop_oneof![Just(0.0), Just(1.0), 0.0..10.0f64, decades(-45.0, 19.0)]

@@ -10,7 +10,7 @@ use super::interface::{Interface, excess};
 use super::samples::{By, Made, made};
 use super::sound::{broken, parted};
 
-/// Every sample of a lossless rough glass ball in a furnace, where `path` has `wrong` in the place of `right`.
+/// Every sample of a lossless rough glass ball in a furnace, where `path` has `wrong` instead of `right`.
 fn planted(path: &str, right: &str, wrong: &str) -> Option<Vec<Made>> {
     let honest = file(path).expect("a shader");
     assert_eq!(

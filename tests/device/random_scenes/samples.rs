@@ -1,4 +1,4 @@
-//! Every sample of a case, by all renderers that there are.
+//! Every sample of a case, by all available renderers.
 
 use std::sync::atomic::AtomicBool;
 
@@ -47,7 +47,7 @@ pub enum By<'a> {
 /// All, by the kernel that is composed for the case.
 pub const COMPOSED: By<'static> = By::All(KernelChoice::Composed);
 
-/// Every sample of a case; `None` where a device is wanted and the run goes without.
+/// Every sample of a case; `None` if a device is wanted and the run skips devices.
 pub fn made(by: By, case: &Case, prepared: &Prepared, spp: u32) -> Option<Vec<Made>> {
     match by {
         By::References => Some(vec![
@@ -102,7 +102,7 @@ fn by_all(case: &Case, prepared: &Prepared, spp: u32, kernel: KernelChoice) -> O
     Some(all.into())
 }
 
-/// Whether the device is held to the bits of cpu-f32.
+/// Whether the device must have the bits of cpu-f32.
 pub fn rounds_as_the_reference() -> bool {
     common::device().is_some_and(|d| d.info().kind == DeviceKind::Cpu)
 }

@@ -11,7 +11,7 @@ const MESHES: [&str; 3] = [
     "tests/data/scene/trimesh/family.ply",
 ];
 
-/// What a line of a shape says.
+/// The contents of a shape's line.
 #[derive(Clone, Debug)]
 pub enum Shape {
     Sphere {

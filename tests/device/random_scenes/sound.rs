@@ -1,4 +1,4 @@
-//! No sample is broken, by whatever renderer, and the device's are cpu-f32's.
+//! No sample is broken, by any renderer, and the device's are cpu-f32's.
 
 use proptest::test_runner::TestCaseResult;
 use proptest::{prop_assert, prop_assert_eq};
@@ -14,7 +14,7 @@ use crate::common::render::{job, outcome};
 /// Samples a pixel.
 const SPP: u32 = 8;
 
-/// What is wrong with the samples; `None` where nothing is. Where paths may `grow`, they may end at the scalar's infinity,
+/// The errors of the samples; `None` if there are none. If paths may `grow`, they may end at the scalar's infinity,
 /// where the film drops and counts them.
 pub fn broken(all: &[Made], grow: bool) -> Option<String> {
     let wrong = |x: f64| x < 0.0 || x.is_nan() || (x.is_infinite() && !grow);
@@ -40,7 +40,7 @@ pub fn parted(all: &[Made]) -> Option<String> {
     Some(format!("sample {i}: {a:?} by the device, {b:?} by cpu-f32"))
 }
 
-/// Whether there is a surface that may make more light of what it gets: between two such, light grows without end.
+/// Whether some surface may return more light than it gets: between two of these, light grows without end.
 fn may_grow(prepared: &Prepared) -> bool {
     prepared.materials.iter().any(|m| albedo_anywhere(m) > 1.0)
 }

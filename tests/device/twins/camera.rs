@@ -82,7 +82,7 @@ fn camera(size: [u32; 2]) -> Row {
     axes.u(size[0]).u(size[1])
 }
 
-/// A point of the picture, or somewhere: seen, beside the picture.
+/// A point of the picture, or somewhere: seen, or outside the picture.
 fn seen(r: &mut Rng) -> Vec3<f32> {
     let aside = RIGHT * r.range(-1.2, 1.2) + UP * r.range(-1.2, 1.2);
     (FORWARD + aside) * r.log_range(1e-6, 1e6)

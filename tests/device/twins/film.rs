@@ -102,9 +102,9 @@ fn dropping() -> Twin {
             o.u(pixel.largest_sample);
         })
         .edges([0.0, 1e-45, f32::MAX, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, -f32::NAN].map(row))
-        // 2⁹⁶ and what is next below
+        // 2⁹⁶ and the next number below
         .edges([0x6f80_0000, 0x6f7f_ffff, 0xef80_0000].map(|bits| row(f32::from_bits(bits))))
-        // the largest so far, once more, and what is next above
+        // the largest so far, once more, and the next number above
         .edges([0x3fc0_0000, 0x3fc0_0001].map(|bits| Row::new().vec3(vec3(0.0, 1.0, f32::from_bits(bits))).u(6)))
         .edge(Row::new().vec3(vec3(f32::INFINITY, f32::NAN, f32::NEG_INFINITY)).u(6))
         .edge(Row::new().vec3(vec3(f32::INFINITY, f32::NEG_INFINITY, 1.0)).u(6))

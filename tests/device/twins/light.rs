@@ -441,7 +441,7 @@ pub fn mesh_row(r: &mut Rng) -> (Row, [u32; 8]) {
     (row.vec3(r.vec3(-2.0 * size, 2.0 * size)), cdf)
 }
 
-/// A function of a mesh: [`MESH`] is what it reads.
+/// A function of a mesh: [`MESH`] declares its input.
 pub fn mesh(name: &'static str, file: &'static str) -> Twin {
     light(name, file)
         .prelude("uint triangle_cdf[9];\n")

@@ -224,7 +224,7 @@ fn every_function_has_a_row() {
     );
 }
 
-/// naga's own list of the functions of whole kernels: each has a row or stands in an excused file, or it is generated
+/// naga's own list of the functions of whole kernels: each has a row or is in an excused file, or it is generated
 /// and calls one of several that do.
 #[test]
 fn every_function_that_naga_lists_is_accounted_for() {
@@ -273,7 +273,7 @@ fn functions_are_found_in_a_file() {
     assert_eq!(functions(text).collect::<Vec<_>>(), ["one", "two"]);
 }
 
-// ---- the harness itself: it agrees where it should, and fails on what is planted
+// ---- the harness itself: it agrees where it should, and fails on planted errors
 
 const SQUARE: &str = "float square(float x, float y) { return x * x + y; }\n";
 const CALL: &str = "float x = in_f(); float y = in_f(); out_f(square(x, y));";
@@ -292,7 +292,7 @@ fn square(glsl: &str, rust: impl Fn(f32, f32) -> f32 + 'static) -> Twin {
         .seeded(200, |r| Row::new().f(r.range(-9.0, 9.0)).f(r.finite()))
 }
 
-/// The failure's text, or `None` where the run goes without a device.
+/// The failure's text, or `None` if the run skips devices.
 fn failure(twin: &Twin) -> Option<String> {
     Some(compare(twin, common::device()?).expect_err("a planted error was not found"))
 }

@@ -1,4 +1,4 @@
-//! The ground that all twins stand on: arithmetic, comparisons and conversions as IEEE 754 has them, and none of it
+//! The basis of all twins: arithmetic, comparisons and conversions as in IEEE 754, and none of it
 //! rewritten. Each body tempts a compiler: to fuse, to reassociate, to drop a zero, to turn `!(a < b)` into `a >= b`.
 
 #![allow(
@@ -117,7 +117,7 @@ fn contraction() -> Twin {
     })
 }
 
-/// What real numbers would allow, and floats do not.
+/// Rewrites that real numbers would allow, and floats do not.
 fn algebra() -> Twin {
     let glsl = "out_f((a + b) - a); out_f((a - b) + b); out_f((a + b) + c); out_f(a + (b + c)); out_f(a * b * c);
         out_f(a * (b * c)); out_f(a * b / b); out_f(a / b / c); out_f(a / a); out_f(a - a); out_f(a * b + a * c);
@@ -146,7 +146,7 @@ fn algebra() -> Twin {
 /// Zeros keep their sign, and 0·∞ is no zero.
 ///
 /// Not so the literal: lavapipe (its gallivm, 22.3 and 25.0 alike, `NoContraction` or not) makes `a + 0.0` and `0.0 + a`
-/// a, `0.0 - a` −a, `a * 0.0` and `0.0 / a` 0 whatever a. Where the sign of a zero or a NaN matters, a kernel must not
+/// a, `0.0 - a` −a, `a * 0.0` and `0.0 / a` 0 for any a. Where the sign of a zero or a NaN matters, a kernel must not
 /// add, multiply or divide by a zero that the compiler can see.
 fn zeros() -> Twin {
     let glsl = "out_f(a + zero); out_f(a - zero); out_f(zero - a); out_f(a * zero); out_f(zero / a); out_f(-(-a));
@@ -167,7 +167,7 @@ fn zeros() -> Twin {
     })
 }
 
-/// Nothing compares with NaN; `!(a < b)` is not `a >= b`. `a != a` is left out: naga makes it false for NaN, write isnan.
+/// Nothing compares with NaN; `!(a < b)` is not `a >= b`. `a != a` is omitted: naga makes it false for NaN, write isnan.
 fn comparisons() -> Twin {
     let glsl = "out_b(a < b); out_b(a <= b); out_b(a > b); out_b(a >= b); out_b(a == b);
         out_b(!(a < b)); out_b(!(a <= b)); out_b(!(a > 0.0)); out_b(!(a >= 0.0)); out_b(isnan(a)); out_b(isinf(a));

@@ -115,7 +115,7 @@ pub fn twins() -> Vec<Twin> {
     twins
 }
 
-/// What is seen along a direction, and of a texel.
+/// The radiance seen along a direction, and of a texel.
 fn seen() -> Vec<Twin> {
     vec![
         twin("surroundings_texel", "out_u(surroundings_texel(in_vec3()));")

@@ -1,4 +1,4 @@
-//! What the rows read: interactions, directions, random numbers.
+//! The inputs of the rows: interactions, directions, random numbers.
 
 use glam::DVec3;
 use vkpt::prepared::{MaterialKind, material::material};
@@ -33,7 +33,7 @@ pub fn put(row: Row, outside: bool, at: &Interaction<f32>) -> Row {
 const KINDS: [MaterialKind; 8] = MaterialKind::EVERY;
 const DISTRIBUTIONS: [Distribution; 3] = Distribution::EVERY;
 
-/// Reads what [`put`] has written.
+/// Reads the data that [`put`] has written.
 pub fn take(i: &mut In) -> Interaction<f32> {
     let material = Material {
         kd: i.vec3(),
@@ -106,7 +106,7 @@ pub fn wo(r: &mut Rng) -> Vec3<f32> {
     vec3(s * phi.cos(), s * phi.sin(), z)
 }
 
-/// A prepared material of any kind that scatters; with `kd`, some have a diffuse lobe beside others.
+/// A prepared material of any kind that scatters; with `kd`, some have a diffuse lobe as well as others.
 fn random_material(r: &mut Rng, kd: bool) -> Material<f32> {
     let colour = |r: &mut Rng| match r.below(3) {
         0 => DVec3::splat(f64::from(r.unit())),

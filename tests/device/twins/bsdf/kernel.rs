@@ -1,4 +1,4 @@
-//! The kernels of the rows: slots filled as the settings ask, and what reads an interaction.
+//! The kernels of the rows: slots filled for the settings, and the code that reads an interaction.
 
 use vkpt::kernel::Slot;
 use vkpt::layout::GpuStruct;
@@ -7,7 +7,7 @@ use vkpt::settings::{LobeChoice, Normals, Settings};
 
 use crate::twins::harness::Twin;
 
-/// Reads what `inputs::put` has written.
+/// Reads the data that `inputs::put` has written.
 const READ: &str = "// uses: bsdf/interaction
 Interaction in_interaction() {
     Material m;

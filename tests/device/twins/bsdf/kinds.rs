@@ -119,7 +119,7 @@ fn scatters(
         .seeded(2000, move |r| scattering(r, &settings, kd, kind))
 }
 
-/// What kinds are made of, each on surfaces of all kinds that transmit.
+/// The functions that kinds use, each on surfaces of all kinds that transmit.
 fn parts(settings: Settings) -> Twin {
     let glsl = format!(
         "Interaction at = in_interaction(); vec3 wi = in_vec3(); vec2 u = in_vec2();

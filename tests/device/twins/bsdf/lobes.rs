@@ -1,4 +1,4 @@
-//! The lobes and what they are made of.
+//! The lobes and their functions.
 
 use vkpt::reference::bsdf::diffuse::lambert::{cosine_lobe, lambert_lobe};
 use vkpt::reference::bsdf::facet::facet;

@@ -1,4 +1,4 @@
-//! Twins of `shaders/bsdf/`: rows in the folder beside this file, one file a group of functions.
+//! Twins of `shaders/bsdf/`: rows in the folder next to this file, one file a group of functions.
 
 mod inputs;
 mod kernel;

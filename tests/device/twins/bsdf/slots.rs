@@ -1,4 +1,4 @@
-//! Interaction, Fresnel, choice, micro-normals, scaling: what fills the slots.
+//! Interaction, Fresnel, choice, micro-normals, scaling: the code that fills the slots.
 
 use vkpt::kernel::Slot;
 use vkpt::reference::bsdf::choice::{diffuse_probability, reflect_probability};

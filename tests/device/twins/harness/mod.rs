@@ -1,4 +1,4 @@
-//! Holds a GLSL function against its Rust twin, on the device, over a table of inputs.
+//! Compares a GLSL function with its Rust twin, on the device, over a table of inputs.
 //!
 //! A [`Twin`] is a row of the suite: a body of GLSL that reads its inputs and writes its outputs, a Rust closure that
 //! does the same in `f32`, and the inputs: edges first, then seeded ones. Outputs are filled with a NaN pattern
@@ -17,7 +17,7 @@ pub use rng::Rng;
 use words::Value;
 pub use words::{In, Out, Row};
 
-/// What no function writes: a quiet NaN with a payload of its own.
+/// A value that no function writes: a quiet NaN with its own payload.
 const UNWRITTEN: u32 = 0x7fc0_dead;
 /// Before the first row and after each: no function may touch it.
 const GUARD: u32 = 0x7fc0_beef;
@@ -48,7 +48,7 @@ pub struct Twin {
 }
 
 impl Twin {
-    /// The function's name, and the file below `shaders/` that holds it.
+    /// The function's name, and the file below `shaders/` that contains it.
     pub fn new(name: &'static str, file: &'static str) -> Self {
         Self {
             name,
@@ -60,7 +60,7 @@ impl Twin {
             rows: Vec::new(),
         }
     }
-    /// Other functions that this row holds to account.
+    /// Other functions that this row tests.
     pub fn also(mut self, names: &[&'static str]) -> Self {
         self.also.extend(names);
         self
@@ -75,7 +75,7 @@ impl Twin {
         self.composer = self.composer.prelude(text);
         self
     }
-    /// A file that `shaders/` does not hold.
+    /// A file that is not in `shaders/`.
     pub fn source(mut self, name: &str, text: &str) -> Self {
         self.composer = self.composer.add(name, text);
         self
@@ -107,8 +107,8 @@ impl Twin {
         self.rows.extend((0..count).map(|_| row(&mut rng)));
         self
     }
-    /// (file, function) for each function that this row holds to account: those named, in each file of its kernel,
-    /// because functions of one name may stand in several files for one slot.
+    /// (file, function) for each function that this row tests: those named, in each file of its kernel,
+    /// because functions of one name may be in several files for one slot.
     pub fn holds(&self) -> Vec<(String, &'static str)> {
         let kernel = self
             .kernel(0, 0)
@@ -152,7 +152,7 @@ pub fn check(twins: &[Twin]) {
     );
 }
 
-/// Runs one twin on the device and in Rust; an error tells what differs.
+/// Runs one twin on the device and in Rust; an error reports the differences.
 pub fn compare(twin: &Twin, device: &Device) -> Result<(), String> {
     let rust = twin
         .rust
@@ -179,7 +179,7 @@ pub fn compare(twin: &Twin, device: &Device) -> Result<(), String> {
     report.finish(twin.name, twin.rows.len())
 }
 
-/// What Rust makes of a row.
+/// Rust's results for a row.
 fn call(rust: &Rust, row: &Row) -> Vec<Value> {
     let mut out = Out::default();
     rust(&mut In::new(row), &mut out);

@@ -1,11 +1,11 @@
-//! Compares words and tells what differs.
+//! Compares words and reports the differences.
 
 use std::fmt::Write as _;
 
 use super::words::{Row, Value};
 use super::{GUARD, UNWRITTEN};
 
-/// What differs, for one twin.
+/// The differences of one twin.
 pub struct Report {
     exact: bool,
     text: String,
@@ -26,7 +26,7 @@ impl Report {
         }
     }
 
-    /// What no device may do.
+    /// Results that no device may give.
     pub fn broken(&mut self, what: &str) {
         self.broken = true;
         let _ = writeln!(self.text, "  {what}");

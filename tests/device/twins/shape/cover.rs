@@ -1,4 +1,4 @@
-//! Faces that coincide: points on faces, and which of two faces is there.
+//! Coincident faces: points on faces, and which of two faces is the uncovered one.
 
 use glam::DVec3;
 use vkpt::kernel::Slot;
@@ -156,7 +156,7 @@ fn boxes() -> shape::Primitives {
     }
 }
 
-/// The same as a kernel has it: what is declared, and the statements that fill it.
+/// The same in a kernel: the declarations, and the statements that fill them.
 fn buffers(p: &shape::Primitives) -> (String, String) {
     let table = &p.coincident;
     let (faces, list) = (&table.faces, &table.list);

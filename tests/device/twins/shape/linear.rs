@@ -140,7 +140,7 @@ fn boxes() -> Twin {
             let s = read_search(i);
             out_hit(nearest_boxes(&all, s.ray, s.skip, s.best), o);
         })
-        // One stands on the other, or beside it, or anywhere.
+        // One is on the other, or next to it, or anywhere.
         .seeded(4000, |r| {
             let (lo, hi) = (r.vec3(-1.0, 0.0), r.vec3(0.0, 1.0));
             let row = Row::new().vec3(lo).vec3(hi);

@@ -29,7 +29,7 @@ pub fn twins() -> Vec<Twin> {
     .collect()
 }
 
-/// What every kernel declares.
+/// Declarations of every kernel.
 pub fn prelude() -> String {
     layout::Ray::glsl()
 }

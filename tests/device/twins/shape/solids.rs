@@ -75,7 +75,7 @@ fn spheres() -> Vec<Twin> {
                 let sphere = Sphere { centre: i.vec3(), radius: i.f(), shape: 0 };
                 out_surface(sphere_surface(ray, hit, &sphere), o);
             })
-            // too small to be told from its centre
+            // too small to be distinguished from its centre
             .edge(on_surface(x * 100.0, -x, 100.0, 0).vec3(Vec3::zero()).f(1e-8))
             .seeded(2000, |r| {
                 let size = scale(r);
@@ -131,7 +131,7 @@ fn boxes() -> Vec<Twin> {
                 o.f(hit.t);
                 o.u(hit.face);
             })
-            // in the plane of a face: beside it, on it, sliding; through two edges and two corners
+            // in the plane of a face: next to it, on it, sliding; through two edges and two corners
             .edge(edge([-1.0, 0.5, 1.0], [0.8, 0.0, -0.6], 0))
             .edge(edge([0.25, 0.5, 1.0], [0.6, 0.0, -0.8], 0))
             .edge(edge([-1.0, 0.5, 1.0], [1.0, 0.0, -0.0], 0))
@@ -268,7 +268,7 @@ fn cylinders() -> Vec<Twin> {
                 o.f(hit.t);
                 o.u(hit.part);
             })
-            // along the axis within, on and beside the side; along a cap; tangent; from the rim
+            // along the axis within, on and outside the side; along a cap; tangent; from the rim
             .edge(edge([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0, 0))
             .edge(edge([1.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0, 0))
             .edge(edge([2.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0, 0))

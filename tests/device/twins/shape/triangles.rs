@@ -21,7 +21,7 @@ use super::{
     prelude, read_hit, read_ray, scale,
 };
 
-/// Two triangles as a scene's buffers would hold them.
+/// Two triangles as in a scene's buffers.
 const TRIANGLES: &str = "
 vec3 corners[6];
 vec3 corner_normals[6];
