@@ -126,7 +126,7 @@ fn switches(command: &Command) -> impl Iterator<Item = &Arg> {
     all.filter(|arg| !arg.is_positional() && !arg.get_action().takes_values())
 }
 
-/// The options below a heading, but for help.
+/// The options below a heading, except help.
 fn of<'c>(command: &'c Command, heading: Option<&str>) -> Vec<&'c Arg> {
     let all = command.get_arguments();
     let shown = all.filter(|arg| !arg.is_positional() && !arg.is_hide_set());
@@ -163,7 +163,7 @@ fn row(page: &mut String, arg: &Arg) {
     let said = said.trim_end_matches(']').trim_start_matches(':').trim();
     let values = arg.get_default_values().iter();
     let values: Vec<_> = values.map(|value| value.to_string_lossy()).collect();
-    // A switch is off, and nobody says so.
+    // A switch is off by default, which is not shown.
     let default = match said.is_empty() && arg.get_action().takes_values() {
         true => values.join(" "),
         false => said.to_owned(),

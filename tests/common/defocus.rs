@@ -73,8 +73,8 @@ impl Ball {
     }
 
     /// Radiance at the point x of the plane at distance 1, where it is known: the point f = (F x, F) sees the ball before the
-    /// lens or behind it, and what it covers of the lens's plane, all of it or nothing within the lens, is the share of rays
-    /// that meet the ball.
+    /// lens or behind it, and the area of the lens's plane that the ball covers, all of it or nothing within the lens, is the
+    /// share of rays that meet the ball.
     fn radiance(&self, x: [f64; 2]) -> Option<f64> {
         let (f, h) = (x.map(|x| self.focus * x), (self.focus - self.depth).abs());
         let aside = (f[0] - self.at[0]).hypot(f[1] - self.at[1]);
@@ -122,8 +122,8 @@ impl Ball {
     }
 }
 
-/// What pictures by several seeds come to, over what they should: the whole, and the disc's inside; and the most that a pixel
-/// outside of it has.
+/// Means of pictures by several seeds, over the expected ones: the whole, and the disc's inside; and the largest value of a
+/// pixel outside of it.
 pub struct Found {
     pub whole: Vec<f64>,
     pub inside: Vec<f64>,

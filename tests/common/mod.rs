@@ -62,7 +62,7 @@ pub fn selector() -> Selector {
     std::env::var("VKPT_TEST_DEVICE").map_or(Selector::Best, |name| Selector::from(name.as_str()))
 }
 
-/// A device of one's own, opened with `options` and under the validation layer.
+/// A separate device, opened with `options` and under the validation layer.
 pub fn open(options: Options) -> Option<Device> {
     Need::Device.find(|| opened(options))
 }

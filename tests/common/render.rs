@@ -47,7 +47,7 @@ pub fn on_device(job: &Job) -> Option<Outcome> {
     on_device_within(job, limits)
 }
 
-/// The same within limits of a dispatch of one's own.
+/// The same within given limits of a dispatch.
 pub fn on_device_within(job: &Job, limits: DispatchLimits) -> Option<Outcome> {
     let stop = AtomicBool::new(false);
     let outcome = render_on(job, super::device()?, limits, &stop, &mut |_| {});

@@ -149,8 +149,8 @@ box -1 -.5 0 .8 1 1
 cylinder .3 -.8 0 0 0 .8 .3
 ";
 
-/// The same of meshes, 26 triangles and more, which a hierarchy finds: a lamp whose faces stand twice, a square on the floor
-/// and one turned on it, cubes of glass that touch.
+/// The same with meshes, 26 triangles and more, found in a hierarchy: a lamp whose faces occur twice, a square on the floor and
+/// one turned on it, cubes of glass that touch.
 pub fn flush_meshes(square: &Path, cube: &Path) -> String {
     let (square, cube) = (square.display(), cube.display());
     format!(
@@ -161,8 +161,8 @@ pub fn flush_meshes(square: &Path, cube: &Path) -> String {
     )
 }
 
-/// Eye and floor stand in a block of rough glass that absorbs, which a ball of light shines into. Little enough of what the
-/// eye sees is rare: where a few paths in a thousand bring most of the light, Student's t is no test.
+/// Eye and floor are in a block of rough glass that absorbs, lit by a ball of light. Few rare paths contribute much of the
+/// eye's view: where a few paths in a thousand contribute most of the light, Student's t is no test.
 pub const INSIDE: &str = "screen 32 24
 camera 0 0 0 .5 x 20
 light 9 8 6
@@ -174,7 +174,7 @@ brdf 0 0 0 .04 .04 .04 .6 .9 .95 .9 1.5
 box -2.5 -2.5 -2 5 5 4.5
 ";
 
-/// A wide lens: what `TABLE` has, a null interface and a lamp, all before or behind the plane that is sharp.
+/// A wide lens: the scene of `TABLE`, a null interface and a lamp, all before or behind the plane that is sharp.
 pub const LENS: &str = "screen 32 24
 camera 0 -6 3 .35 x 65
 lens .5 4.8

@@ -41,8 +41,8 @@ fn a_path_ends_where_its_throughput_underflows() {
     }
 }
 
-/// A million units of glass of Kt 1e-6 let nothing through, e^(−1.4e7): a path is reflected, F of them, and brings 1, or
-/// enters and is gone.
+/// A million units of glass of Kt 1e-6 transmit nothing, e^(−1.4e7): a path is reflected, F of them, and contributes 1, or
+/// enters and is absorbed.
 #[test]
 fn a_path_that_is_absorbed_to_nothing_ends() {
     let slab = "screen 4 4\ncamera 0 0 1 1e-9\nbackground 1 1 1\nfresnel exact\n\
@@ -115,7 +115,7 @@ fn plate(material: &str) -> String {
     format!("screen 4 4\ncamera 0 0 1 1e-9\nbackground 1 1 1\nfresnel exact\n{material}\n{PLATE}")
 }
 
-/// A picture by a kernel whose file `name` has `wrong` in the place of `right`.
+/// A picture by a kernel whose file `name` has `wrong` instead of `right`.
 fn planted(
     scene: &str,
     settings: Settings,

@@ -83,8 +83,8 @@ fn p_of([n, k]: [u64; 2]) -> f64 {
     if k == 0 { 1.0 } else { binomial.sf(k - 1) }
 }
 
-/// Holds the intervals of all scenes to their word, at 1e-3 for all of them together; where there are intervals, a
-/// truth planted 1.5 times as large or as small must be found out.
+/// Checks the coverage of all scenes' intervals, at 1e-3 for all of them together; where there are intervals, a truth planted
+/// 1.5 times as large or as small must be noticed.
 fn check(scenes: &[&str], integrator: Integrator, pictures: u32) {
     let level = sidak(1e-3, 2 * scenes.len());
     for name in scenes {

@@ -60,8 +60,8 @@ fn told(scene: &Prepared, settings: Settings) -> (Vec<Film>, Vec<Values>) {
 
 /// Whether the mean of `squares` is the variance of the pictures' values, as a p-value (Student's t).
 ///
-/// Of two pictures x and y by independent seeds, (x − y)²/2 estimates the variance of each value without bias. Less the
-/// mean of the estimates of both, it is 0 on average; the mean over pixels and channels of that is a number a pair.
+/// For two pictures x and y by independent seeds, (x − y)²/2 estimates the variance of each value without bias. Minus the mean
+/// of the estimates of both, it is 0 on average; the mean over pixels and channels of that is a number a pair.
 fn p_of_honesty(pictures: &[Film], squares: &[Values]) -> f64 {
     let excess = |(films, squares): (&[Film], &[Values])| {
         let values = films[0]
@@ -78,7 +78,7 @@ fn p_of_honesty(pictures: &[Film], squares: &[Values]) -> f64 {
     p_of_mean(&all, 0.0, 0.0)
 }
 
-/// The mean square of all errors, for people.
+/// The mean square of all errors, printed for people.
 fn mean(squares: &[Values]) -> f64 {
     let all: Vec<f64> = squares
         .iter()

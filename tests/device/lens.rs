@@ -1,4 +1,4 @@
-//! The lens on a device: the same bits as the reference, whatever tiles, dispatches and crops; and kernels with planted errors,
+//! The lens on a device: the same bits as the reference, for any tiles, dispatches and crops; and kernels with planted errors,
 //! which closed forms (`common/defocus.rs`) or the other integrators must notice.
 
 use vkpt::film::Film;

@@ -1,5 +1,5 @@
-//! Light paths on a device, alone and with eye paths: the same bits as the reference in f32, whatever tiles, dispatches and crops; and kernels with
-//! planted errors, which the comparison with path tracing must notice.
+//! Light paths on a device, alone and with eye paths: the same bits as the reference in f32, for any tiles, dispatches and
+//! crops; and kernels with planted errors, which the comparison with path tracing must notice.
 
 use std::path::Path;
 

@@ -24,7 +24,7 @@ fn with_errors(scene: &Prepared, settings: Settings, spp: u32, seed: u32) -> Job
     }
 }
 
-/// By either sampler: of the spread of samples, and of their two groups.
+/// By either sampler: from the spread of samples, and from their two groups.
 fn both() -> [Settings; 2] {
     [independent(), Settings::default()]
 }

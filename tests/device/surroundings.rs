@@ -72,8 +72,8 @@ fn turned(z: f64, x: f64) -> DQuat {
 const FLOOR: &str = "brdf .6 .5 .4 0 0 0 1\nbox -50 -50 -1 100 100 1\n";
 
 /// A Lambert plane under one texel: Kd/π L ∫∫ cos θ sin θ dθ dφ = Kd/π L Δφ (sin² θ₁ − sin² θ₀)/2, as of a distant lamp that
-/// fills the texel. Weighed, no sample brings more than what a connection does and what chance hits of it: L Kd/π Ω for the
-/// largest cosine, and L Kd w with w ≤ (p_b Ω)² where p_b ≤ 1/π.
+/// fills the texel. Weighed, no sample contributes more than its connection and its chance hit: L Kd/π Ω for the largest
+/// cosine, and L Kd w with w ≤ (p_b Ω)² where p_b ≤ 1/π.
 #[test]
 fn one_bright_texel_is_a_distant_lamp() {
     let (mut cases, mut pictures) = (Vec::new(), Vec::new());

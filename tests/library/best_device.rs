@@ -1,4 +1,4 @@
-//! Which device renders where nobody says which.
+//! The device that renders if none is named.
 
 use vkpt::gpu::DeviceKind::{Cpu, Discrete, Integrated};
 use vkpt::gpu::{DeviceKind, Selector};

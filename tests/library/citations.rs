@@ -120,7 +120,7 @@ fn headings_are_unambiguous() {
     assert_eq!(titles.len(), headings.len(), "{headings:?}");
 }
 
-/// Each heading below "Checks" is cited by a test: the page promises no check that nobody makes.
+/// Each heading below "Checks" is cited by a test: the page promises no check that does not exist.
 #[test]
 fn every_check_is_made() {
     let headings = page();

@@ -39,7 +39,7 @@ fn denoised(truth: &Film, s: f32, features: &Features, seed: u64) -> [Film; 2] {
     [nlm([&a, &b], features), mean]
 }
 
-/// Of 17² pixels that are all alike, those near an edge or by chance unlike left out, most of the noise goes.
+/// Most of the noise of 17² equal pixels is removed, except at pixels near an edge or unlike the others by chance.
 #[test]
 fn noise_of_a_plain_wall_goes_and_its_brightness_stays() {
     let truth = constant(SIZE[0], SIZE[1], [1.0, 0.3, 2.0]);

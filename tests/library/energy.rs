@@ -101,8 +101,8 @@ fn no_length_is_special() {
     }
 }
 
-/// A camera that sees one point of the interface z = 0 of a wide slab of glass, at `cos` to its normal, from outside
-/// or from within. Transmitted and reflected light both end in radiance 1: the picture is R + T.
+/// A camera that sees one point of the interface z = 0 of a wide slab of glass, at `cos` to its normal, from outside or from
+/// within. Transmitted and reflected light both end in radiance 1: the picture is R + T.
 fn interface(outside: bool, cos: f64, alpha: f64, ior: f64) -> String {
     let degrees = cos.acos().to_degrees();
     let sin = (1.0 - cos * cos).sqrt();

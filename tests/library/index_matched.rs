@@ -1,5 +1,5 @@
-//! Null interfaces, |ior − 1| < 1e-7, are not there but for their absorption (model.md, "The null interface"): paths and
-//! shadow rays go straight through, attenuated by exactly Kt^t, and no bounce is counted. Both ways to absorb say the same.
+//! Null interfaces, |ior − 1| < 1e-7, have only absorption (model.md, "The null interface"): paths and shadow rays go straight
+//! through, attenuated by exactly Kt^t, and no bounce is counted. Both settings of absorption agree.
 
 use vkpt::render::Target;
 use vkpt::settings::{Absorption, Connect, Settings};

@@ -163,7 +163,7 @@ fn lights_and_the_background_have_their_colours() {
     }
 }
 
-/// Layers have half of a picture's samples and 64 at most: more change nothing but their number.
+/// Layers have half of a picture's samples and 64 at most: more change only their number.
 #[test]
 fn layers_are_known_from_the_first_samples() {
     let scene = "screen 8 6\ncamera 0 0 5 .5\nbrdf .5 .5 .5 0 0 0 1\nsphere 0 0 0 1\n";

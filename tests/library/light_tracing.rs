@@ -149,8 +149,8 @@ brdf .6 .5 .4 0 0 0 1
 box -9 -9 -1 18 18 1
 ";
 
-/// Radiance of the floor at (x, y, 0): Kd/π E with E = π L (r/d)² h/d, the irradiance from a ball that stands wholly above
-/// the plane (Lambert; Modest, Radiative Heat Transfer, view factor of a sphere).
+/// Radiance of the floor at (x, y, 0): Kd/π E with E = π L (r/d)² h/d, the irradiance from a ball that is wholly above the
+/// plane (Lambert; Modest, Radiative Heat Transfer, view factor of a sphere).
 pub fn floor_radiance(x: f64, y: f64) -> f64 {
     let to = glam::DVec3::new(3.5 - x, 0.5 - y, 1.5);
     let (r, d) = (0.5, to.length());

@@ -1,5 +1,5 @@
-//! Every link of every Markdown page leads to a file or folder of this repository, and its anchor to a heading there.
-//! Links to other sites are by https; nobody follows them. Pages that sources name by their path exist.
+//! Every link of every Markdown page leads to a file or folder of this repository, and its anchor to a heading there. Links to
+//! other sites are by https and are not followed. Pages that sources name by their path exist.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -86,8 +86,8 @@ fn links(page: &str) -> Vec<String> {
     links
 }
 
-/// The anchors of a page's headings, as GitHub makes them: letters and digits in lower case, `-` and `_`, a `-` for each
-/// blank, and all else left out; one that was there before gets a number.
+/// The anchors of a page's headings, as GitHub makes them: letters and digits in lower case, `-` and `_`, a `-` for each blank,
+/// without all other characters; a repeated one gets a number.
 fn anchors(page: &str) -> BTreeSet<String> {
     let mut taken: BTreeMap<String, usize> = BTreeMap::new();
     let mut anchors = BTreeSet::new();

@@ -260,8 +260,8 @@ fn an_eye_on_the_surface_of_glass_is_warned_of() {
     }
 }
 
-/// A ball of radius r fills r²/(4d²) of all directions from afar; a box of area A a mean of A/(16π d²). Nothing of a wall with a
-/// sheen gathers light, nor does a wide gloss.
+/// A ball of radius r fills r²/(4d²) of all directions from afar; a box of area A a mean of A/(16π d²). No part of a wall with
+/// a sheen gathers light, nor does a wide gloss.
 #[test]
 fn lights_are_as_small_as_what_gathers_their_light_sees_them() {
     let share = |text: &str| prepared(&format!("{VIEW}{text}")).light_share;

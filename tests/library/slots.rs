@@ -1,5 +1,5 @@
-//! The table of slots in `shaders/README.md` is that of the shaders: no slot is missing, none is left over, and what may
-//! fill it is there.
+//! The table of slots in `shaders/README.md` is that of the shaders: no slot is missing, none is superfluous, and the files
+//! that may fill it exist.
 
 use std::collections::BTreeSet;
 

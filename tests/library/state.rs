@@ -125,7 +125,7 @@ fn a_size_that_is_not_there_is_refused_before_it_is_read() {
     assert!(header.contains("\"area\":[2,1]"), "{header}");
     let mut bytes = bytes("two");
     let place = header.find("[0,2]").expect("the samples");
-    // Samples 0..9: the same length of the file would be another number of sums, but for the record, which says 2.
+    // Samples 0..9: the same length of the file would mean another number of sums, except for the record, which says 2.
     bytes[place + 3] = b'9';
     assert!(matches!(parse(&bytes), Err(StateError::Header(_))));
 }

@@ -9,7 +9,7 @@ use yaml_rust2::{Yaml, YamlLoader};
 const MANIFEST: &str = include_str!("../../Cargo.toml");
 const NEEDS: &str = include_str!("../common/needs.rs");
 
-/// Programs that the runners, or an earlier line, bring.
+/// Programs that the runners, or an earlier line, install.
 const PROGRAMS: [&str; 3] = ["apt-get", "rustup", "vkpt"];
 
 /// The oldest Rust that Cargo.toml promises.

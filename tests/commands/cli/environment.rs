@@ -36,7 +36,7 @@ fn with(folder: &Path, arguments: &[&str], variables: &[(&str, &str)]) -> Run {
     finish(&mut command)
 }
 
-/// A cache that cannot be is no reason to fail, nor to leave files where nobody looks for them.
+/// A cache that cannot be made is no reason to fail, nor to leave files in other places.
 #[test]
 fn a_cache_that_cannot_be_is_gone_without() {
     let folder = folder(SCENE);

@@ -120,7 +120,7 @@ fn each_of_two_kernels_has_a_file() {
     }
 }
 
-/// radv compiles for an AMD GPU that is not there, which has no memory and so renders nothing.
+/// radv compiles for an AMD GPU that does not exist, which has no memory and so renders nothing.
 #[test]
 fn the_drivers_statistics_are_told_for_each_kernel() {
     let Some(radv) = radv() else { return };

@@ -65,7 +65,7 @@ fn interrupted(folder: &Path, signal: &str, code: i32) {
             assert_eq!(status.and_then(|status| status.code()), Some(code));
             return;
         }
-        // One that was met before it listened ended at once, and left its claims, which bar nobody.
+        // One that was signalled before it listened ended at once, and left its claims, which block no other.
         let locks = [".vkpt-a.exr.lock", ".vkpt-a.json.lock"];
         if status.is_some_and(|status| status.code().is_none()) {
             let remove = |lock| drop(fs::remove_file(folder.join(lock)));

@@ -1,4 +1,4 @@
-//! `--aov albedo,…`: layers of the picture's own EXR, and `compare --layer`.
+//! `--aov albedo,…`: layers of the picture's EXR, and `compare --layer`.
 
 use std::fs;
 

@@ -39,8 +39,8 @@ fn files_say_how_many_degrees_of_freedom_they_have() {
     }
 }
 
-/// Pictures of the default sampler agree with those of other seeds and of the other sampler, and a light a fifth brighter
-/// is found out.
+/// Pictures of the default sampler agree with those of other seeds and of the other sampler, and a light a fifth brighter is
+/// noticed.
 #[test]
 fn pictures_of_any_sampler_are_compared_by_their_errors() {
     let folder = folder(LIT);
@@ -164,7 +164,7 @@ fn errors_of_another_picture_are_refused() {
     assert_eq!((ran.code, ran.err.as_str()), (Some(3), said));
 }
 
-/// A PNG notes nothing: somebody has to know.
+/// A PNG has no record of its rendering: the user gets a warning.
 #[test]
 fn errors_beside_a_picture_without_notes_are_used_with_a_warning() {
     let folder = folder(LIT);

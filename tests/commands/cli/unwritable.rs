@@ -8,7 +8,7 @@ use super::program::{SCENE, command, finish, folder, names, without_vulkan, word
 
 const RENDER: &str = "scene.scn --device cpu-f32 --spp 2 --quiet";
 
-/// Found out before the first of 2³² samples, of the default names too: nobody can make a file in /proc.
+/// Noticed before the first of 2³² samples, also for default names: no file can be made in /proc.
 #[test]
 fn a_folder_that_takes_no_files_is_told_before_the_work() {
     let folder = folder(SCENE);

@@ -36,7 +36,7 @@ fn is_refused(ran: &Run, name: &str) {
     assert_eq!(ran.out, "");
 }
 
-/// And one that was killed bars nobody.
+/// And a killed one blocks no other.
 #[test]
 fn the_later_writer_of_a_picture_is_refused() {
     let folder = folder(SCENE);

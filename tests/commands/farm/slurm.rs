@@ -184,7 +184,7 @@ fn program(name: &str) -> Option<PathBuf> {
     files.find(|file: &PathBuf| Path::is_file(file))
 }
 
-/// Two ports that nobody listens to.
+/// Two free ports.
 fn free_ports() -> [u16; 2] {
     let listeners = [(); 2].map(|()| TcpListener::bind("127.0.0.1:0").expect("a port"));
     listeners.map(|l| l.local_addr().expect("an address").port())

@@ -1,5 +1,4 @@
-//! Devices that fail: whatever Vulkan call fails, and however, a rendering ends as it is documented, and no output is half
-//! written.
+//! Devices that fail: if any Vulkan call fails, in any way, a rendering ends as documented, and no output is half written.
 //!
 //! `layer.c` makes calls fail. The tests here try calls from the first to the last; `cargo test --test commands -- --ignored
 //! every_call` tries all.

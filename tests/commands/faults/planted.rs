@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::expected;
 use super::trial::{Trial, finish, finish_within};
 
-/// A line of the shell in place of the program.
+/// A line of the shell instead of the program.
 fn shell(line: &str) -> impl FnOnce(&Path) -> Command {
     move |folder| {
         let mut shell = Command::new("sh");

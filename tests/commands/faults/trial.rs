@@ -26,7 +26,7 @@ const OLD: &[u8] = b"old";
 pub enum Left {
     Old,
     Nothing,
-    /// Of the scene's size, by the bits of its pixels.
+    /// A picture of the scene's size, by the bits of its pixels.
     Whole(Vec<u32>),
     Broken(String),
 }

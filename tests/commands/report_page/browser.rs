@@ -238,7 +238,7 @@ impl Browser {
         self.call("Input.dispatchMouseEvent", event);
     }
 
-    /// Waits until an expression is true of a page that is loaded anew meanwhile: until it is, there may be nobody to ask.
+    /// Waits until an expression is true on a page that is being reloaded: until then there may be no page to evaluate it.
     pub fn wait_anew(&mut self, expression: &str) {
         let start = Instant::now();
         let params = json!({"expression": expression, "returnByValue": true});

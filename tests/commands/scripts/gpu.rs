@@ -15,7 +15,7 @@ const PARTS: [&str; 7] = [
     "devices", "doctor", "kernels", "render", "paired", "check", "speed",
 ];
 
-/// The script, with a program in place of vkpt.
+/// The script, with another program instead of vkpt.
 fn gpu(vkpt: &Path, arguments: &[&str]) -> Run {
     finish(
         Command::new("scripts/gpu")

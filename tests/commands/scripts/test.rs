@@ -1,5 +1,5 @@
-//! `scripts/test`: what it installs, what it says, and what it hands to cargo. It runs in a PATH of its own, whose cargo
-//! and apt-get only write down that they were called.
+//! `scripts/test`: the packages that it installs, its messages, and its arguments for cargo. It runs in a custom PATH, whose
+//! cargo and apt-get only record that they were called.
 
 use std::fs;
 use std::os::unix::fs::symlink;

@@ -296,7 +296,7 @@ fn gpu_equals_brute_force_at_length() {
     check(1_000_000);
 }
 
-/// Without padding a box hides hits on its faces, and nothing is hit that is not there.
+/// Without padding a box hides hits on its faces, and no ray reports a false hit.
 #[test]
 fn boxes_without_padding_hide_hits() {
     let Some(device) = common::device() else {

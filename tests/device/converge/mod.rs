@@ -93,7 +93,7 @@ fn steps_are_whole_and_keep_to_the_time() {
     let job = job(&scene, settings, 1, 0);
     let film = outcome(&job, &Target::CpuF32).film;
     let reference = Reference::picture(film, None).expect("a picture");
-    // No time at all: one step, for less is nothing.
+    // No time at all: one step, because less would be nothing.
     let hurried = Plan {
         seconds: 1e-9,
         ..plan()

@@ -15,7 +15,7 @@ use crate::common::render::{job, prepared};
 
 const CONNECTION: &str = "integrator/path/pick/candidate";
 
-/// The connection with |cos θ| of the light's direction once more, which the BSDF's value has in it already.
+/// The connection with |cos θ| of the light's direction once more, which the BSDF's value already contains.
 fn one_cosine_too_many() -> String {
     let honest = "        c.contribution = path.throughput * f.value * light_radiance(light, l.prim) * (weight / p);";
     let biased = "        c.contribution = path.throughput * f.value * light_radiance(light, l.prim) * (weight / p) * abs(wi.z);";

@@ -156,8 +156,8 @@ fn any_members_more_change_no_bit() {
     }
 }
 
-/// Members without which a kernel does the same: a path ends at a black surface before any dispatch, and the weak
-/// interface, which then stands in as the last of the kinds, does with an opaque material what `opaque` does.
+/// Members without which a kernel does the same: a path ends at a black surface before any dispatch, and the weak interface,
+/// which is then the last of the kinds, treats an opaque material as `opaque` does.
 const UNNOTICED: [Member; 2] = [
     Member::Material(MaterialKind::Black),
     Member::Material(MaterialKind::Glossy),

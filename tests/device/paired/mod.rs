@@ -22,7 +22,7 @@ fn samples(job: &Job) -> Option<Vec<PairedSample>> {
     Some(all)
 }
 
-/// Of the device with cpu-f32, and of cpu-f32 with cpu-f64.
+/// The device compared with cpu-f32, and cpu-f32 with cpu-f64.
 fn compared(samples: &[PairedSample]) -> [Comparison; 2] {
     let mut pairs: [Comparison; 2] = Default::default();
     for s in samples {

@@ -1,7 +1,6 @@
 //! The most light that a surface may return, by the model alone (model.md, "Density and value").
 //!
-//! Of the light that a micro-normal m meets, F is reflected and 1 − F refracted. So the albedo of the lobes with a
-//! micro-normal is
+//! A micro-normal m reflects F of the light that it meets and refracts 1 − F. So the albedo of the lobes with a micro-normal is
 //!
 //! R + T = G1(wo)/wo.z ∫ D(m) max(0, wo·m) (F G1(wr) + (1 − F) G1(wt)) dm
 //!       ≤ max G1 · G1(wo)/wo.z ∫ D(m) max(0, wo·m) dm;

@@ -76,7 +76,7 @@ pub fn world(material: impl Strategy<Value = String> + 'static) -> impl Strategy
         })
 }
 
-/// Where the eye stands, in units of the world's scale, and where it looks.
+/// The position of the eye, in units of the world's scale, and its target.
 #[derive(Clone, Debug)]
 pub struct Eye {
     pub at: [f64; 3],

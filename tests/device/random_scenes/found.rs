@@ -38,8 +38,8 @@ fn what_grey_glass_lets_through_next_to_total_reflection_weighs_1() {
     assert_eq!(excess(&limits, &all, &interface.case.settings, 1e-6), None);
 }
 
-/// Where a radius is below the resolution of single precision, a path left what it had entered as if it entered it again;
-/// where the surface is not there, for ever.
+/// If a radius is below the resolution of single precision, a path left a solid as if it entered it again; at an index-matched
+/// interface, for ever.
 #[test]
 fn no_path_is_endless_where_a_radius_is_not_resolved() {
     for (eye, shape) in [

@@ -52,7 +52,7 @@ fn scene(outside: bool, cos: f64, brdf: &str, inside: f64) -> String {
 const SCALED: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 
 impl Interface {
-    /// Of the material of these lines, the index of refraction the last number.
+    /// For the material of these lines, with the index of refraction as the last number.
     pub fn of(outside: bool, cos: f64, brdf: &str, mut settings: Settings, seed: u32) -> Self {
         let ior = brdf.rsplit(' ').next().and_then(|n| n.parse().ok());
         let n2 = ior.map_or(1.0, |n: f64| n * n);
@@ -110,7 +110,8 @@ impl Interface {
         }
         let radiance = if self.outside { 1.0 } else { self.inside };
         let e = &self.case.settings.estimator;
-        // (1 − F)/(1 − F̄) has the mean 1 over RGB but for what 1 − F̄ has lost, which may be all; grey loses nothing.
+        // (1 − F)/(1 − F̄) has the mean 1 over RGB except for the digits that 1 − F̄ has lost, which may be all; grey loses
+        // nothing.
         let grey = m.f0.x == m.f0.y && m.f0.y == m.f0.z;
         let exact = m.fresnel == Fresnel::Exact || grey || !Prepared::is_transmissive(m);
         // Where light is not connected to, a path contributes only its weight.
@@ -191,8 +192,8 @@ fn returns_no_more_than_it_may(interface: &Interface, level: f64, by: By) -> Tes
     Ok(())
 }
 
-/// The level of the test of each renderer's channels, three of both, so that correct renderers fail one in a thousand runs
-/// of so many cases (Šidák).
+/// The level of the test of each renderer's channels, three of both, at which correct renderers fail one in a thousand runs
+/// with that many cases (Šidák).
 fn level(cases: u32) -> f64 {
     sidak(1e-3, cases as usize * 3 * 3)
 }

@@ -27,8 +27,8 @@ pub fn brdf() -> impl Strategy<Value = String> {
     })
 }
 
-/// A material with no colour of its own but that of its inside, whose micro-normals are GGX's: none of its
-/// interfaces makes more of a path's light than there was.
+/// A material whose only colour is that of its inside, whose micro-normals are GGX's: none of its interfaces adds to a path's
+/// light.
 pub fn lossy() -> impl Strategy<Value = String> {
     let kt = prop_oneof![1 => Just([0.0; 3]), 1 => Just([1.0; 3]), 2 => colour()];
     (select(vec!["schlick", "exact"]), grey(), alpha(), kt, ior()).prop_map(

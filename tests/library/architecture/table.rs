@@ -27,7 +27,7 @@ impl Known {
     }
 }
 
-/// The rows of all rooms in the text of ARCHITECTURE.md, or what is wrong with the first that cannot be read.
+/// The rows of all rooms in the text of ARCHITECTURE.md, or the error in the first that cannot be read.
 pub fn rows(markdown: &str) -> Result<Vec<Row>, String> {
     let is_room = |line: &&str| {
         FOLDERS

@@ -1,4 +1,4 @@
-//! Whole paths from the eye to a light, with all that any way to find them asks of their vertices, in f64.
+//! Whole paths from the eye to a light, with all the values that any way to find them needs at their vertices, in f64.
 
 use vkpt::prepared::MaterialKind;
 use vkpt::reference::integrator::path::begin_path;
@@ -32,7 +32,7 @@ pub fn chain(world: &World<f64>, settings: &Settings, id: SampleId) -> Option<Ch
             };
             let chain = Chain::new(world, settings, eye, &bounces, end)?;
             for (node, pdf) in chain.nodes.iter().zip(&drawn) {
-                // Directions are drawn with the densities that the weights see, but for the half vector's rounding error.
+                // Directions are drawn with the densities that the weights see, except for the half vector's rounding error.
                 assert!(
                     node.delta || f64::abs(node.onwards / pdf - 1.0) < 1e-6,
                     "{} for {pdf}",

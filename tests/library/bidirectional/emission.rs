@@ -24,7 +24,7 @@ mesh {} 15 0 0 1.5
     World::new(&prepared(&text, &Settings::default()))
 }
 
-/// Seen from outside it is the density that the point was drawn with; from inside, and of the back of a face, 0.
+/// Seen from outside it is the density that the point was drawn with; from inside, and at the back of a face, 0.
 #[test]
 fn it_is_the_density_that_points_are_drawn_with() {
     let cube = cube();

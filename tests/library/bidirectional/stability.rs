@@ -1,7 +1,7 @@
-//! Where two vertices may come as near as they like, no sample is large: 1/d² is bounded by the weights.
+//! Where two vertices may be arbitrarily close, no sample is large: 1/d² is bounded by the weights.
 //!
-//! A way of density p brings F p/Σp² ≤ F/(2 q), half of what a connection to the light, of density q, would bring for the
-//! same path by itself. From a diffuse vertex that is ρ L cos θ Ω/π at most, Ω the solid angle of a ball of light.
+//! A way of density p contributes F p/Σp² ≤ F/(2 q), half of the contribution of a connection to the light, of density q, for
+//! the same path alone. From a diffuse vertex that is ρ L cos θ Ω/π at most, Ω the solid angle of a ball of light.
 
 use vkpt::reference::integrator::bidirectional::record::Silent;
 use vkpt::reference::integrator::bidirectional::{Transport, Ways, trace_bidirectional};
@@ -64,8 +64,8 @@ fn largest(text: &str, ways: Ways) -> f64 {
     most
 }
 
-/// What a sample may have at most: at each of [`DEPTH`] vertices one connection to the light in full, and half as much for each
-/// of two vertices that are joined to it, and for a path that goes on to the light.
+/// The bound of a sample: at each of [`DEPTH`] vertices one connection to the light in full, and half as much for each of two
+/// vertices that are joined to it, and for a path that continues to the light.
 fn bound(solid_angle: f64) -> f64 {
     let connection = KD * RADIANCE * solid_angle / std::f64::consts::PI;
     f64::from(DEPTH) * (1.0 + 3.0 / 2.0) * connection

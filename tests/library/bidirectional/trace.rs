@@ -69,7 +69,7 @@ fn told(text: &str) -> Vec<((u32, u32), f64, f64)> {
     all
 }
 
-/// How far the weights of the text are off, at most, and how many there were; they are those that the text has, times `factor`.
+/// The largest error of the weights in the text, and their number; the text's weights are multiplied by `factor`.
 fn compared(factor: f64) -> (f64, usize) {
     let mut settings = by(Integrator::Bidirectional);
     // By contribution, weights decide which light is chosen.

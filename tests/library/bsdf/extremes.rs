@@ -1,5 +1,5 @@
-//! Whatever the material, the angle and the random numbers, a sample is a unit vector on the right side with a finite
-//! weight and a positive, finite density, or it is no sample (model.md, "Sound samples").
+//! For any material, angle and random numbers, a sample is a unit vector on the right side with a finite weight and a positive,
+//! finite density, or it is no sample (model.md, "Sound samples").
 
 use glam::DVec3;
 use vkpt::prepared::{self, MaterialKind};

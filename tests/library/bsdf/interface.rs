@@ -172,8 +172,8 @@ fn phong_and_beckmann_agree_at_the_normal() {
     }
 }
 
-/// Absorption by `term`: A(t) in transmission and, at total reflection, in the place of F; nowhere else (model.md,
-/// "Total internal reflection").
+/// Absorption by `term`: A(t) in transmission and, at total reflection, instead of F; nowhere else (model.md, "Total internal
+/// reflection").
 #[test]
 fn term_absorption_stands_where_transmission_does() {
     let a = vec3(0.5, 0.25, 1.0);

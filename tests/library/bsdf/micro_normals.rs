@@ -89,8 +89,8 @@ fn micro_normals_follow_their_density() {
     assert!(bad.is_empty(), "at significance {least:e}: {bad:#?}");
 }
 
-/// Another distribution of the same width, a width 10 % off, a density 1 % off, the masking left out, the azimuth of
-/// `wo` mirrored: all at the narrowest width, where coarse bins would not distinguish them.
+/// Another distribution of the same width, a width 10 % off, a density 1 % off, no masking, the azimuth of `wo` mirrored: all
+/// at the narrowest width, where coarse bins would not distinguish them.
 #[test]
 fn planted_errors_are_rejected() {
     let c = case(Distribution::Ggx, 1e-3, Normals::Visible, 0.6);

@@ -64,8 +64,8 @@ fn distributions_keep_their_digits() {
     }
 }
 
-/// Visible normals lose few digits at any angle (model.md, "Visible micro-normals"): GGX's form cancels nowhere; next to
-/// where `wo` sees no facets, those that it sees are at the root of what is left of the others, and of its digits.
+/// Visible normals lose few digits at any angle (model.md, "Visible micro-normals"): GGX's form cancels nowhere; close to where
+/// `wo` sees no facets, the visible ones are at the root of the rest of the others, and of its digits.
 #[test]
 fn visible_normals_keep_their_digits() {
     let bounds = [
@@ -83,7 +83,7 @@ fn visible_normals_keep_their_digits() {
     }
 }
 
-/// Of the slope of a normal in f32 against f64's, relative to it.
+/// The error of a normal's slope in f32 against f64's, relative to it.
 fn visible_normal_errors(distribution: Distribution) -> Vec<f64> {
     let mut r = Random::new(2);
     let mut errors = Vec::new();

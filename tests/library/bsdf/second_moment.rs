@@ -1,8 +1,8 @@
 //! The second moment of a weight, by quadrature: the variance that a path gains at a vertex (model.md,
 //! "Visible micro-normals").
 //!
-//! With the choice of lobe by Fresnel, eta² left out, the mean over RGB of a weight is at most the energy that the model
-//! itself gains there, times what G1(wi) may be above 1 and, for Phong, what its law has in excess of its facets.
+//! With the choice of lobe by Fresnel, without eta², the mean over RGB of a weight is at most the energy that the model itself
+//! gains there, times the excess of G1(wi) over 1 and, for Phong, that of its law over its facets.
 
 use vkpt::reference::bsdf::Interaction;
 use vkpt::settings::{Distribution, LobeChoice, Normals};

@@ -89,7 +89,7 @@ fn weights_of_visible_ggx_are_g1() {
     }
 }
 
-/// Visible normals of Beckmann: the same, but for the model's G1(wo) over Smith's, within 3.3e-3 of 1.
+/// Visible normals of Beckmann: the same, except for the model's G1(wo) over Smith's, within 3.3e-3 of 1.
 #[test]
 fn weights_of_visible_beckmann_are_g1() {
     let mut r = Random::new(5);

@@ -115,8 +115,7 @@ fn a_lamp_behind_a_pane_is_smooth_twice_and_more() {
     }
 }
 
-/// Rough glass fills all below the picture's only surface: what comes from a lamp in it was transmitted, from one above
-/// reflected.
+/// Rough glass fills all below the picture's only surface: light from a lamp in it was transmitted, from one above reflected.
 #[test]
 fn rough_glass_reflects_the_lamp_above_it_and_transmits_the_one_in_it() {
     for (z, side, other) in [(2, "E<RG>L", "E<TG>L"), (-3, "E<TG>L", "E<RG>L")] {

@@ -1,4 +1,4 @@
-//! Classes that have every path once add up to the picture, but for rounding.
+//! Classes that contain every path once add up to the picture, except for rounding.
 //!
 //! A pixel's sample adds c contributions ≥ 0 in f32, one after the other: relative error (c − 1) u, u = 2⁻²⁴. What follows errs
 //! by 3 u at most: the sum of a sample's splats, which is kept in two parts and read as one; the mean, a quotient; the rounding

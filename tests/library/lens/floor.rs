@@ -6,8 +6,8 @@ use super::pictures::{ALPHA, INTEGRATORS, pictures};
 use crate::common::stats::{p_of_mean, sidak};
 use crate::light_tracing::{FLOOR, floor_radiance};
 
-/// A floor through a lens: the mean of floor_radiance over the lens and a pixel. The eye is 4 above it; what the picture's point
-/// x at distance 1 shows by the lens's point l is the floor at F x + (l − F x)(1 − 4/F).
+/// A floor through a lens: the mean of floor_radiance over the lens and a pixel. The eye is 4 above it; the picture's point x
+/// at distance 1 shows, through the lens's point l, the floor at F x + (l − F x)(1 − 4/F).
 struct Floor {
     radius: f64,
     focus: f64,

@@ -75,7 +75,7 @@ fn seen<F: Real>() -> Seen<F> {
 }
 
 impl<F: Real> Seen<F> {
-    /// Of the ray through a point of pixel (40, 9): where it starts, and its direction.
+    /// The start of the ray through a point of pixel (40, 9), and its direction.
     fn ray(&self, [u, v, a, b]: [f64; 4]) -> (Vec3<F>, Vec3<F>, [F; 2]) {
         let q = disc_point([F::new(u), F::new(v)]);
         let [x, y] = lens_pixel(&self.lens, q, [F::new(a), F::new(b)]);

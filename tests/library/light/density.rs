@@ -91,8 +91,8 @@ fn cylinders_and_meshes() -> Vec<Case> {
     let (above, inside) = (v(0.3, 0.2, 3.0), v(0.1, 0.2, 0.7));
     let beside = |name, p: DVec3| {
         let rho = p.truncate().length();
-        // Between the planes through the axis's direction that touch: sin φ = r/ρ. Of the half turn that is drawn
-        // from, the arc with cos > r/ρ shows its front.
+        // Between the planes through the axis's direction that touch: sin φ = r/ρ. The arc with cos > r/ρ shows its front, out
+        // of the half turn that is drawn from.
         let half = (0.5 / rho).asin();
         let z = |h: f64, x: f64| (h - p.z) / (h - p.z).hypot(x);
         let reach = [rho - 0.5, rho + 0.5];
@@ -302,8 +302,8 @@ fn planted_errors_are_caught() {
     assert_eq!(caught, [boxes; 3]);
 }
 
-/// The samples of f32 are those of f64 for the same random numbers, but for rounding: 1e-7, seen under cosines down to
-/// 1e-4. A light seen more edge-on has a density beyond 1e3, and a choice at its limit may fall either way.
+/// The samples of f32 are those of f64 for the same random numbers, except for rounding: 1e-7, seen under cosines down to 1e-4.
+/// A light seen more edge-on has a density beyond 1e3, and a choice at its limit may fall either way.
 #[test]
 fn samples_in_f32_are_those_in_f64() {
     let v = DVec3::new;

@@ -112,8 +112,8 @@ fn axes_are_where_the_format_says() {
     assert!(at(-1.0, -0.0, 0.0).0 % 7 == 0);
 }
 
-/// Σ pdf ω = 1, and each is its share of luminance times solid angle, but for the counts out of 2²⁴ that they are rounded to:
-/// one of its row's and one of its own, and one for each positive weight.
+/// Σ pdf ω = 1, and each is its share of luminance times solid angle, except for the rounding to counts out of 2²⁴: one of its
+/// row's and one of its own, and one for each positive weight.
 #[test]
 fn texels_have_the_density_of_their_luminance() {
     for (width, height) in [(16, 8), (9, 7), (1, 1), (300, 2), (2, 301)] {

@@ -60,8 +60,8 @@ fn p_of_coverage(k: u64, n: u64) -> f64 {
     (2.0 * binomial.cdf(k).min(above)).min(1.0)
 }
 
-/// Each estimate in many experiments: the share of intervals that hold the truth; and, planted, of the same
-/// intervals with the normal's 1.96 instead of Student's 2.571 of 5 degrees of freedom.
+/// Each estimate in many experiments: the share of intervals that contain the truth; and, planted, of the same intervals with
+/// the normal's 1.96 instead of Student's 2.571 of 5 degrees of freedom.
 fn check_coverage(name: &str, truth: f64, mut experiment: impl FnMut() -> Interval) {
     let experiments = 700;
     let (mut held, mut narrow) = (0, 0);

@@ -37,8 +37,8 @@ fn pmfs<F: Real>(world: &World<F>, [p, n]: [DVec3; 2]) -> Vec<F> {
     world.light_trails.iter().map(pmf).collect()
 }
 
-/// The probability of a way down that ends at two nodes neither of which can shine, way by way: what a node's ball promises,
-/// its halves need not keep.
+/// The probability of a way down that ends at two nodes neither of which can emit to the receiver, way by way: the halves of a
+/// node need not keep the bound of its ball.
 fn nowhere<F: Real>(world: &World<F>, [p, n]: [DVec3; 2]) -> f64 {
     below(world, 0, all_tickets([0; 4]), [p, n].map(Vec3::new))
 }

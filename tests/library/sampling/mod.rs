@@ -1,8 +1,8 @@
-//! What a path decides by chance, as often as it should: where in its pixel it starts, which light and which triangle
-//! it connects to, whether it goes on. Through the functions that paths are made of; by the reference in f64, whose
-//! random numbers are the device's.
+//! Random decisions of a path have their frequencies: where in its pixel it starts, which light and which triangle it connects
+//! to, whether it continues. Through the functions that paths are made of; by the reference in f64, whose random numbers are
+//! the device's.
 //!
-//! Fixed seeds; each family of tests has the level α = 1e-3, shared out after Šidák.
+//! Fixed seeds; each family of tests has the level α = 1e-3, divided after Šidák.
 
 mod light_tree;
 mod lights;

@@ -13,7 +13,7 @@ fn ball(brdf: &str) -> String {
     format!("screen 1 1\ncamera .2 .1 0 .5\nbrdf {brdf}\nsphere 0 0 0 1\n")
 }
 
-/// How many of `paths` paths end at vertex first, first + 1 …, the last count holding all beyond.
+/// How many of `paths` paths end at vertex first, first + 1 …, the last count including all beyond.
 fn lengths(scene: &str, roulette: Roulette, paths: u32, first: usize) -> Vec<usize> {
     let mut settings = independent();
     settings.estimator.roulette = roulette;

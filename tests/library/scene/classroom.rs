@@ -26,8 +26,8 @@ fn kinds(scene: &Scene) -> [usize; 4] {
     kinds
 }
 
-/// By hand: a light, six walls, a table of one slab and four corners of a ball and two bars, then what stands
-/// on the table, then two letters. The material at the end has no shape.
+/// By hand: a light, six walls, a table of one slab and four corners of a ball and two bars, then the objects on the table,
+/// then two letters. The material at the end has no shape.
 #[test]
 fn shapes_and_materials_are_those_counted_by_hand() {
     let rows = [

@@ -281,7 +281,7 @@ fn buffers_in_the_file_and_beside_it_are_the_same() {
         ("a%20b.bin", Some("a b.bin")),
         ("a b.bin", Some("a b.bin")),
         ("./a b.bin", Some("./a b.bin")),
-        // As the format has it, and as it stands.
+        // As in the format, and verbatim.
         ("50%2525.bin", Some("50%25.bin")),
         ("50%25.bin", Some("50%25.bin")),
         ("%C3%BC.bin", Some("ü.bin")),

@@ -1,4 +1,4 @@
-//! Nodes and scenes of glTF files: which are read, and where they stand.
+//! Nodes and scenes of glTF files: which are read, and where they are placed.
 
 use glam::{DQuat, DVec3};
 use serde_json::{Value, json};

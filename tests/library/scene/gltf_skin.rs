@@ -53,8 +53,8 @@ impl Skinned {
 
 const FIRST: [[f64; 4]; 3] = [[1., 0., 0., 0.]; 3];
 
-/// A root that turns z to y above mesh and joint, as exporters write it: (x, y, z) becomes (x, z, −y). The joint stood
-/// at (0, 0, 1) when it was bound and is there still.
+/// A root that turns z to y above mesh and joint, as exporters write it: (x, y, z) becomes (x, z, −y). The joint was at (0, 0,
+/// 1) when it was bound and is there still.
 #[test]
 fn a_mesh_follows_its_joints_and_not_its_node() {
     let skinned = Skinned::new(&[[0.; 4]; 3], &FIRST);
@@ -77,8 +77,8 @@ fn a_mesh_follows_its_joints_and_not_its_node() {
     assert!(positions.into_iter().all(bound));
 }
 
-/// Joints at (10, 0, 0) and (0, 20, 0), the second twice as large, with weights 1 : 4: p' = 0.2(p + 10x) + 0.8(2p + 20y),
-/// however the weights are written, and wherever the joints stand.
+/// Joints at (10, 0, 0) and (0, 20, 0), the second twice as large, with weights 1 : 4: p' = 0.2(p + 10x) + 0.8(2p + 20y), in
+/// every notation of the weights, and wherever the joints are.
 #[test]
 fn weights_of_every_type_blend() {
     let nodes = json!([

@@ -1,5 +1,5 @@
-//! Scenes that the grammar allows, with numbers from all over the legal range: each is read as it was written, and
-//! none, nor what mutation makes of it, breaks a promise of the reader.
+//! Scenes that the grammar allows, with numbers from all over the legal range: each is read as it was written, and neither
+//! these nor their mutations break a promise of the reader.
 
 use std::path::Path;
 

@@ -133,8 +133,8 @@ fn a_point_light_sends_its_intensity() {
         let seen = channels(&lit(height, across), 64);
         for (channel, colour) in seen.iter().zip([1.0, 0.5, 0.25]) {
             let expected = 0.5 / PI * 7.0 * colour * height / d2.powf(1.5);
-            // A pixel sees 2e-4 of the floor, over which the irradiance changes by 3 · 2e-4/d to both sides alike: in the
-            // mean by the square of that.
+            // A pixel sees 2e-4 of the floor, over which the irradiance changes by 3 · 2e-4/d to both sides alike: in the mean
+            // by the square of that.
             let rounding = expected * 1e-6;
             let p = p_of_mean(channel, expected, rounding);
             assert!(p > LEVEL, "{height}, {across}: p = {p:e}");

@@ -1,4 +1,4 @@
-//! Polygons of any shape: their triangles cover them, and nothing besides.
+//! Polygons of any shape: their triangles cover exactly the polygon.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -162,7 +162,7 @@ fn the_triangles_cover_the_polygon_whichever_corner_comes_first() {
     }
 }
 
-/// A fan about the first corner of the L, as it was cut once: area 3.25 for 3, and a triangle outside.
+/// A fan about the first corner of the L, as it was once cut: area 3.25 for 3, and a triangle outside.
 #[test]
 fn the_comparison_notices_a_fan() {
     let corners = &shapes()[0];
@@ -231,7 +231,7 @@ fn polygons_that_cross_themselves_are_refused() {
     }
 }
 
-/// Polygons without an area are what they were: no light meets them.
+/// Polygons without an area keep their behaviour: no light meets them.
 #[test]
 fn polygons_without_an_area_and_bent_ones_are_read() {
     let rows = [

@@ -81,7 +81,7 @@ pub fn glsl_functions(file: &str, text: &str) -> Vec<Function> {
     heads.filter_map(head).collect()
 }
 
-/// All functions of `src/reference/`, but for those of tests.
+/// All functions of `src/reference/`, except those of tests.
 pub fn rust_functions() -> Vec<Function> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/reference");
     let mut all = Vec::new();

@@ -1,9 +1,9 @@
 //! Twins by name: every GLSL function has a Rust function of the same file, name and argument names, in their order.
 //!
-//! `tests/device/twins/` holds what they compute. Here the texts are read: the files of `shaders/`, the dispatch that is
-//! generated for a scene, and `src/reference/`. What a kernel has from its buffers and slots a Rust function is
-//! given (a world, settings, slices): such arguments do not count. Every other difference stands in a list below,
-//! with its reason; a reason that no function needs any more fails.
+//! `tests/device/twins/` compares their results. Here the texts are read: the files of `shaders/`, the dispatch that is
+//! generated for a scene, and `src/reference/`. A Rust function takes as arguments the things that a kernel has in its buffers
+//! and slots (a world, settings, slices): such arguments do not count. Every other difference is in a list below, with its
+//! reason; a reason that no function needs any more fails.
 
 mod exceptions;
 mod functions;
@@ -75,7 +75,7 @@ fn generated() -> String {
         .concat()
 }
 
-/// Where the twin of a function of this GLSL file may stand: the same path, the folder's own file, or its home.
+/// Where the twin of a function of this GLSL file may be: the same path, the folder's own file, or its home.
 fn homes(glsl: &str) -> Vec<String> {
     let folder = glsl.rsplit_once('/').map_or("", |(folder, _)| folder);
     let mut all = vec![glsl.to_owned(), folder.to_owned()];

@@ -138,7 +138,7 @@ impl Answer {
     }
 }
 
-/// Sends a request as it is, with its end; `None` where nobody answers.
+/// Sends a request unchanged, with its end; `None` if there is no answer.
 fn send(port: u16, request: &str) -> Option<Answer> {
     let mut stream = TcpStream::connect(("127.0.0.1", port)).ok()?;
     stream.set_read_timeout(Some(PATIENCE)).expect("a timeout");
@@ -193,7 +193,7 @@ impl Tab {
         }
     }
 
-    /// The server's message; `None` once nobody answers.
+    /// The server's message; `None` once there is no answer.
     fn ask(&mut self) -> Option<Value> {
         let Self { number, has, .. } = self;
         let end = u8::from(self.knows_end);

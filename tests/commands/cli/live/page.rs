@@ -36,7 +36,7 @@ pub fn canvas(browser: &mut Browser) -> [f64; 4] {
     [0, 1, 2, 3].map(|i| frame[i].as_f64().expect("a number"))
 }
 
-/// Nothing went wrong, and nobody but the page's own server was asked.
+/// No errors, and no requests except to the page's own server.
 pub fn quiet(browser: &Browser, rendering: &Rendering) {
     let own = rendering.address();
     assert_eq!(browser.complaints_beside(&own), Vec::<String>::new());

@@ -1,4 +1,4 @@
-//! `--tev`: pictures sent to a viewer, one that is not there, and ones that misbehave.
+//! `--tev`: pictures sent to a viewer, to a missing one, and to ones that misbehave.
 
 use std::io::Read;
 use std::net::TcpListener;

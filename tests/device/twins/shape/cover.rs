@@ -126,7 +126,7 @@ fn entries() -> Vec<Twin> {
     ]
 }
 
-/// A table of a table: an opaque box, two of glass that stand on it and touch.
+/// A table of a table: an opaque box, with two of glass on it that touch.
 fn boxes() -> shape::Primitives {
     let places = [
         [[0.0, 0.0, -1.0], [2.0, 2.0, 0.0]],

@@ -29,8 +29,8 @@ pub fn usual() -> Settings {
     flux(LobeChoice::Fresnel, Normals::Visible)
 }
 
-/// What one micro-normal sends to wo's side, and to the other: the weights of the two samples through it, each
-/// times the probability that it is drawn.
+/// The contribution of one micro-normal to wo's side, and to the other: the weights of the two samples through it, each times
+/// the probability that it is drawn.
 pub fn split(settings: &Settings, at: &Interaction<f64>, u: [f64; 2]) -> [f64; 2] {
     let c = dot3(at.wo, normals_sample(settings, at, u));
     let reflect = reflect_probability(settings, at, c, carried_mean(at, fresnel(at, c)));
@@ -63,8 +63,8 @@ impl Comparison {
         };
         self.0.iter().filter(bad).map(text).collect()
     }
-    /// The same estimates, with expectations of which each is wrong: by 1 %, or by what so many points tell of an integral
-    /// where that is more.
+    /// The same estimates, with expectations each of which is wrong: by 1 %, or by the resolution of this many points if that
+    /// is more.
     fn planted(&self) -> Self {
         let wrong = |e: &Estimate, x: f64| x + (0.01 * x).max(told(e));
         let all = self.0.iter();
@@ -92,8 +92,8 @@ impl Comparison {
     }
 }
 
-/// What the points of a Kronecker sequence tell of an integral over two numbers, [`POINTS`] of them, and over three, four
-/// times as many. They leave errors of some 1/[`POINTS`] times the variation of the integrand, over the root of the number
+/// The resolution of the points of a Kronecker sequence for an integral over two numbers, [`POINTS`] of them, and over three,
+/// four times as many. They leave errors of some 1/[`POINTS`] times the variation of the integrand, over the root of the number
 /// of shifts: 1e-4, of which the test needs five and the truth may take as much; over three numbers twice that.
 fn told(e: &Estimate) -> f64 {
     if e.dimensions == 2 { 1e-3 } else { 2e-3 }

@@ -43,8 +43,8 @@ pub struct Way {
     pub weight: Vec3<f64>,
 }
 
-/// What is reflected about a rough dielectric's micro-normal, and what is refracted; of weight 0 where `wo` does not see it
-/// or the direction is on the wrong side.
+/// The reflection about a rough dielectric's micro-normal, and the refraction; of weight 0 where `wo` does not see it or the
+/// direction is on the wrong side.
 pub fn ways(settings: &Settings, at: &Interaction<f64>, drawn: Drawn) -> [Way; 2] {
     let c = dot3(at.wo, drawn.m);
     let p = reflect_probability(settings, at, c, carried_mean(at, fresnel(at, c)));

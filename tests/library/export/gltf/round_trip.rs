@@ -29,7 +29,7 @@ fn seen(m: &Material) -> (MaterialKind, Vec<f32>) {
     (m.kind, numbers.map(|x| x as f32).collect())
 }
 
-/// Whether two numbers are one but for the last place.
+/// Whether two numbers are equal except for the last place.
 fn near(a: f32, b: f32) -> bool {
     (a - b).abs() <= f32::EPSILON * a.abs()
 }

@@ -1,5 +1,5 @@
-//! A reader of pbrt-v4's format, as https://pbrt.org/fileformat-v4 describes it: of the statements and parameters that an
-//! export may have, and of nothing else.
+//! A reader of pbrt-v4's format, as https://pbrt.org/fileformat-v4 describes it: only of the statements and parameters that an
+//! export may have.
 
 mod plugins;
 mod tokens;
