@@ -19,6 +19,7 @@ mod best_device;
 mod bidirectional;
 mod bsdf;
 mod caustic;
+mod check_report;
 mod citations;
 mod classes;
 mod coincident;

@@ -4,7 +4,6 @@ mod battery;
 mod closed;
 mod page;
 mod planted;
-mod told;
 
 use std::sync::atomic::AtomicBool;
 

@@ -1,6 +1,7 @@
-//! The output of `vkpt converge` for an experiment: the plot, compared with logarithms and the labels of its own ticks, and
-//! the page, compared with the record.
+//! What `vkpt converge` shows of an experiment: the table, the plot, compared with logarithms and the labels of
+//! its own ticks, and the page, compared with the record.
 
 mod page;
 mod plot;
 mod records;
+mod table;
