@@ -3,31 +3,29 @@
 use std::fs;
 use std::path::Path;
 
+use insta::assert_snapshot;
 use vkpt::film::Film;
 use vkpt::image::file::write_whole;
 use vkpt::image::{Format, Frame, Labels, encode};
 
 use super::converge::{LIT, reference};
-use super::program::{folder, names, run};
+use super::program::{folder, names, run, shown};
 
-/// Runs with `--json` and `more`, and expects code and message.
-fn refused(folder: &Path, more: &[&str], code: i32, said: &str) {
+/// Runs with `--json` and the flags of `line`, and expects the code, one message and an untouched folder; the command and
+/// its message.
+fn refused(folder: &Path, code: i32, line: &str) -> String {
     let before = names(folder);
     let mut arguments = vec!["converge", "scene.scn", "--device", "cpu-f32"];
-    arguments.extend(more);
+    arguments.extend(line.split(' '));
     arguments.extend(["--json", "c.json"]);
     let refused = run(folder, &arguments);
-    assert_eq!(refused.code, Some(code), "{more:?}: {}", refused.err);
-    assert!(refused.err.contains(said), "{more:?}: {}", refused.err);
+    assert_eq!(refused.code, Some(code), "{line}: {}", refused.err);
     let messages = refused.err.matches("error: ").count();
-    assert_eq!(messages, 1, "{more:?}: {}", refused.err);
-    assert!(
-        !refused.err.contains("warning"),
-        "{more:?}: {}",
-        refused.err
-    );
-    assert_eq!(refused.out, "", "{more:?}");
-    assert_eq!(names(folder), before, "{more:?}");
+    assert_eq!(messages, 1, "{line}: {}", refused.err);
+    assert!(!refused.err.contains("warning"), "{line}: {}", refused.err);
+    assert_eq!(refused.out, "", "{line}");
+    assert_eq!(names(folder), before, "{line}");
+    shown(&arguments, &refused.err)
 }
 
 /// A grey EXR of the scene's size with one odd value, in the last row but one.
@@ -50,53 +48,33 @@ fn write_picture(path: &Path, odd: f32) {
 #[test]
 fn what_cannot_be_measured_is_a_wrong_command_line() {
     let folder = folder(LIT);
-    let rows: &[(&[&str], &str)] = &[
-        (
-            &["--replicates", "1"],
-            "one replicate gives no interval: 2 or more are needed",
-        ),
-        (&["--replicates", "0"], "from 2 to 1000"),
-        (&["--replicates", "-8"], "from 2 to 1000"),
-        (&["--spp", "0"], "a whole number from 1 to 4294967295"),
-        (
-            &["--spp", "4294967296"],
-            "a whole number from 1 to 4294967295",
-        ),
-        (&["--time", "0"], "seconds above 0"),
-        (&["--time", "-1"], "seconds above 0"),
-        (&["--time", "NaN"], "seconds above 0"),
-        (&["--time", "inf"], "seconds above 0"),
-        (&["--vary", "colour=red"], "no such setting"),
-        (&["--vary", "connect=all"], "invalid value 'all'"),
-        (
-            &["--vary", "connect=mis", "--vary", "connect=light"],
-            "given twice",
-        ),
-        (
-            &["--html", "./c.json"],
-            "two outputs would be written to the same file",
-        ),
-        (&["--crop", "0,0,13,8"], "outside the picture of 12x8"),
+    let lines = [
+        "--replicates 1",
+        "--replicates 0",
+        "--replicates -8",
+        "--spp 0",
+        "--spp 4294967296",
+        "--time 0",
+        "--time -1",
+        "--time NaN",
+        "--time inf",
+        "--vary colour=red",
+        "--vary connect=all",
+        "--vary connect=mis --vary connect=light",
+        "--html ./c.json",
+        "--crop 0,0,13,8",
     ];
-    for (more, said) in rows {
-        refused(folder.path(), more, 2, said);
-    }
+    let messages = lines.map(|line| refused(folder.path(), 2, line));
+    assert_snapshot!(messages.concat());
 }
 
 /// The halves of the reference have the last two seeds.
 #[test]
 fn replicates_have_no_seed_of_the_reference() {
     let folder = folder(LIT);
-    let said = "its replicates would use the seeds of the reference";
-    for seed in ["4294967287", "4294967294", "4294967295"] {
-        refused(folder.path(), &["--seed", seed], 2, said);
-    }
-    refused(
-        folder.path(),
-        &["--seed", "4294967296"],
-        2,
-        "a whole number from 0 to 4294967295",
-    );
+    let seeds = ["4294967287", "4294967294", "4294967295", "4294967296"];
+    let messages = seeds.map(|seed| refused(folder.path(), 2, &format!("--seed {seed}")));
+    assert_snapshot!(messages.concat());
     let last = [
         "--seed",
         "4294967286",
@@ -125,29 +103,25 @@ fn a_reference_must_be_a_picture_of_that_size() {
         write_picture(&folder.join(name), odd);
     }
     write_picture(&folder.join("good-stderr.exr"), -0.1);
-    let of = |name: &'static str| ["--reference", name];
-    let place = "in pixel 5,6 from the top left, channel G";
-    let rows = [
-        ("none.exr", "none.exr"),
-        ("no.exr", "no.exr"),
-        ("folder.exr", "folder.exr"),
-        ("nan.exr", &format!("NaN {place}")),
-        ("inf.exr", &format!("inf {place}")),
-        ("good.exr", "errors at column 5, row 6, channel G"),
+    // A folder that is read as a file: the system's own words, and no snapshot.
+    refused(folder, 3, "--reference folder.exr");
+    let lines = [
+        "--reference none.exr",
+        "--reference no.exr",
+        "--reference nan.exr",
+        "--reference inf.exr",
+        "--reference good.exr",
+        "--reference r.exr --size 6x4",
+        "--reference r.exr --crop 0,0,6,4",
     ];
-    for (name, said) in rows {
-        refused(folder, &of(name), 3, said);
-    }
-    let small = ["--reference", "r.exr", "--size", "6x4"];
-    refused(folder, &small, 3, "has 12×8 pixels, the renderings 6×4");
-    let part = ["--reference", "r.exr", "--crop", "0,0,6,4"];
-    refused(folder, &part, 3, "has 12×8 pixels, the renderings 6×4");
+    let messages = lines.map(|line| refused(folder, 3, line));
+    assert_snapshot!(messages.concat());
 }
 
 #[test]
 fn files_that_cannot_be_written_are_found_out_first() {
     let folder = folder(LIT);
-    refused(folder.path(), &["--csv", "none/c.csv"], 5, "none/c.csv");
-    refused(folder.path(), &["--svg", "none/c.svg"], 5, "none/c.svg");
-    refused(folder.path(), &["--html", "none/c.html"], 5, "none/c.html");
+    let lines = ["--csv none/c.csv", "--svg none/c.svg", "--html none/c.html"];
+    let messages = lines.map(|line| refused(folder.path(), 5, line));
+    assert_snapshot!(messages.concat());
 }

@@ -1,6 +1,7 @@
 //! Runs the built program in its own folder.
 
 use std::fs;
+use std::io;
 use std::path::Path;
 use std::process::Command;
 
@@ -73,6 +74,14 @@ pub fn finish(command: &mut Command) -> Run {
         out: text(output.stdout),
         err: text(output.stderr),
     }
+}
+
+/// A command line and its message, for a snapshot. The system's own words for a missing file are left out of it.
+pub fn shown(arguments: &[&str], message: &str) -> String {
+    let missing = io::Error::from_raw_os_error(2).to_string();
+    let message = message.replace(&missing, "[no such file]");
+    let command = [&["$ vkpt"], arguments].concat().join(" ");
+    format!("{command}\n{message}\n")
 }
 
 /// The names in a folder, sorted.
