@@ -20,7 +20,7 @@ Exit codes:
 
 Examples:
   vkpt init              write scene.txt; vkpt scene.txt renders it
-  vkpt init glass.txt    write it under another name";
+  vkpt init mine.txt     write it under another name";
 
 /// Where the scene goes.
 #[derive(clap::Args, Debug)]
