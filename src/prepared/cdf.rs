@@ -18,8 +18,8 @@ pub enum CdfError {
 
 /// The n + 1 cumulative counts of a choice among n weights, from 0 to 2²⁴.
 ///
-/// Entry i is chosen where cdf[i] ≤ u24 < cdf[i + 1], u24 a uniform integer below 2²⁴, so its probability is exactly
-/// (cdf[i + 1] − cdf[i])·2⁻²⁴. Every positive weight gets one count, so that every emitter can be chosen; the other
+/// Entry i is chosen where `cdf[i]` ≤ u24 < `cdf[i + 1]`, u24 a uniform integer below 2²⁴, so its probability is exactly
+/// (`cdf[i + 1]` − `cdf[i]`)·2⁻²⁴. Every positive weight gets one count, so that every emitter can be chosen; the other
 /// counts are shared in proportion, each within one count. A weight of 0 gets none and is never chosen.
 pub fn quantised_cdf(weights: &[f64]) -> Result<Vec<u32>, CdfError> {
     let mut total = 0.0;

@@ -42,7 +42,7 @@ pub enum KernelChoice<'a> {
 pub struct Job<'a> {
     pub prepared: &'a Prepared,
     pub settings: Settings,
-    /// Samples in every pixel; for a part of them ([`Start::At`]) the index before which they end.
+    /// Samples in every pixel; for a part of them (`Start::At`) the index before which they end.
     pub spp: u32,
     /// When to end before all of them are complete.
     pub until: Until,

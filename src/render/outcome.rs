@@ -23,8 +23,8 @@ pub struct Progress {
 #[derive(Clone, Debug)]
 pub struct Outcome {
     pub film: Film,
-    /// Standard error of the mean per pixel and channel: if [`Aov::Stderr`] was requested and there are at least two
-    /// samples. Its square is unbiased and has the degrees of freedom of [`freedom`].
+    /// Standard error of the mean per pixel and channel: if `Aov::Stderr` was requested and there are at least two
+    /// samples. Its square is unbiased and has the degrees of freedom of `freedom`.
     pub stderr: Option<Film>,
     /// Samples in every pixel.
     pub spp: u32,

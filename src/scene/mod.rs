@@ -1,8 +1,8 @@
-//! Text → [`Scene`]: the course's scene format with vkpt's extensions, and glTF files through [`model`]. Knows no
+//! Text → [`Scene`]: the course's scene format with vkpt's extensions, and glTF files through `model`. Knows no
 //! buffers and no Vulkan.
 //!
-//! A file is read to its end whatever its errors, so that all of them are reported at once. [`text`] splits it into
-//! lines and tokens, [`commands`] has a row for each command, [`arguments`] takes numbers off a line and checks them,
+//! A file is read to its end whatever its errors, so that all of them are reported at once. `text` splits it into
+//! lines and tokens, `commands` has a row for each command, `arguments` takes numbers off a line and checks them,
 //! and each problem becomes a [`Diagnostic`].
 
 mod arguments;

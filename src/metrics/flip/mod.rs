@@ -2,8 +2,8 @@
 //! Akenine-Möller, Oskarsson, Åström and Fairchild, FLIP: A Difference Evaluator for Alternating Images, HPG 2020;
 //! below: FLIP).
 //!
-//! Colours are blurred as by the eye ([`contrast`]) and compared in a perceptual space ([`colour_error`]); edges and
-//! points that only one picture has ([`features`]) amplify the difference.
+//! Colours are blurred as by the eye (`contrast`) and compared in a perceptual space (`colour_error`); edges and
+//! points that only one picture has (`features`) amplify the difference.
 
 mod colour;
 mod colour_error;

@@ -9,8 +9,8 @@
 //!
 //! the product of two independent numbers of mean 0. So w h² is unbiased, and its distance from the error of *this*
 //! picture, not of pictures of its kind, has the variance w² Var a Var b = 4 w² (Var x)²: it contains no fourth moment,
-//! which makes an interval possible despite fireflies. Two unknowns remain: w ([`guide`]) and that variance
-//! ([`interval`]).
+//! which makes an interval possible despite fireflies. Two unknowns remain: w (`guide`) and that variance
+//! (`interval`).
 
 mod guide;
 mod interval;

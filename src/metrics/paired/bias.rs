@@ -22,7 +22,7 @@ pub struct Parted {
 /// The result of the test.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
-    /// Fewer than [`ENOUGH`] pairs differ.
+    /// Fewer than `ENOUGH` pairs differ.
     TooFew,
     /// No evidence of a bias; the probability of such means without bias.
     Unbiased(f64),
@@ -57,7 +57,7 @@ impl Parted {
     }
 
     /// Student's t-test of each channel's mean against 0, two-sided, over three channels by Šidák: p = 1 − (1 − min
-    /// p_c)³ against [`ALPHA`].
+    /// p_c)³ against `ALPHA`.
     ///
     /// Which of two renderers is pushed over an edge is a matter of rounding: the differences are nearly symmetric, and
     /// for long symmetric tails the test is conservative.

@@ -32,9 +32,12 @@ fn draw(diagnostics: &[Diagnostic]) -> String {
     diagnostics.iter().map(Diagnostic::drawn).collect()
 }
 
-/// Lines by topic, and the one diagnostic of each: severity and column. The snapshots have its text.
+/// A line, and its one diagnostic: severity and column.
+type Row = (&'static str, &'static str, usize);
+
+/// Lines by topic. The snapshots have the texts of their diagnostics.
 #[rustfmt::skip] // a row a line
-const ONE: &[(&str, &[(&str, &str, usize)])] = &[
+const ONE: &[(&str, &[Row])] = &[
     ("numbers", &[
         ("sphere 0 0 0 2.5b", "W", 14),
         ("sphere 0 0 0 1e", "W", 14),
