@@ -30,20 +30,23 @@ pub fn points(e: &Convergence, axes: &Axes) -> Vec<Point> {
     points
 }
 
-/// All lines before all points, so that no line hides one.
+/// All lines and intervals before all markers, so that none hides a marker.
 pub fn curves(e: &Convergence, axes: &Axes, points: &[Point]) -> Markup {
     let variants = || points.chunk_by(|a, b| a.variant == b.variant);
     let places = |of: &[Point]| -> Vec<Place> { of.iter().map(|point| point.at).collect() };
     let colour = |of: &[Point]| Colour::of_variant(of[0].variant);
+    let step = |point: &Point| &e.variants[point.variant].steps[point.step];
+    let hollow = |point: &Point| step(point).errors.rel_mse.below_reference;
     html! {
-        @for of in variants() { (colour(of).group(line(&places(of), 1.6))) }
         @for of in variants() {
             (colour(of).group(html! {
-                @for point in of {
-                    @let step = &e.variants[point.variant].steps[point.step];
-                    (interval(step, axes))
-                    (marker(point.variant, point.at, step.errors.rel_mse.below_reference))
-                }
+                (line(&places(of), 1.6))
+                @for point in of { (interval(step(point), axes)) }
+            }))
+        }
+        @for of in variants() {
+            (colour(of).group(html! {
+                @for point in of { (marker(point.variant, point.at, hollow(point))) }
             }))
         }
     }
