@@ -8,11 +8,12 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
+use std::path::PathBuf;
 
 use clap::{Arg, Command};
 use vkpt_cli::command_line;
 
-const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/cli.md");
+use crate::common::root;
 
 /// The last line that is written by hand.
 const MARK: &str =
@@ -225,9 +226,13 @@ fn codes_of(text: &str) -> Vec<(u8, String)> {
     codes
 }
 
+fn path() -> PathBuf {
+    root().join("docs/cli.md")
+}
+
 /// The committed page, above the mark and below.
 fn committed() -> (String, String) {
-    let text = fs::read_to_string(PATH).expect(PATH);
+    let text = fs::read_to_string(path()).expect("the page");
     let (above, below) = text.split_once(MARK).expect("the mark");
     (above.to_owned(), below.to_owned())
 }
@@ -237,7 +242,7 @@ fn the_page_is_what_the_program_says() {
     let (above, below) = committed();
     let page = page(command_line());
     if std::env::var_os("VKPT_BLESS").is_some_and(|bless| bless == "1") {
-        fs::write(PATH, format!("{above}{MARK}{page}")).expect(PATH);
+        fs::write(path(), format!("{above}{MARK}{page}")).expect("the page");
         return;
     }
     let differs = below

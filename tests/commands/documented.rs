@@ -9,9 +9,9 @@ use tempfile::TempDir;
 
 use crate::cli::program::{finish, names, run, without_vulkan, words};
 use crate::common::models::{Model, lamp};
+use crate::common::root;
 use crate::scripts::program::program;
 
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 const README: &str = include_str!("../../README.md");
 
 /// Pages whose command lines others run: those of cli.md are the help's, those of farm.md below its first heading are run by
@@ -59,7 +59,7 @@ const CHEAPER: [(&str, &str); 11] = [
 /// README.md and the pages of `docs/`; farm.md only above its headings.
 fn pages() -> Vec<String> {
     let read = |path: &Path| fs::read_to_string(path).expect("a page");
-    let docs = Path::new(ROOT).join("docs");
+    let docs = root().join("docs");
     let names = names(&docs).into_iter();
     let names = names.filter(|name| name.ends_with(".md") && !ELSEWHERE.contains(&&**name));
     let mut pages: Vec<String> = names.map(|name| read(&docs.join(name))).collect();
@@ -131,7 +131,7 @@ fn folder() -> TempDir {
         fs::write(at.join(name), SCENE).expect("a scene");
     }
     // tests/commands/tutorial.rs reads those of docs/tutorial/ themselves.
-    for name in names(&Path::new(ROOT).join("docs/tutorial")) {
+    for name in names(&root().join("docs/tutorial")) {
         if name.ends_with(".txt") {
             fs::write(at.join(name), SCENE).expect("a scene");
         }
@@ -141,7 +141,7 @@ fn folder() -> TempDir {
     model.cuboid([-1.0; 3], [1.0; 3], lamp(1.0));
     fs::write(at.join("model.glb"), model.glb()).expect("a model");
     for name in ["scenes", "docs"] {
-        symlink(Path::new(ROOT).join(name), at.join(name)).expect("a link");
+        symlink(root().join(name), at.join(name)).expect("a link");
     }
     let bin = at.join("bin");
     program(

@@ -9,6 +9,7 @@ pub mod checks;
 pub mod data;
 pub mod defocus;
 pub mod facets;
+pub mod files;
 pub mod gltf_writer;
 pub mod icosphere;
 pub mod meshes;

@@ -4,7 +4,9 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+use crate::common::files::below;
 
 const PAGE: &str = "docs/model.md";
 /// This file is no place to look in: it plants wrong citations.
@@ -74,26 +76,21 @@ fn complaints(text: &str, headings: &[(usize, String)]) -> Vec<String> {
     wrong
 }
 
-/// Every source file below a folder, with its text.
-fn sources(folder: &Path, found: &mut Vec<(String, String)>) {
-    let entries = fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
-    for path in entries.map(|e| e.expect("an entry").path()) {
-        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
-        if path.is_dir() && !path.ends_with("target") {
-            sources(&path, found);
-        } else if ENDINGS.contains(&ending) && !path.ends_with("citations.rs") {
-            let text = fs::read_to_string(&path).expect("a source file");
-            found.push((path.display().to_string(), text));
-        }
-    }
-}
-
+/// Every source file, with its text.
 fn all_sources() -> Vec<(String, String)> {
-    let mut found = Vec::new();
-    for folder in FOLDERS {
-        sources(Path::new(folder), &mut found);
-    }
-    found
+    let is_kept = |folder: &Path| !folder.ends_with("target");
+    let files = FOLDERS
+        .iter()
+        .flat_map(|folder| below(Path::new(folder), &is_kept));
+    let is_source = |path: &PathBuf| {
+        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+        ENDINGS.contains(&ending) && !path.ends_with("citations.rs")
+    };
+    let text = |path: PathBuf| {
+        let text = fs::read_to_string(&path).expect("a source file");
+        (path.display().to_string(), text)
+    };
+    files.filter(is_source).map(text).collect()
 }
 
 fn page() -> Vec<(usize, String)> {

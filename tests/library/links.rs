@@ -5,6 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
+use crate::common::files::below;
+
 /// Where pages are that this repository does not keep.
 const SKIPPED: [&str; 3] = ["target", "node_modules", "test-results"];
 
@@ -14,19 +16,10 @@ const FOLDERS: [&str; 9] = [
 ];
 const ENDINGS: [&str; 7] = ["rs", "glsl", "comp", "py", "pyi", "txt", ""];
 
-/// The files of a folder and of those in it, by their paths from `root`.
-fn files(root: &Path, folder: &Path, found: &mut Vec<PathBuf>) {
-    let entries = fs::read_dir(root.join(folder)).expect("a folder");
-    for entry in entries.map(|entry| entry.expect("an entry")) {
-        let name = entry.file_name().to_string_lossy().into_owned();
-        let path = folder.join(&name);
-        let kind = entry.file_type().expect("a kind");
-        if kind.is_dir() && !name.starts_with('.') && !SKIPPED.contains(&&*name) {
-            files(root, &path, found);
-        } else if kind.is_file() {
-            found.push(path);
-        }
-    }
+/// Whether a folder is one that this repository keeps.
+fn is_kept(folder: &Path) -> bool {
+    let name = folder.file_name().unwrap_or_default().to_string_lossy();
+    !name.starts_with('.') && !SKIPPED.contains(&&*name)
 }
 
 fn ending(path: &Path) -> &str {
@@ -169,16 +162,15 @@ fn wrong(root: &Path, from: &Path, link: &str) -> Option<String> {
 
 /// How many links the pages below `root` have, and which are wrong.
 fn complaints(root: &Path) -> (usize, Vec<String>) {
-    let mut pages = Vec::new();
-    files(root, Path::new(""), &mut pages);
+    let mut pages = below(root, &is_kept);
     pages.retain(|path| ending(path) == "md");
-    pages.sort();
     let (mut count, mut complaints) = (0, Vec::new());
-    for path in pages {
-        let page = fs::read_to_string(root.join(&path)).expect("a page");
+    for file in pages {
+        let page = fs::read_to_string(&file).expect("a page");
+        let path = file.strip_prefix(root).expect("a page below the root");
         let links = links(&page);
         count += links.len();
-        let wrong = links.iter().filter_map(|link| wrong(root, &path, link));
+        let wrong = links.iter().filter_map(|link| wrong(root, path, link));
         complaints.extend(wrong.map(|wrong| format!("{}: {wrong}", path.display())));
     }
     (count, complaints)
@@ -207,8 +199,7 @@ fn links_lead_somewhere() {
 fn pages_that_sources_name_exist() {
     let (mut count, mut missing) = (0, Vec::new());
     for folder in FOLDERS {
-        let mut sources = Vec::new();
-        files(Path::new("."), Path::new(folder), &mut sources);
+        let mut sources = below(Path::new(folder), &is_kept);
         sources.retain(|path| ENDINGS.contains(&ending(path)) && !path.ends_with("links.rs"));
         for path in sources {
             let text = fs::read(&path).expect("a source file");

@@ -3,7 +3,9 @@
 //! The list has only phrases that are never right. Records of measurements (docs/records/) keep their words.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+use crate::common::files::below;
 
 /// A phrase, and what to write.
 const PHRASES: [(&str, &str); 8] = [
@@ -37,34 +39,20 @@ fn findings(text: &str) -> Vec<String> {
     lines.filter_map(of).collect()
 }
 
-/// The findings of a file, or of the files of a folder and of those in it.
-fn search(path: &Path, all: &mut Vec<String>) {
-    if path.ends_with("docs/records") || path.ends_with("python/.venv") {
-        return;
-    }
-    if path.is_dir() {
-        let entries = fs::read_dir(path).expect("a folder");
-        entries.for_each(|entry| search(&entry.expect("an entry").path(), all));
-    } else if path
-        .extension()
-        .is_some_and(|e| ENDINGS.iter().any(|&ending| e == ending))
-    {
-        let text = fs::read_to_string(path).expect("a text");
-        all.extend(
-            findings(&text)
-                .iter()
-                .map(|found| format!("{}:{found}", path.display())),
-        );
-    }
-}
-
 #[test]
 fn no_page_or_source_has_them() {
+    let is_searched = |folder: &Path| !folder.ends_with("docs/records");
+    let below = |folder: &&str| below(Path::new(folder), &is_searched);
+    let pages = PAGES.iter().map(PathBuf::from);
     let mut all = Vec::new();
-    FOLDERS
-        .iter()
-        .chain(&PAGES)
-        .for_each(|path| search(Path::new(path), &mut all));
+    for path in FOLDERS.iter().flat_map(below).chain(pages) {
+        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+        if ENDINGS.contains(&ending) {
+            let text = fs::read_to_string(&path).expect("a text");
+            let found = findings(&text).into_iter();
+            all.extend(found.map(|found| format!("{}:{found}", path.display())));
+        }
+    }
     assert!(all.is_empty(), "{}", all.join("\n"));
 }
 

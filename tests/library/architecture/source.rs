@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path;
 
+use crate::common::files;
+
 /// A path from the crate's root: of a module, or of an item in it.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Path(Vec<String>);
@@ -66,18 +68,14 @@ impl Source {
 
     /// All files below a folder of [`FOLDERS`], or of one of these.
     pub fn all(folder: &path::Path) -> Vec<Self> {
-        let mut all = Vec::new();
-        for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
-            let path = entry.path();
-            if path.is_dir() {
-                all.extend(Self::all(&path));
-            } else if path.extension().is_some_and(|e| e == "rs") {
-                let text = std::fs::read_to_string(&path).expect("a text");
-                let path = path.to_string_lossy().replace('\\', "/");
-                all.push(Self::new(&path.replacen("src/", "", 1), &text));
-            }
-        }
-        all
+        let mut files = files::below(folder, &|_| true);
+        files.retain(|path| path.extension().is_some_and(|e| e == "rs"));
+        let source = |path: path::PathBuf| {
+            let text = std::fs::read_to_string(&path).expect("a text");
+            let path = path.to_string_lossy().replace('\\', "/");
+            Self::new(&path.replacen("src/", "", 1), &text)
+        };
+        files.into_iter().map(source).collect()
     }
 
     /// The module that the file is.

@@ -4,12 +4,14 @@
 use std::collections::BTreeSet;
 use std::fmt::Debug;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use vkpt::prepared::prepare;
 use vkpt::settings::Settings;
 use vkpt_cli::export::gltf::Container;
 use vkpt_cli::export::{Export, Remark, Subject, gltf, mitsuba, pbrt};
+
+use crate::common::root;
 
 /// Each scene, and the reasons for which Mitsuba, pbrt and glTF refuse it.
 const SCENES: [(&str, &str, &str, &str); 22] = [
@@ -134,7 +136,7 @@ fn reasons<R: Debug>(exported: Result<Export, Vec<Remark<R>>>) -> String {
 
 #[test]
 fn each_scene_is_exported_or_refused_by_name() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     for (name, by_mitsuba, by_pbrt, by_gltf) in SCENES {
         let path = root.join(format!("{name}.txt"));
         let scene = vkpt::scene::read(&path, false).expect("a scene").scene;
@@ -163,7 +165,7 @@ fn each_scene_is_exported_or_refused_by_name() {
 
 #[test]
 fn no_scene_is_left_out() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     let files = |folder: &str| {
         let files = fs::read_dir(root.join(folder)).expect("a folder").flatten();
         let paths = files.map(|file| file.path());

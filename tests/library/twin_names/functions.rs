@@ -1,7 +1,10 @@
 //! Functions and their arguments, read from the text of both languages.
 
 use std::fmt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+use crate::common::files::below;
+use crate::common::root;
 
 /// A function's head.
 #[derive(Clone, Debug)]
@@ -83,7 +86,7 @@ pub fn glsl_functions(file: &str, text: &str) -> Vec<Function> {
 
 /// All functions of `src/reference/`, except those of tests.
 pub fn rust_functions() -> Vec<Function> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/reference");
+    let root = root().join("src/reference");
     let mut all = Vec::new();
     for (path, text) in sources(&root) {
         let name = path.strip_prefix(&root).expect("below the root");
@@ -95,22 +98,16 @@ pub fn rust_functions() -> Vec<Function> {
 }
 
 /// The Rust files below a folder with their texts, without tests.
-pub fn sources(folder: &Path) -> Vec<(std::path::PathBuf, String)> {
-    let mut all = Vec::new();
-    for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
-        let path = entry.path();
-        if path.ends_with("tests") || path.ends_with("tests.rs") {
-            continue;
-        }
-        if path.is_dir() {
-            all.extend(sources(&path));
-        } else {
-            let text = std::fs::read_to_string(&path).expect("a file");
-            let code = text.split("#[cfg(test)]\nmod tests {").next();
-            all.push((path, code.unwrap_or_default().to_owned()));
-        }
-    }
-    all
+pub fn sources(folder: &Path) -> Vec<(PathBuf, String)> {
+    let mut files = below(folder, &|folder| !folder.ends_with("tests"));
+    files.retain(|path| !path.ends_with("tests.rs"));
+    let text = |path: PathBuf| {
+        let text = std::fs::read_to_string(&path).expect("a file");
+        let code = text.split("#[cfg(test)]\nmod tests {").next();
+        let code = code.unwrap_or_default().to_owned();
+        (path, code)
+    };
+    files.into_iter().map(text).collect()
 }
 
 fn functions_of(file: &str, text: &str) -> Vec<Function> {

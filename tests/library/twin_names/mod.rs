@@ -9,7 +9,7 @@ mod exceptions;
 mod functions;
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use exceptions::{ARGUMENTS, HOMES, KERNEL_ONLY, REFERENCE_ONLY};
 use functions::{Function, glsl_functions, rust_functions, sources, undocumented};
@@ -19,7 +19,7 @@ use vkpt::kernel::{file, files};
 use vkpt::prepared::LightKind;
 use vkpt::settings::{Integrator, Settings};
 
-use crate::common;
+use crate::common::{self, root};
 
 /// All functions of `shaders/`, and those that are generated for a scene of every kind of shape, light and material.
 fn kernel_functions() -> Vec<Function> {
@@ -75,7 +75,8 @@ fn generated() -> String {
         .concat()
 }
 
-/// Where the twin of a function of this GLSL file may be: the same path, the folder's own file, or its home.
+/// Where the twin of a function of this GLSL file may be, the first that has one: the same path, the folder's own file, or
+/// its home.
 fn homes(glsl: &str) -> Vec<String> {
     let folder = glsl.rsplit_once('/').map_or("", |(folder, _)| folder);
     let mut all = vec![glsl.to_owned(), folder.to_owned()];
@@ -95,9 +96,8 @@ fn complaint<'a>(
 ) -> Option<String> {
     let named = |list: &[(&str, &str)], key: &str| list.iter().any(|(name, _)| *name == key);
     let homes = homes(&glsl.file);
-    let twin = rust
-        .iter()
-        .find(|r| r.name == glsl.name && homes.contains(&r.file));
+    let in_home = |home: &String| rust.iter().find(|r| r.name == glsl.name && r.file == *home);
+    let twin = homes.iter().find_map(in_home);
     let Some(twin) = twin else {
         let key = KERNEL_ONLY
             .iter()
@@ -172,7 +172,7 @@ fn every_function_of_the_reference_has_a_twin_or_a_reason() {
 /// The reference is written to be read.
 #[test]
 fn every_public_function_of_the_reference_is_explained() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/reference");
+    let root = root().join("src/reference");
     let bare = |(path, text): &(PathBuf, String)| {
         let of_file = undocumented(text).into_iter();
         of_file

@@ -94,46 +94,12 @@ fn ending(record: &Check, error: Option<CheckError>) -> Result<Ending, Failure> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::check::report::{CaseRecord, Held};
+    use crate::check::report::{Held, fixture};
     use vkpt::gpu::GpuError;
 
     fn record(nan: u64, interrupted: bool) -> Check {
         let held = vec![Held::new("NaN", nan as f64, 0.0, "none")];
-        let case = CaseRecord {
-            name: "a/b".to_owned(),
-            about: "stiff".to_owned(),
-            samples: 4,
-            parted: 0,
-            median: None,
-            p99: None,
-            worst: None,
-            worst_at: None,
-            parted_at: None,
-            nan,
-            infinite: 0,
-            largest: 0.0,
-            mean: 0.0,
-            standard_error: 0.0,
-            expected: None,
-            seconds: 0.0,
-            warnings: Vec::new(),
-            margin: held[0].margin,
-            passed: held[0].passed(),
-            held,
-        };
-        Check {
-            version: "",
-            device: String::new(),
-            driver: String::new(),
-            correctly_rounded: true,
-            quick: false,
-            level: 1e-6,
-            alpha: 1e-3,
-            seconds: 0.0,
-            interrupted,
-            passed: case.passed,
-            cases: vec![case],
-        }
+        fixture::check(vec![fixture::case("a/b", held)], interrupted)
     }
 
     #[test]

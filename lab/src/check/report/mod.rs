@@ -1,5 +1,7 @@
 //! The results of `vkpt check`: a record, and the record as a table and as a page.
 
+#[cfg(test)]
+pub mod fixture;
 pub mod page;
 mod record;
 mod table;

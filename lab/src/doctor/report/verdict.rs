@@ -136,7 +136,7 @@ fn case(case: &CaseRecord, index: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::check::report::{Check, Held};
+    use crate::check::report::{Held, fixture};
 
     fn tested(outcome: Outcome) -> SelfTest {
         SelfTest {
@@ -189,42 +189,9 @@ mod tests {
                 Held::new("NaN", nan, 0.0, "none"),
                 Held::new("bias", 1.0, 2.0, ""),
             ];
-            CaseRecord {
-                name: name.to_owned(),
-                about: String::new(),
-                samples: 16,
-                parted: 0,
-                median: None,
-                p99: None,
-                worst: None,
-                worst_at: None,
-                parted_at: None,
-                nan: nan as u64,
-                infinite: 0,
-                largest: 0.0,
-                mean: 0.0,
-                standard_error: 0.0,
-                expected: None,
-                seconds: 0.0,
-                warnings: Vec::new(),
-                margin: 0.5,
-                passed: nan == 0.0,
-                held,
-            }
+            fixture::case(name, held)
         };
-        let check = Check {
-            version: "",
-            device: String::new(),
-            driver: String::new(),
-            correctly_rounded: true,
-            quick: false,
-            level: 1e-6,
-            alpha: 1e-3,
-            seconds: 0.0,
-            interrupted: false,
-            passed: nan == 0.0,
-            cases: vec![case("a/b", 0.0), case("a/c", nan)],
-        };
+        let check = fixture::check(vec![case("a/b", 0.0), case("a/c", nan)], false);
         Battery { check, error: None }
     }
 
