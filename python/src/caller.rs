@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use pyo3::exceptions::PyUserWarning;
+use pyo3::exceptions::{PyKeyboardInterrupt, PyUserWarning};
 use pyo3::prelude::*;
 use vkpt_lab::cli::caller::{Called, Caller, called};
 
@@ -42,7 +42,9 @@ impl Caller for Ears {
             let shown = progress.map(|show| show.call1(py, (fraction, words())));
             if let Some(Err(error)) = shown {
                 self.stop.store(true, Ordering::Relaxed);
-                self.raised = Some(error);
+                // Ctrl-c may also arrive while `progress` runs.
+                let is_ctrl_c = error.is_instance_of::<PyKeyboardInterrupt>(py);
+                self.raised = (!is_ctrl_c).then_some(error);
             }
         });
     }

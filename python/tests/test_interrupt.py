@@ -43,6 +43,18 @@ def test_a_rendering_returns_what_is_there(scene: Path) -> None:
     assert interrupted(PROGRAM, str(scene)) == "interrupted True (30, 40, 3)"
 
 
+def test_ctrl_c_may_arrive_in_the_progress_callback() -> None:
+    def press(*_: object) -> None:
+        signal.raise_signal(signal.SIGINT)
+
+    usual = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        picture = vkpt.render(SCENE, time=60, progress=press)
+    finally:
+        signal.signal(signal.SIGINT, usual)
+    assert (picture.ended, picture.spp > 0) == ("interrupted", True)
+
+
 def test_pictures_that_grow_end_with_what_is_there(scene: Path) -> None:
     assert interrupted(GROWING, str(scene)) == "interrupted"
 
