@@ -2,6 +2,7 @@
 
 use std::ffi::OsString;
 
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use super::init::InitArguments;
@@ -141,7 +142,7 @@ pub fn task(words: &[OsString]) -> Result<Task, Failure> {
     let first_page = command_line().mut_args(shown);
     let matches = match first_page.try_get_matches_from(words) {
         Ok(matches) => matches,
-        Err(wrong) if wrong.use_stderr() => return Err(Failure::CommandLine(wrong)),
+        Err(wrong) if wrong.use_stderr() => return Err(mistake(wrong)),
         Err(help) => return Ok(Task::Help(help)),
     };
     if let Some(("compare", matches)) = matches.subcommand()
@@ -166,6 +167,26 @@ pub fn task(words: &[OsString]) -> Result<Task, Failure> {
         Some(Command::Export(arguments)) => Task::Export(arguments),
         Some(Command::Farm(arguments)) => Task::Farm(arguments),
     })
+}
+
+/// clap's error in words that fit: it takes a second scene for a subcommand, and advises `-- --flag` for any unknown flag.
+fn mistake(mut wrong: clap::Error) -> Failure {
+    let second = match wrong.get(ContextKind::InvalidSubcommand) {
+        Some(ContextValue::String(word)) if wrong.kind() == ErrorKind::ArgumentConflict => word,
+        _ => {
+            let advice = wrong.remove(ContextKind::Suggested);
+            if let Some(ContextValue::StyledStrs(mut all)) = advice {
+                all.retain(|tip| !tip.to_string().contains("as a value, use"));
+                if !all.is_empty() {
+                    wrong.insert(ContextKind::Suggested, ContextValue::StyledStrs(all));
+                }
+            }
+            return Failure::CommandLine(wrong);
+        }
+    };
+    Failure::Usage(format!(
+        "unexpected argument '{second}': vkpt renders one scene, and a command such as `vkpt compare` comes first"
+    ))
 }
 
 /// The arguments `A` of a command from words for them, for a program that calls.
@@ -201,7 +222,7 @@ pub fn command_line() -> clap::Command {
     let command = Arguments::command()
         .after_help(AFTER_HELP)
         .mut_subcommand("render", |render| render.after_help(AFTER_RENDER_HELP));
-    finished(command)
+    with_usage(finished(command), "")
 }
 
 /// An option of the first page of help: brief, or hidden.
@@ -218,4 +239,18 @@ fn finished(command: clap::Command) -> clap::Command {
         .mut_args(negative)
         .max_term_width(100)
         .mut_subcommands(finished)
+}
+
+/// The command, whose name comes after `before`, and those in it, with the same usage in errors as in help. In errors,
+/// clap would show only the arguments that were given.
+fn with_usage(command: clap::Command, before: &str) -> clap::Command {
+    // Printing a usage ends the construction of a command.
+    let usage = command.clone().render_usage().to_string();
+    let usage = usage.trim_start_matches("Usage: ");
+    let path = format!("{before}{} ", command.get_name());
+    // A usage that the command itself overrides is complete.
+    let missing = if usage.starts_with(&path) { "" } else { before };
+    let usage = format!("{missing}{usage}");
+    let command = command.override_usage(usage);
+    command.mut_subcommands(|command| with_usage(command, &path))
 }

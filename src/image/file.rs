@@ -113,7 +113,7 @@ fn temporary(path: &Path) -> io::Result<NamedTempFile> {
         true => builder.tempfile_in(folder).map_err(nameless),
         false => Err(io::Error::new(
             ErrorKind::NotFound,
-            "its folder does not exist",
+            "its folder does not exist; create it first",
         )),
     }
 }
@@ -210,7 +210,10 @@ mod tests {
         assert!(names(folder.path()).is_empty());
         assert!(check_writable(folder.path()).is_err());
         let none = check_writable(&folder.path().join("none/a.png"));
-        assert!(none.is_err_and(|e| e.to_string().ends_with(": its folder does not exist")));
+        assert!(none.is_err_and(|e| {
+            e.to_string()
+                .ends_with(": its folder does not exist; create it first")
+        }));
         let long = check_writable(&folder.path().join("a".repeat(256)));
         assert!(long.is_err_and(|e| e.to_string().contains("too long")));
     }

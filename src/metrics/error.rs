@@ -38,3 +38,17 @@ pub enum MetricsError {
     #[error("the {picture} was compressed with losses that have no bound")]
     NoRounding { picture: &'static str },
 }
+
+impl MetricsError {
+    /// The picture at fault, if one is.
+    pub fn picture(&self) -> Option<&'static str> {
+        match self {
+            Self::Sizes { picture, .. }
+            | Self::Empty { picture }
+            | Self::Film { picture, .. }
+            | Self::Value { picture, .. }
+            | Self::NoRounding { picture } => Some(picture),
+            Self::PixelsPerDegree(_) | Self::Level(_) => None,
+        }
+    }
+}

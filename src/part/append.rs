@@ -16,7 +16,9 @@ pub enum Misfit {
         "not all parts have the data for standard errors (--aov stderr) or a denoised picture (--denoise)"
     )]
     Keeps,
-    #[error("it has another precision: one of the parts was rendered by cpu-f64")]
+    #[error(
+        "one of the parts was rendered by cpu-f64 and another in single precision: join parts of one precision"
+    )]
     Scalar,
     #[error("it starts at sample {}, not {}", .0.start, .1.end)]
     Range(Range<u32>, Range<u32>),

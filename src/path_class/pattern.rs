@@ -5,7 +5,7 @@ use super::{Letter, Side};
 /// An invalid pattern, and why.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "{text:?} is not a class of paths, {why}. Write E for the eye, then D (diffuse), G (rough) or S (smooth) for each surface, \
+    "{text:?} is not a class of paths: {why}. Write E for the eye, then D (diffuse), G (rough) or S (smooth) for each surface, \
      R or T for any that reflects or transmits, <TS> for one that transmits smoothly, then L for the light; . is any surface, \
      and * + ? | ( ) [DG] [^S] are as in regular expressions"
 )]

@@ -37,7 +37,7 @@ pub fn warn_of_overlaps(placed: &Placed, materials: &[Material], warnings: &mut 
     if let Some([a, b]) = first_pair(placed, materials, rule) {
         warnings.push(format!(
             "the transmissive shapes of lines {a} and {b} overlap: the model assumes air around every object, so the \
-             picture is wrong where they overlap"
+             picture is wrong where they overlap; move them apart"
         ));
     }
 }

@@ -1,5 +1,8 @@
 //! The notes in a picture's header: everything that the picture depends on, and nothing else.
 
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::difference::Difference;
 use super::digest::digest;
 use super::names::Named;
 use super::{Denoised, Job, SOFTWARE};
@@ -98,30 +101,37 @@ pub fn is_noted(notes: &str) -> bool {
     NAMES.iter().any(|name| noted(notes, name).is_some())
 }
 
-/// Differences in how two files were made, such as `spp is 16 there and 64 here`; `None` if one of them has no notes.
-pub fn differences(there: &str, here: &str) -> Option<Vec<String>> {
-    if !is_noted(there) || !is_noted(here) {
+/// Differences in how two files were made; `None` if one of them has no notes.
+pub fn differences(a: &str, b: &str) -> Option<Vec<Difference>> {
+    if !is_noted(a) || !is_noted(b) {
         return None;
     }
-    let difference = |name: &&str| {
-        let [there, here] = [there, here].map(|notes| noted(notes, name).unwrap_or("none"));
-        let [there, here] = match *name {
-            SETTINGS => [others(there, here), others(here, there)],
-            _ => [there, here].map(str::to_owned),
-        };
-        (there != here).then(|| format!("{name} is {there} there and {here} here"))
+    let of = |name: &&str| {
+        let pair = [a, b].map(|notes| noted(notes, name));
+        match *name {
+            SETTINGS => of_settings(pair.map(Option::unwrap_or_default)),
+            _ => {
+                let values = pair.map(|value| value.unwrap_or("none").to_owned());
+                Difference::new(name, values).into_iter().collect()
+            }
+        }
     };
-    Some(NAMES.iter().filter_map(difference).collect())
+    Some(NAMES.iter().flat_map(of).collect())
 }
 
-/// The words of one text that another lacks.
-fn others(of: &str, than: &str) -> String {
-    let known: Vec<&str> = than.split(' ').collect();
-    let words: Vec<&str> = of.split(' ').filter(|w| !known.contains(w)).collect();
-    match words.is_empty() {
-        true => "the default".to_owned(),
-        false => words.join(" "),
-    }
+/// The settings that differ in two texts such as `max-depth=8 roulette=off`. One that a text lacks has its default there.
+fn of_settings(texts: [&str; 2]) -> Vec<Difference> {
+    let both = texts.map(|text| {
+        let words = text.split(' ').filter_map(|word| word.split_once('='));
+        words.collect::<BTreeMap<_, _>>()
+    });
+    let names: BTreeSet<&str> = both.iter().flat_map(BTreeMap::keys).copied().collect();
+    let of = |name: &&str| {
+        let value = |words: &BTreeMap<&str, &str>| words.get(name).copied().map(str::to_owned);
+        let values = both.each_ref().map(value);
+        Difference::new(name, values.map(|v| v.unwrap_or("the default".to_owned())))
+    };
+    names.iter().filter_map(of).collect()
 }
 
 fn noted<'a>(notes: &'a str, name: &str) -> Option<&'a str> {
@@ -139,42 +149,33 @@ mod tests {
     fn every_note_that_differs_is_told() {
         let notes = "aov: a\nscene: a.txt\nsize: 4x3\nsettings: lobe=norms max-depth=none\nspp: 16\nseed: 0\n\
             device: cpu-f32\nversion: vkpt 1\n";
-        let of = |here: &str| differences(notes, here);
+        let of = |other: &str| {
+            let all = differences(notes, other)?;
+            Some(all.iter().map(|each| each.between(["a", "b"])).collect())
+        };
         assert_eq!(of(notes), Some(Vec::new()));
         assert_eq!(of(&notes.replace("aov: a", "aov: b")), Some(Vec::new()));
-        for (there, here, said) in [
-            (
-                "scene: a",
-                "scene: b",
-                "scene is a.txt there and b.txt here",
-            ),
-            ("4x3", "5x3", "size is 4x3 there and 5x3 here"),
+        for (from, to, message) in [
+            ("scene: a", "scene: b", "scene is a.txt in a and b.txt in b"),
+            ("4x3", "5x3", "size is 4x3 in a and 5x3 in b"),
             (
                 "\nseed",
                 "\ncrop: 0,0,1,1\nseed",
-                "crop is none there and 0,0,1,1 here",
+                "crop is none in a and 0,0,1,1 in b",
             ),
-            (
-                "none",
-                "3",
-                "settings is max-depth=none there and max-depth=3 here",
-            ),
+            ("none", "3", "max-depth is none in a and 3 in b"),
             (
                 " max",
                 " sampler=a max",
-                "settings is the default there and sampler=a here",
+                "sampler is the default in a and a in b",
             ),
-            ("16", "64", "spp is 16 there and 64 here"),
-            ("seed: 0", "seed: 1", "seed is 0 there and 1 here"),
-            ("f32", "f64", "device is cpu-f32 there and cpu-f64 here"),
-            (
-                "vkpt 1",
-                "vkpt 2",
-                "version is vkpt 1 there and vkpt 2 here",
-            ),
+            ("16", "64", "spp is 16 in a and 64 in b"),
+            ("seed: 0", "seed: 1", "seed is 0 in a and 1 in b"),
+            ("f32", "f64", "device is cpu-f32 in a and cpu-f64 in b"),
+            ("vkpt 1", "vkpt 2", "version is vkpt 1 in a and vkpt 2 in b"),
         ] {
-            let told = of(&notes.replace(there, here));
-            assert_eq!(told, Some(vec![said.to_owned()]));
+            let changed = notes.replace(from, to);
+            assert_eq!(of(&changed), Some(vec![message.to_owned()]));
         }
         let two = notes.replace("16", "64").replace("seed: 0", "seed: 1");
         assert_eq!(of(&two).map(|all| all.len()), Some(2));

@@ -1,4 +1,4 @@
-//! Durations and counts for people.
+//! Durations, counts and probabilities for people.
 
 /// A count in three digits: `7`, `999`, `1.23 k`, `45.6 M`, `789 G`.
 pub fn count(n: f64) -> String {
@@ -70,6 +70,14 @@ pub fn bytes(n: u64) -> String {
     format!("{scaled:.2} TiB")
 }
 
+/// A p-value with two digits: `p = 5.4e-10`; `p < 1e-307` if f64 cannot represent it with full precision.
+pub fn p_value(p: f64) -> String {
+    match p < f64::MIN_POSITIVE {
+        true => "p < 1e-307".to_owned(),
+        false => format!("p = {p:.1e}"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -93,6 +101,19 @@ mod tests {
         ];
         for (n, text) in cases {
             assert_eq!(count(n), text);
+        }
+    }
+
+    #[test]
+    fn a_p_value_is_never_zero() {
+        for (p, text) in [
+            (0.05, "p = 5.0e-2"),
+            (5.43e-10, "p = 5.4e-10"),
+            (f64::MIN_POSITIVE, "p = 2.2e-308"),
+            (f64::MIN_POSITIVE / 2.0, "p < 1e-307"),
+            (0.0, "p < 1e-307"),
+        ] {
+            assert_eq!(p_value(p), text);
         }
     }
 

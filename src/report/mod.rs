@@ -1,6 +1,7 @@
 //! The record of a finished rendering: as JSON, as a picture's header, and as lines to read.
 //! Pure functions of records: nothing here measures or prints.
 
+mod difference;
 mod digest;
 mod error;
 mod header;
@@ -10,6 +11,7 @@ mod record;
 mod settings;
 mod summary;
 
+pub use difference::Difference;
 pub use digest::digest;
 pub use header::{
     denoised_notes, differences, is_noted, layer_note, light_note, noted_digest, noted_freedom,

@@ -109,9 +109,12 @@ fn unknown(builder: &mut Builder, command: Token<'_>) {
         ),
         None => {
             let words = COMMANDS.map(|command| command.word);
-            let close = closest(command.text, &words);
-            let help = close.map(|word| format!("did you mean `{word}`?"));
-            (format!("unknown command `{}`", shorten(command.text)), help)
+            let help = match closest(command.text, &words) {
+                Some(word) => format!("did you mean `{word}`?"),
+                None => format!("the commands are {}", words.join(", ")),
+            };
+            let message = format!("unknown command `{}`", shorten(command.text));
+            (message, Some(help))
         }
     };
     let warning = builder

@@ -98,7 +98,7 @@ impl Field {
         // The renderer computes in single precision.
         let single = value as f32;
         let wrong = match self.legal {
-            Legal::NotZero if value == 0.0 => format!("{noun} is zero"),
+            Legal::NotZero if value == 0.0 => format!("{noun} must not be zero"),
             Legal::NotNegative | Legal::Share if value < 0.0 => {
                 format!("{noun} must not be negative")
             }

@@ -55,7 +55,7 @@ pub(super) fn cylinder(builder: &mut Builder, arguments: &mut Arguments) {
         let place = ax.place.to(az.place);
         log.error(
             place,
-            "the axis of the cylinder is zero".into(),
+            "the axis of the cylinder must not be zero".into(),
             "its length is the cylinder's height",
         );
         return;

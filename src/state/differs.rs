@@ -1,22 +1,18 @@
 //! Checks whether two parts belong to the same picture.
 
 use super::Header;
-use crate::report::{Job, SettingsRecord};
+use crate::report::{Difference, Job, SettingsRecord};
 
-/// A difference between the origins of two parts, such as `seed is 3 there and 4 here`; `None` if they can be joined.
-pub fn differs(there: &Header, here: &Header) -> Option<String> {
-    let [a, b] = [there, here].map(words);
-    let pairs = a.into_iter().zip(b);
-    let other = |((name, there), (_, here)): ((&str, String), (&str, String))| {
-        (there != here).then(|| match name {
-            SCENE => "the scene or one of its meshes differs".to_owned(),
-            _ => format!("{name} is {there} there and {here} here"),
-        })
-    };
-    pairs.into_iter().find_map(other)
+/// The first difference between the origins of two parts; `None` if they can be joined.
+pub fn differs(a: &Header, b: &Header) -> Option<Difference> {
+    let mut pairs = words(a).into_iter().zip(words(b));
+    pairs.find_map(|((name, a), (_, b))| match name {
+        SCENE => Difference::unshown(name, [a, b]),
+        _ => Difference::new(name, [a, b]),
+    })
 }
 
-const SCENE: &str = "scene";
+const SCENE: &str = "the scene or one of its meshes";
 
 /// Everything that the samples depend on, by name, except the device's rounding.
 fn words(header: &Header) -> Vec<(&'static str, String)> {

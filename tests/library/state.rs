@@ -142,7 +142,8 @@ fn what_differs_is_named() {
     assert_eq!(other(&|h| h.record.seconds.render = 9.0), None);
     assert_eq!(other(&|h| h.record.machine.device = "other".into()), None);
     let named = |change: &dyn Fn(&mut Header), words: &str| {
-        assert_eq!(other(change).as_deref(), Some(words));
+        let difference = other(change).map(|d| d.between(["a", "b"]));
+        assert_eq!(difference.as_deref(), Some(words));
     };
     named(
         &|h| h.digest.clear(),
@@ -150,53 +151,53 @@ fn what_differs_is_named() {
     );
     named(
         &|h| h.record.version = "0.0.9".into(),
-        "vkpt's version is 0.0.9 there and 0.1.0 here",
+        "vkpt's version is 0.0.9 in a and 0.1.0 in b",
     );
     named(
         &|h| h.record.job.size = [3, 1],
-        "--size is 3x1 there and 2x1 here",
+        "--size is 3x1 in a and 2x1 in b",
     );
     named(
         &|h| h.record.job.crop = Some([0, 0, 1, 1]),
-        "--crop is 0,0,1,1 there and none here",
+        "--crop is 0,0,1,1 in a and none in b",
     );
-    named(&|h| h.record.job.seed = 3, "--seed is 3 there and 0 here");
+    named(&|h| h.record.job.seed = 3, "--seed is 3 in a and 0 in b");
     type Change = fn(&mut Header);
     let settings: [(&str, Change); 12] = [
-        ("--fresnel is x there and scene here", |h| {
+        ("--fresnel is x in a and scene in b", |h| {
             h.record.job.settings.fresnel = "x".into()
         }),
-        ("--distribution is x there and scene here", |h| {
+        ("--distribution is x in a and scene in b", |h| {
             h.record.job.settings.distribution = "x".into()
         }),
-        ("--absorption is x there and segment here", |h| {
+        ("--absorption is x in a and segment in b", |h| {
             h.record.job.settings.absorption = "x".into()
         }),
-        ("--radiance-scaling is off there and on here", |h| {
+        ("--radiance-scaling is off in a and on in b", |h| {
             h.record.job.settings.radiance_scaling = false
         }),
-        ("--max-depth is 3 there and none here", |h| {
+        ("--max-depth is 3 in a and none in b", |h| {
             h.record.job.settings.max_depth = Some(3)
         }),
-        ("--integrator is x there and path here", |h| {
+        ("--integrator is x in a and path in b", |h| {
             h.record.job.settings.integrator = "x".into()
         }),
-        ("--lobe is x there and fresnel here", |h| {
+        ("--lobe is x in a and fresnel in b", |h| {
             h.record.job.settings.lobe = "x".into()
         }),
-        ("--normals is x there and visible here", |h| {
+        ("--normals is x in a and visible in b", |h| {
             h.record.job.settings.normals = "x".into()
         }),
-        ("--roulette is x there and throughput here", |h| {
+        ("--roulette is x in a and throughput in b", |h| {
             h.record.job.settings.roulette = "x".into()
         }),
-        ("--connect is x there and mis here", |h| {
+        ("--connect is x in a and mis in b", |h| {
             h.record.job.settings.connect = "x".into()
         }),
-        ("--lights is x there and contribution here", |h| {
+        ("--lights is x in a and contribution in b", |h| {
             h.record.job.settings.lights = "x".into()
         }),
-        ("--sampler is x there and sobol here", |h| {
+        ("--sampler is x in a and sobol in b", |h| {
             h.record.job.settings.sampler = "x".into()
         }),
     ];

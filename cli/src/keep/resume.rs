@@ -35,7 +35,7 @@ pub fn resumed(
     let kept = state::read(path).map_err(|error| wrong(error.to_string()))?;
     let range = kept.part.range();
     let why = match (differs(&kept.header, own), &kept.part) {
-        (Some(difference), _) => Some(difference),
+        (Some(difference), _) => Some(difference.between(["the file", "this command"])),
         (_, AnyPart::F64(_)) if *target != Target::CpuF64 => {
             Some("it was rendered by cpu-f64: add --device cpu-f64".to_owned())
         }

@@ -96,7 +96,7 @@ pub fn in_order(arguments: &MergeArguments) -> Result<InOrder, Failure> {
             none_wrong(vec![message])?;
         }
         Some(spp) => none_wrong(vec![format!(
-            "the parts have {end} samples per pixel, more than --spp {spp}"
+            "the parts have {end} samples per pixel, more than --spp {spp}: omit some parts, or --spp"
         )])?,
         None => {}
     }
@@ -116,9 +116,13 @@ fn foreign(parts: &[Told]) -> Vec<String> {
         return Vec::new();
     };
     let difference = |part: &Told| {
-        let (a, b) = (first.path.display(), part.path.display());
+        let names = [first, part].map(|part| part.path.display().to_string());
         let difference = differs(&first.header, &part.header)?;
-        Some(format!("{a} and {b} do not belong together: {difference}"))
+        let [a, b] = names.each_ref().map(String::as_str);
+        Some(format!(
+            "{a} and {b} do not belong together: {}",
+            difference.between([a, b])
+        ))
     };
     others.iter().filter_map(difference).collect()
 }
@@ -137,10 +141,13 @@ fn misplaced(parts: &[Told]) -> Vec<String> {
         });
         if begin < end {
             let both = begin..end.min(b.samples.end);
-            wrong.push(format!(
-                "{left} and {right} both contain samples {}..{}: omit one of them",
-                both.start, both.end
-            ));
+            wrong.push(match a.path == b.path {
+                true => format!("{left} is given twice: omit one"),
+                false => format!(
+                    "{left} and {right} both contain samples {}..{}: omit one of them",
+                    both.start, both.end
+                ),
+            });
         } else if begin > end {
             wrong.push(format!(
                 "samples {end}..{begin} are missing between {left} and {right}: {}",

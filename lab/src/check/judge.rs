@@ -7,6 +7,7 @@ use super::case::{Case, Expectation};
 use super::measure::Measured;
 use crate::check::report::Held;
 use vkpt::metrics::paired::{DARK, Verdict};
+use vkpt::report::human::p_value;
 
 /// Probability that a correct renderer fails a battery.
 pub const ALPHA: f64 = 1e-3;
@@ -111,7 +112,8 @@ impl Judge {
             Verdict::Unbiased(p) | Verdict::Biased(p) => p,
         };
         let why = format!(
-            "mean contribution of diverged paths, compared with cpu-f64: t-test, p = {p:.1e}"
+            "mean contribution of diverged paths, compared with cpu-f64: t-test, {}",
+            p_value(p)
         );
         Some(Held::new("bias", deviation(p), deviation(self.level), why))
     }

@@ -23,7 +23,8 @@ pub enum Failure {
     /// In a way that clap detects.
     CommandLine(clap::Error),
     Scene(Errors),
-    Prepare(PrepareError),
+    /// With the scene's name.
+    Prepare(String, PrepareError),
     /// Parts of a scene that another renderer has no equivalent of.
     Untranslatable(Vec<String>),
     /// Warnings that `--strict` makes errors.
@@ -66,7 +67,7 @@ impl Failure {
             Self::Render(_) | Self::Comparison(_) | Self::Submission(_) | Self::Unhealthy(_) => 1,
             Self::Usage(_) | Self::CommandLine(_) => 2,
             Self::Scene(_)
-            | Self::Prepare(_)
+            | Self::Prepare(..)
             | Self::Untranslatable(_)
             | Self::Strict(_)
             | Self::Pictures(_) => 3,
@@ -79,7 +80,7 @@ impl Failure {
     pub fn is_of_input(&self) -> bool {
         match self {
             Self::Scene(errors) => !errors.lacks_memory,
-            Self::Prepare(_) | Self::Strict(_) | Self::Pictures(_) | Self::Usage(_) => true,
+            Self::Prepare(..) | Self::Strict(_) | Self::Pictures(_) | Self::Usage(_) => true,
             _ => false,
         }
     }
@@ -92,7 +93,7 @@ impl Failure {
                 each.chain([errors.to_string()]).collect()
             }
             Self::CommandLine(wrong) => vec![sentence(wrong)],
-            Self::Prepare(e) => vec![e.to_string()],
+            Self::Prepare(scene, e) => vec![format!("{scene}: {e}")],
             Self::Render(e) => vec![e.to_string()],
             Self::Strict(warnings) => {
                 let each = warnings.iter();

@@ -14,7 +14,7 @@ pub fn check(settings: &Settings) -> Result<(), Failure> {
     let name = integrator.name();
     if integrator != Integrator::Path && settings.model.absorption == Absorption::Term {
         return Err(Failure::Usage(format!(
-            "--integrator {name} does not support --absorption term, which --model handout sets: absorption at surfaces \
+            "--integrator {name} does not support --absorption term (part of --model handout): absorption at surfaces \
              alone has no adjoint for light paths. Add --absorption segment, or omit --integrator {name}"
         )));
     }

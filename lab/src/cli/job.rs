@@ -83,7 +83,7 @@ impl Loaded {
         memory::announce(&self.scene, request.quiet)?;
         let start = Instant::now();
         let prepared = self.prepare_in_silence(request).inspect_err(|failure| {
-            if let Failure::Prepare(error) = failure {
+            if let Failure::Prepare(_, error) = failure {
                 self.tell_lines(&[error.to_string()]);
             }
         })?;
@@ -94,7 +94,9 @@ impl Loaded {
         warnings.extend(integrator::unseen(&prepared, &settings));
         self.tell_lines(&warnings);
         if request.strict && !warnings.is_empty() {
-            return Err(Failure::Strict(warnings));
+            let name = request.scene.name();
+            let named = warnings.iter().map(|warning| format!("{name}: {warning}"));
+            return Err(Failure::Strict(named.collect()));
         }
         warnings.iter().for_each(|warning| warn(warning));
         Ok(Ready {
@@ -126,7 +128,8 @@ impl Loaded {
 
     /// The same, without printing warnings.
     pub fn prepare_in_silence(&self, request: &Request) -> Result<Prepared, Failure> {
-        prepared::prepare(&self.scene, &request.settings, request.size).map_err(Failure::Prepare)
+        prepared::prepare(&self.scene, &request.settings, request.size)
+            .map_err(|error| Failure::Prepare(request.scene.name(), error))
     }
 }
 

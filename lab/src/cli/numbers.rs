@@ -46,7 +46,7 @@ pub fn whole(least: u32) -> impl Fn(&str) -> Result<u32, String> + Clone {
     move |text| match text.parse() {
         Ok(number) if number >= least => Ok(number),
         _ => Err(format!(
-            "must be a whole number from {least} to {}, such as 1000",
+            "must be a whole number from {least} to {}",
             u32::MAX
         )),
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::exit::warn;
 use vkpt::image::{Picture, Precision};
 use vkpt::metrics::StandardErrors;
-use vkpt::report::{differences, digest, is_noted, noted_digest, noted_freedom};
+use vkpt::report::{Difference, differences, digest, is_noted, noted_digest, noted_freedom};
 
 /// The standard errors of a file, with the degrees of freedom that it notes; those of other programs are taken as exact.
 pub fn standard_errors(picture: &Picture) -> StandardErrors<'_> {
@@ -23,8 +23,11 @@ pub fn belongs(
     (picture, its): (&Path, &Picture),
     advice: &str,
 ) -> Result<(), String> {
-    let (errors, picture) = (errors.display(), picture.display());
-    let mut differences = differences(&theirs.notes, &its.notes);
+    let (errors, picture) = (errors.display().to_string(), picture.display().to_string());
+    let between = |each: Difference| each.between([&errors, &picture]);
+    let differences = differences(&theirs.notes, &its.notes);
+    let mut differences =
+        differences.map(|all| all.into_iter().map(between).collect::<Vec<String>>());
     // Other formats round: their values do not match the digest.
     let exact = its.precision == Precision::Single;
     if let Some(theirs) = noted_digest(&theirs.notes).filter(|_| exact) {

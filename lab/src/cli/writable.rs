@@ -46,7 +46,7 @@ fn apart(files: &[&Destination]) -> Result<(), Failure> {
             stream.name().display()
         ),
         None => format!(
-            "two outputs would be written to the same file, {}",
+            "two outputs would be written to the same file, {}: give one of them another name",
             files[i]
         ),
     }))

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use vkpt::metrics::blocks::{ALPHA, Block, BlockTest};
 use vkpt::metrics::{Errors, Trimmed};
+use vkpt::report::human::p_value;
 
 /// Pictures of one size, each compared with the same reference.
 #[derive(Clone, Debug)]
@@ -146,9 +147,9 @@ fn describe(block: &Block) -> String {
     let channel = ["red", "green", "blue"][block.channel];
     let [a, b] = block.means.map(number);
     format!(
-        "worst: {channel} of the {width}×{height} pixels at {x},{y}: {a} against {b}, standard error {}, z = {:.2}, p = {:.1e}",
+        "worst: {channel} of the {width}×{height} pixels at {x},{y}: {a} against {b}, standard error {}, z = {:.2}, {}",
         number(block.stderr),
         block.z,
-        block.p
+        p_value(block.p)
     )
 }

@@ -19,5 +19,5 @@ pub use floor::{Floor, floor};
 pub use interval::{Interval, LEVEL};
 pub use ratio::{efficiency, ratio_of_efficiencies, slope};
 pub use reach::{Reach, reach};
-pub use reference::Reference;
+pub use reference::{Reference, STANDARD_ERRORS};
 pub use summary::{Summary, median};

@@ -8,6 +8,9 @@ use crate::metrics::pair::{check, check_errors, same_size};
 use crate::metrics::rel_mse::relative;
 use crate::metrics::{MetricsError, Pair, StandardErrors, symmetric_errors, trimmed};
 
+/// The name in errors of the standard errors of a reference.
+pub const STANDARD_ERRORS: &str = "reference's standard errors";
+
 /// A picture, or two independent ones with the same mean.
 #[derive(Clone, Debug)]
 pub struct Reference {
@@ -47,11 +50,8 @@ impl Reference {
             freedom,
         }) = stderr
         {
-            check_errors(stderr, "reference's standard errors")?;
-            same_size(
-                (&film, "reference"),
-                (stderr, "reference's standard errors"),
-            )?;
+            check_errors(stderr, STANDARD_ERRORS)?;
+            same_size((stderr, STANDARD_ERRORS), (&film, "reference"))?;
             let mse = mean_of(&film, |c| square(stderr, c));
             let rel = per_pixel(&film, |c| relative(square(stderr, c), value(&film, c)));
             own.mse = Some(mse);

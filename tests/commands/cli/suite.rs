@@ -125,8 +125,8 @@ fn a_picture_that_differs_is_shown() {
     assert_eq!(other.code, Some(1));
     for told in [
         "it has 4×3 pixels at 0,0 of 4×3; expected 8×6",
-        "spp is 4 there and 8 here",
-        "max-depth=3",
+        "spp is 4 in the kept picture and 8 in this one",
+        "max-depth is none in the kept picture and 3 in this one",
     ] {
         assert!(other.out.contains(told), "{}", other.out);
     }

@@ -122,7 +122,7 @@ fn what_is_no_pattern_is_refused() {
         (&long, "more than 200 letters"),
     ] {
         let error = PathClass::new(pattern).expect_err(pattern).to_string();
-        let told = format!("{pattern:?} is not a class of paths, {why}");
+        let told = format!("{pattern:?} is not a class of paths: {why}");
         assert!(error.starts_with(&told), "{error}");
         assert!(error.contains("Write E for the eye"), "{error}");
     }

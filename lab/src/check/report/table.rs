@@ -70,7 +70,7 @@ fn sum(check: &Check) -> String {
     let failed = check.cases.iter().filter(|c| !c.passed).count();
     let failed = match failed {
         0 => "none fails".to_owned(),
-        1 => "1 fails".to_owned(),
+        1 => "one fails".to_owned(),
         n => format!("{n} fail"),
     };
     format!(

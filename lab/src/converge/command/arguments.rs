@@ -138,8 +138,9 @@ impl ConvergeArguments {
         match last.filter(|&last| last < HALVES[0]) {
             Some(last) => Ok((self.seed..=last).collect()),
             None => Err(Failure::Usage(format!(
-                "--seed {} is too large: its replicates would use the seeds of the reference",
-                self.seed
+                "--seed {} is too large: its replicates would use the seeds of the reference; use {} or less",
+                self.seed,
+                HALVES[0] - self.replicates
             ))),
         }
     }

@@ -14,7 +14,7 @@ use crate::cli::stderr::{belongs, standard_errors};
 use crate::converge::{ConvergeError, Halves, Plan, halves};
 use vkpt::image::file::stderr_path;
 use vkpt::image::{self, Precision};
-use vkpt::metrics::convergence::Reference;
+use vkpt::metrics::convergence::{Reference, STANDARD_ERRORS};
 use vkpt::render::{Engine, Job};
 use vkpt::report::human::duration;
 use vkpt::settings::{Model, Settings};
@@ -85,7 +85,7 @@ pub fn inputs(arguments: &ConvergeArguments) -> Vec<Input> {
     match &arguments.reference {
         Some(path) => vec![
             Input::new("the reference", path),
-            Input::new("its standard errors", &stderr_path(path)),
+            Input::new("the standard errors of the reference", &stderr_path(path)),
         ],
         None => (kept::files().iter())
             .map(|path| Input::new("a cached reference", path))
@@ -112,7 +112,7 @@ fn from_file(path: &Path, size: [u32; 2]) -> Result<Named, Failure> {
     let (film, name) = (picture.film, path.display().to_string());
     if [film.width, film.height] != size {
         return Err(told(format!(
-            "the reference {name} has {}×{} pixels, the renderings {}×{}",
+            "the reference {name} has {}×{} pixels, the renderings {}×{}: give both the same --size and --crop",
             film.width, film.height, size[0], size[1]
         )));
     }
@@ -121,8 +121,12 @@ fn from_file(path: &Path, size: [u32; 2]) -> Result<Named, Failure> {
             "{name} is a PNG: its rounding and clipping count as error"
         ));
     }
-    let reference = Reference::picture(film, stderr.as_ref().map(standard_errors))
-        .map_err(|e| told(format!("{name}: {e}")))?;
+    let reference =
+        Reference::picture(film, stderr.as_ref().map(standard_errors)).map_err(|e| {
+            let is_stderr = e.picture() == Some(STANDARD_ERRORS);
+            let path = if is_stderr { &*errors } else { path };
+            told(format!("{}: {e}", path.display()))
+        })?;
     Ok(Named { name, reference })
 }
 

@@ -114,7 +114,10 @@ pub fn difference(actual: &Picture, expected: &Picture) -> Option<(Option<f64>, 
 /// The differences in how they were made, a line each.
 fn made_from(actual: &Picture, expected: &Picture) -> String {
     let all = differences(&expected.notes, &actual.notes).unwrap_or_default();
-    all.iter().map(|each| format!("\n{each}")).collect()
+    let names = ["the kept picture", "this one"];
+    all.iter()
+        .map(|each| format!("\n{}", each.between(names)))
+        .collect()
 }
 
 /// The relative squared error of each pixel as a colour.

@@ -89,7 +89,7 @@ pub fn in_short(cases: &[super::Row]) -> String {
     let largest = cases.iter().map(|(c, _)| c.margin).fold(0.0, f64::max);
     let fail = match failed {
         0 => "none fails".to_owned(),
-        1 => "1 fails".to_owned(),
+        1 => "one fails".to_owned(),
         n => format!("{n} fail"),
     };
     let cases = plural(cases.len() as u64, "case");

@@ -1,7 +1,7 @@
 //! The findings of three comparisons.
 
 use vkpt::metrics::paired::{Comparison, Verdict};
-use vkpt::report::human::thousands;
+use vkpt::report::human::{p_value, thousands};
 use vkpt::sample::Address;
 
 /// The pairs of renderers, in the order of [`Findings::pairs`].
@@ -25,7 +25,8 @@ impl Findings {
                 return None;
             };
             Some(format!(
-                "{name}: the mean radiance of the diverged paths differs (p = {p:.1e})"
+                "{name}: the mean radiance of the diverged paths differs ({})",
+                p_value(p)
             ))
         });
         bits.into_iter().chain(bias).collect()

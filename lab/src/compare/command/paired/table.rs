@@ -2,7 +2,7 @@
 
 use super::findings::{Findings, PAIRS};
 use vkpt::metrics::paired::{Closeness, Comparison, Parted, Verdict};
-use vkpt::report::human::thousands;
+use vkpt::report::human::{p_value, thousands};
 
 /// A label and a cell for each pair.
 type Row = (&'static str, [String; PAIRS.len()]);
@@ -102,7 +102,7 @@ fn verdict(parted: &Parted) -> String {
         Verdict::TooFew if parted.paths == 0 => NONE.to_owned(),
         Verdict::TooFew => "too few paths".to_owned(),
         Verdict::Unbiased(p) => format!("no, p = {p:.2}"),
-        Verdict::Biased(p) => format!("yes, p = {p:.1e}"),
+        Verdict::Biased(p) => format!("yes, {}", p_value(p)),
     }
 }
 
