@@ -136,11 +136,7 @@ fn a_detail_is_bounds_of_columns_then_rows_in_pbrt() {
         &format!("export scene.scn --to gltf {flags}"),
     );
     assert_eq!((refused.code, refused.out.as_str()), (Some(2), ""));
-    assert!(
-        refused
-            .err
-            .contains("--crop: glTF's cameras show whole pictures")
-    );
+    assert_snapshot!(refused.err);
 }
 
 #[test]
@@ -169,12 +165,10 @@ fn what_another_model_makes_of_a_scene_is_warned_of_and_strict_refuses_it() {
     let line = "export scene.scn --to pbrt -o -";
     let warned = words(folder.path(), line);
     assert_eq!(warned.code, Some(0));
-    let said = "warning: scene.scn:3: a colour: pbrt converts it to a smooth spectrum";
-    assert!(warned.err.starts_with(said), "{}", warned.err);
     assert!(warned.out.contains("WorldBegin"));
     let strict = words(folder.path(), &format!("{line} --strict"));
     assert_eq!((strict.code, strict.out.as_str()), (Some(3), ""));
-    assert!(strict.err.contains("(--strict)"), "{}", strict.err);
+    assert_snapshot!(warned.err + &strict.err);
 }
 
 #[test]

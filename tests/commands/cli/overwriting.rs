@@ -4,7 +4,9 @@ use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::Path;
 
-use super::program::{MESH, MESHED, SCENE, folder, names, shell, words};
+use insta::assert_snapshot;
+
+use super::program::{MESH, MESHED, SCENE, folder, names, shell, shown, words};
 
 const RENDER: &str = "scene.scn --device cpu-f32 --spp 2 --quiet";
 
@@ -38,93 +40,34 @@ fn nothing_that_is_read_is_written_over() {
     let sky = "screen 4 3\ncamera 0 0 5 .5\nbackground in/sky.exr\n";
     fs::write(path("sky.scn"), sky).expect("a scene");
     let by = "--device cpu-f32 --spp 4294967295";
-    let rows = [
-        (
-            format!("scene.scn {by} --json scene.scn"),
-            "scene.scn",
-            "the scene",
-        ),
-        (
-            format!("scene.scn {by} --json in/../scene.scn"),
-            "in/../scene.scn",
-            "the scene scene.scn",
-        ),
-        (
-            format!("scene.scn {by} -o hard.exr"),
-            "hard.exr",
-            "the scene scene.scn",
-        ),
-        (
-            format!("soft.exr {by} -o hard.exr"),
-            "hard.exr",
-            "the scene soft.exr",
-        ),
-        (
-            format!("scene.scn {by} -o a.png -o soft.exr"),
-            "soft.exr",
-            "the scene scene.scn",
-        ),
-        (format!("as.png {by}"), "as.png", "the scene"),
-        (
-            format!("as-stderr.exr {by} -o as.exr --aov stderr"),
-            "as-stderr.exr",
-            "the scene",
-        ),
-        (
-            format!("scene.scn {by} --json in/m.ply"),
-            "in/m.ply",
-            "a mesh of the scene",
-        ),
-        (
-            format!("sky.scn {by} -o in/sky.exr"),
-            "in/sky.exr",
-            "the picture of the scene's surroundings",
-        ),
-        (
-            format!("- {by} --json scene.scn"),
-            "scene.scn",
-            "the scene <stdin>",
-        ),
-        (
-            format!("converge scene.scn {by} --svg scene.scn"),
-            "scene.scn",
-            "the scene",
-        ),
-        (
-            format!("converge scene.scn {by} --reference 1.exr --csv 1.exr"),
-            "1.exr",
-            "the reference",
-        ),
-        (
-            format!("converge scene.scn {by} --reference 1.exr --csv 1-stderr.exr"),
-            "1-stderr.exr",
-            "its standard errors",
-        ),
-        (
-            "compare 1.png 2.png --heatmap 1.png".to_owned(),
-            "1.png",
-            "a picture to compare",
-        ),
-        (
-            "explain scene.scn --spirv in/m.ply".to_owned(),
-            "in/m.ply",
-            "a mesh of the scene",
-        ),
-        (
-            "export scene.scn --to mitsuba -o scene.scn".to_owned(),
-            "scene.scn",
-            "the scene",
-        ),
+    let lines = [
+        format!("scene.scn {by} --json scene.scn"),
+        format!("scene.scn {by} --json in/../scene.scn"),
+        format!("scene.scn {by} -o hard.exr"),
+        format!("soft.exr {by} -o hard.exr"),
+        format!("scene.scn {by} -o a.png -o soft.exr"),
+        format!("as.png {by}"),
+        format!("as-stderr.exr {by} -o as.exr --aov stderr"),
+        format!("scene.scn {by} --json in/m.ply"),
+        format!("sky.scn {by} -o in/sky.exr"),
+        format!("- {by} --json scene.scn"),
+        format!("converge scene.scn {by} --svg scene.scn"),
+        format!("converge scene.scn {by} --reference 1.exr --csv 1.exr"),
+        format!("converge scene.scn {by} --reference 1.exr --csv 1-stderr.exr"),
+        "compare 1.png 2.png --heatmap 1.png".to_owned(),
+        "explain scene.scn --spirv in/m.ply".to_owned(),
+        "export scene.scn --to mitsuba -o scene.scn".to_owned(),
     ];
     let before = [folder.path(), &path("in")].map(contents);
-    for (line, to, what) in rows {
+    let mut messages = String::new();
+    for line in lines {
         let ran = shell(folder.path(), &format!("$VKPT {line} < scene.scn"));
         assert_eq!(ran.code, Some(2), "{line}: {}", ran.err);
-        let said = format!("error: {to} would be overwritten: it is {what}; give ");
-        assert!(ran.err.contains(&said), "{line}: {}", ran.err);
+        messages += &shown(&line.split(' ').collect::<Vec<_>>(), &ran.err);
         let after = [folder.path(), &path("in")].map(contents);
         assert!(before == after, "{line}");
     }
+    assert_snapshot!(messages);
 }
 
 /// Nor is a reference that an earlier run has left in the cache.
