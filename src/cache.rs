@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_is_read_back_under_its_key_alone() {
+    fn entries_are_read_back_under_their_key_alone() {
         let temporary = tempfile::tempdir().expect("a folder");
         let path = temporary.path().join("is/made");
         let folder = cache(&path);
@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_that_cannot_be_is_an_error_and_holds_nothing() {
+    fn an_impossible_folder_is_an_error_and_keeps_nothing() {
         let file = tempfile::NamedTempFile::new().expect("a file");
         let path = file.path().join("below a file");
         assert!(cache(&path).write("key", b"content").is_err());

@@ -21,7 +21,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_shell_would_change_is_quoted() {
+    fn words_that_a_shell_would_change_are_quoted() {
         let words = ["vkpt", "a b.txt", "--vary", "connect=mis,light", "it's", ""];
         assert_eq!(
             line(words),

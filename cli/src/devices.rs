@@ -84,7 +84,7 @@ mod tests {
     use vkpt::gpu::DeviceKind;
 
     #[test]
-    fn columns_line_up_and_reasons_are_told() {
+    fn columns_line_up_and_reasons_are_printed() {
         let device = |index, name: &str, unusable: Option<&str>| DeviceInfo {
             index,
             name: name.to_owned(),

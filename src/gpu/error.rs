@@ -95,7 +95,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_loss_is_what_another_device_may_do_better() {
+    fn losses_are_errors_that_another_device_may_avoid() {
         let of = |call, result| GpuError::of(call)(result);
         for error in [
             GpuError::TimeOut(Duration::from_secs(1)),

@@ -92,7 +92,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file_has_one_claim_at_a_time_by_whatever_name() {
+    fn a_file_has_one_claim_at_a_time_under_any_name() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = |name: &str| folder.path().join(name);
         fs::create_dir(path("in")).expect("a folder");
@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_killed_process_left_bars_nobody() {
+    fn claims_of_killed_processes_bar_nobody() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("a.png");
         fs::write(beside(&path), "").expect("a lock file");

@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn a_failure_leaves_what_was_there() {
+    fn a_failure_leaves_the_old_file() {
         let folder = tempfile::tempdir().expect("folder");
         let path = folder.path().join("a.png");
         fs::write(&path, "old").expect("old file");

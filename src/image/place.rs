@@ -75,7 +75,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn links_lead_to_what_is_there_or_to_be_made() {
+    fn links_lead_to_existing_or_new_files() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = |name: &str| folder.path().join(name);
         fs::create_dir(path("in")).expect("a folder");
@@ -111,7 +111,7 @@ mod tests {
 
     #[cfg(target_os = "linux")]
     #[test]
-    fn what_somebody_has_opened_is_not_looked_for_by_its_name() {
+    fn paths_of_open_descriptors_are_used_straight() {
         use std::os::fd::AsRawFd;
         let file = tempfile::NamedTempFile::new().expect("a file");
         let number = file.as_raw_fd();

@@ -45,7 +45,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_the_format_holds_is_kept() {
+    fn values_of_the_format_are_kept() {
         // 128 · 2^(23 − 136) is the smallest value that is not black.
         for e in 23..=255 {
             for m in [128.0f64, 129.0, 200.0, 255.0] {
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn what_it_cannot_hold_is_clamped() {
+    fn values_beyond_the_format_are_clamped() {
         assert_eq!(f64::from(LARGEST), 255.0 * 119f64.exp2());
         assert_eq!(
             nearest([f32::MAX, f32::INFINITY, 1.0]),

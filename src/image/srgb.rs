@@ -53,7 +53,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_colour_is_clamped() {
+    fn values_that_are_no_colours_are_clamped() {
         for black in [0.0, -0.0, -1.0, f64::NEG_INFINITY, f64::NAN] {
             assert_eq!(quantise(black), 0, "{black}");
         }

@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn what_changes_or_is_read_before_stays_a_variable() {
+    fn variables_that_change_or_are_read_before_stay() {
         let part = [op(250, &[6, 32, 33]), op(OP_LABEL, &[32])].concat();
         let pointed_at = op(65, &[7, 42, 10, 21]);
         let loop_header = [op(OP_BRANCH, &[34]), op(OP_LABEL, &[35])].concat();

@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn colours_tell_sign_and_size() {
+    fn colours_show_sign_and_size() {
         let scale = difference_scale(5);
         assert_eq!(scale[0], difference_colour(-1.0));
         assert_eq!(scale[2], difference_colour(0.0));

@@ -184,7 +184,7 @@ fn equal_samples_have_no_spread() {
 }
 
 #[test]
-fn what_does_not_follow_is_refused() {
+fn parts_that_do_not_follow_are_refused() {
     let part = |range| grown(range, Keeps::Nothing, &[]);
     let refused = |next| part(0..10).append(next, &mut |_| {});
     assert_eq!(refused(part(10..12)), Ok(()));

@@ -146,7 +146,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_note_that_differs_is_told() {
+    fn every_note_that_differs_is_named() {
         let notes = "aov: a\nscene: a.txt\nsize: 4x3\nsettings: lobe=norms max-depth=none\nspp: 16\nseed: 0\n\
             device: cpu-f32\nversion: vkpt 1\n";
         let of = |other: &str| {

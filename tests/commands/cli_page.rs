@@ -238,7 +238,7 @@ fn committed() -> (String, String) {
 }
 
 #[test]
-fn the_page_is_what_the_program_says() {
+fn the_page_is_that_of_the_program() {
     let (above, below) = committed();
     let page = page(command_line());
     if std::env::var_os("VKPT_BLESS").is_some_and(|bless| bless == "1") {

@@ -77,7 +77,7 @@ fn script(arguments: &[&str]) -> Run {
 }
 
 #[test]
-fn every_scene_is_read_without_a_warning_and_says_what_it_shows() {
+fn every_scene_has_no_warning_and_describes_itself() {
     for name in with_ending(".txt") {
         let file = format!("{name}.txt");
         let explained = run(&at(), &["explain", &file, "--strict"]);

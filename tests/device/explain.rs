@@ -170,7 +170,7 @@ fn the_word_the_alpha_or_the_flag_is_named() {
 }
 
 #[test]
-fn a_shape_before_any_material_is_told_of_without_a_line() {
+fn a_shape_before_any_material_is_listed_without_a_line() {
     let parts = of_text(
         "screen 8 6\ncamera 0 0 5 .3\nsphere 0 0 0 1\n",
         Settings::default(),
@@ -181,7 +181,7 @@ fn a_shape_before_any_material_is_told_of_without_a_line() {
 }
 
 #[test]
-fn what_a_scene_lacks_is_left_out_and_the_reason_told() {
+fn parts_that_a_scene_lacks_are_left_out_with_the_reason() {
     let parts = of_text(
         "screen 8 6\ncamera 0 0 5 .3\nbrdf .5 .5 .5 0 0 0 1\nsphere 0 0 0 1\n",
         Settings::default(),
@@ -259,7 +259,7 @@ fn a_planted_member_is_found() {
 }
 
 #[test]
-fn a_plan_knows_what_is_asked_for_beside_the_picture() {
+fn a_plan_includes_requested_standard_errors() {
     let settings = independent();
     let scene = common::render::prepared(TABLE, &settings);
     let plain = job(&scene, settings, 2, 1);

@@ -78,7 +78,7 @@ fn a_colour_that_takes_all_light_is_no_underflow() {
 
 /// A sky of 2⁹⁶ or more is dropped, because the sum of its samples may be infinite; radiance below is added up.
 #[test]
-fn what_may_add_up_to_infinity_is_dropped() {
+fn samples_whose_sum_may_overflow_are_dropped() {
     for (sky, kept) in [("7.9e28", true), ("7.93e28", false), ("3e38", false)] {
         let text = format!("screen 4 4\ncamera 0 0 .5 1\nbackground {sky} 1 1\n");
         for made in by_both(&text) {
@@ -136,7 +136,7 @@ fn planted(
 /// Each sample meets the fault at its first vertex, where all directions that are drawn lead somewhere: all are counted,
 /// and the picture is black.
 #[test]
-fn what_is_broken_is_counted_by_its_cause_wherever_it_comes_from() {
+fn broken_samples_are_counted_by_cause_wherever_they_arise() {
     let smooth = format!("{GLASS} 0 1 1 1 1.5");
     let rough = format!("{GLASS} .01 1 1 1 1.5");
     let metal = "brdf 0 0 0 .9 .9 .9 .01";
@@ -179,7 +179,7 @@ fn what_is_broken_is_counted_by_its_cause_wherever_it_comes_from() {
 /// Glass of n = 1 + 2e-6 reflects F = ((n − 1)/(n + 1))² = 1e-12 of the light. All random numbers being 0, the least of
 /// 2²⁴, each sample is reflected: that represents 2⁻²⁴ of them all, so one contributes F·2²⁴ of the sky.
 #[test]
-fn what_hardly_ever_happens_brings_what_it_should_on_average() {
+fn rare_events_contribute_their_mean() {
     let settings = independent();
     let glass = format!("{GLASS} 0 1 1 1 1.000002");
     let change = [

@@ -70,7 +70,7 @@ fn devices_are_listed_with_their_drivers() {
 }
 
 #[test]
-fn a_device_that_is_not_there_is_told_with_those_that_are() {
+fn a_missing_device_is_named_with_the_available_ones() {
     let Some(device) = common::device() else {
         return;
     };
@@ -98,7 +98,7 @@ fn devices_open_by_part_of_their_name() {
 
 /// Run by the test below in a process whose loader has no driver.
 #[test]
-#[ignore = "only of use to no_driver_is_told_with_what_to_install"]
+#[ignore = "only of use to a_missing_driver_is_named_with_the_package_to_install"]
 fn child_without_a_driver() {
     println!("{}", devices().expect_err("no driver"));
     println!(
@@ -108,7 +108,7 @@ fn child_without_a_driver() {
 }
 
 #[test]
-fn no_driver_is_told_with_what_to_install() {
+fn a_missing_driver_is_named_with_the_package_to_install() {
     let child = Command::new(std::env::current_exe().expect("a path"))
         .args([
             "--exact",
@@ -133,7 +133,7 @@ fn no_driver_is_told_with_what_to_install() {
 
 /// Direct and staged; more than one piece is staged, and the last byte is no multiple of four.
 #[test]
-fn what_is_written_is_read_back() {
+fn written_values_are_read_back() {
     for always_stage in [false, true] {
         let Some(device) = common::open(Options {
             always_stage,
@@ -219,7 +219,7 @@ fn buffers_above_the_limits_are_refused_by_name_and_size() {
 // ---- dispatches
 
 #[test]
-fn dispatches_see_what_came_before() {
+fn dispatches_see_the_writes_before_them() {
     for always_stage in [false, true] {
         let Some(device) = common::open(Options {
             always_stage,

@@ -55,7 +55,7 @@ fn child_that_compiles() {
 
 #[test]
 #[ignore = "run by the test below, in processes of its own"]
-fn child_that_tells_its_folder() {
+fn child_that_prints_its_folder() {
     println!("\nfolder {:?}", Options::from_env().cache);
 }
 
@@ -222,7 +222,7 @@ fn the_folder_is_the_users_unless_the_environment_names_another() {
         (&[("XDG_CACHE_HOME", "/x"), ("VKPT_CACHE", "")], None),
     ] {
         let expected = format!("folder {:?}", expected.map(PathBuf::from));
-        let told = lines(child("gpu_cache::child_that_tells_its_folder", variables));
+        let told = lines(child("gpu_cache::child_that_prints_its_folder", variables));
         assert!(told.contains(&expected), "{variables:?}: {told:?}");
     }
 }
@@ -249,7 +249,7 @@ fn statistics(radv: &str, steps: &str) -> BTreeMap<String, f64> {
 }
 
 #[test]
-fn a_gpu_tells_instructions_and_registers() {
+fn a_gpu_reports_instructions_and_registers() {
     let Some(radv) = radv() else { return };
     let (small, large) = (statistics(&radv, "1"), statistics(&radv, "40"));
     for name in ["Instructions", "Code size"] {

@@ -114,13 +114,13 @@ fn check(scenes: &[&str], integrator: Integrator, pictures: u32) {
 }
 
 #[test]
-fn intervals_hold_the_error_of_a_furnace() {
+fn intervals_contain_the_error_of_a_furnace() {
     check(&["furnace"], Integrator::Path, 60);
 }
 
 #[test]
 #[ignore = "ten minutes"]
-fn intervals_hold_the_error_of_all_scenes() {
+fn intervals_contain_the_error_of_all_scenes() {
     check(
         &[
             "furnace",
@@ -142,7 +142,7 @@ fn intervals_hold_the_error_of_all_scenes() {
 /// Splats of one light path fall on many pixels, whose errors are then not independent.
 #[test]
 #[ignore = "ten minutes"]
-fn intervals_hold_the_error_of_bidirectional_paths() {
+fn intervals_contain_the_error_of_bidirectional_paths() {
     check(
         &["room", "caustic", "frosted-globe", "glass-table"],
         Integrator::Bidirectional,

@@ -165,7 +165,7 @@ fn it_is_the_largest_of_all_samples() {
 }
 
 #[test]
-fn the_device_has_that_of_the_reference_whatever_tiles_and_dispatches() {
+fn the_device_has_that_of_the_reference_for_all_tiles_and_dispatches() {
     if cpu_driver().is_none() {
         return;
     }

@@ -117,7 +117,7 @@ fn functions_of(job: &Job, device: &Device) -> Vec<String> {
 }
 
 #[test]
-fn the_kernel_of_a_diffuse_scene_holds_nothing_of_microfacets_and_refraction() {
+fn the_kernel_of_a_diffuse_scene_has_no_microfacets_nor_refraction() {
     let Some(device) = common::device() else {
         return;
     };
@@ -143,7 +143,7 @@ fn the_kernel_of_a_diffuse_scene_holds_nothing_of_microfacets_and_refraction() {
 }
 
 #[test]
-fn a_kernel_keeps_beside_its_film_only_what_is_asked_for() {
+fn a_kernel_keeps_only_the_requested_sums_beside_its_film() {
     let Some(device) = common::device() else {
         return;
     };
@@ -188,7 +188,7 @@ fn values_are_not_in_the_text() {
 /// A custom file replaces its namesake, with a further one that it uses; one that nothing uses is
 /// an error, because it would belong to no estimator.
 #[test]
-fn a_kernel_holds_files_of_ones_own() {
+fn a_kernel_includes_custom_files() {
     let settings = Settings::default();
     let scene = prepared(DIFFUSE, &settings);
     let plain = job(&scene, settings, 1, 1);

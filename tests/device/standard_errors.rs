@@ -65,7 +65,7 @@ fn the_picture_is_the_same_with_and_without() {
 }
 
 #[test]
-fn the_device_tells_the_errors_of_the_reference() {
+fn the_device_reports_the_errors_of_the_reference() {
     if common::cpu_driver().is_none() {
         return;
     }
@@ -226,7 +226,7 @@ fn p_of_unit_variance(scores: &[f64]) -> f64 {
 /// Blocks of independent renderings differ by as much as their errors say; by errors planted a fifth too large or too
 /// small they do not. α = 1e-3 over the three channels (Šidák).
 #[test]
-fn the_errors_told_are_those_that_pictures_have() {
+fn reported_errors_are_those_of_pictures() {
     let scene = prepared(DIFFUSE, &Settings::default());
     let pairs = [pair(&scene, [1, 2]), pair(&scene, [3, 4])];
     let p = |scale: f64, channel: usize| {

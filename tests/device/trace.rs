@@ -9,7 +9,7 @@ use crate::common::scenes::{LENS, SMOOTH, TABLE, WIDE};
 use crate::common::settings::by;
 
 #[test]
-fn the_device_tells_the_same_story_as_the_reference() {
+fn the_device_traces_the_same_events_as_the_reference() {
     if common::cpu_driver().is_none() {
         return;
     }
@@ -99,7 +99,7 @@ fn a_connection_follows_its_vertex() {
 
 /// f32 and f64 diverge at last, within the tolerance or in their decisions; both are reported from the camera on.
 #[test]
-fn the_two_references_are_told_side_by_side() {
+fn the_two_references_are_printed_side_by_side() {
     let scene = prepared(SMOOTH, &Settings::default());
     let job = job(&scene, Settings::default(), 1, 1);
     let trace = trace(&job, &Target::CpuF64, [16, 20], 0)
@@ -122,7 +122,7 @@ fn the_two_references_are_told_side_by_side() {
 
 /// Devices record no events of bidirectional paths: the radiance of a sample, and the hash of its decisions, are compared.
 #[test]
-fn both_paths_are_told_with_every_way_to_find_light() {
+fn both_paths_are_printed_with_every_way_to_find_light() {
     let settings = by(Integrator::Bidirectional);
     if common::cpu_driver().is_some() {
         let scene = prepared(SMOOTH, &settings);

@@ -34,7 +34,7 @@ fn until(seconds: Option<f64>, rel_mse: Option<f64>) -> Until {
 // ---- the curve
 
 #[test]
-fn the_error_is_told_after_powers_of_two_and_at_the_end() {
+fn the_error_is_reported_after_powers_of_two_and_at_the_end() {
     let scene = prepared(TABLE, &Settings::default());
     for (spp, expected) in [
         (1, vec![1]),
@@ -61,7 +61,7 @@ fn the_error_is_told_after_powers_of_two_and_at_the_end() {
 
 /// The estimate is a pure function of sums that are the same to the bit; neither tiles nor dispatches are seen in it.
 #[test]
-fn the_device_tells_the_error_of_the_reference() {
+fn the_device_reports_the_error_of_the_reference() {
     let Some(device) = common::cpu_driver() else {
         return;
     };
@@ -97,7 +97,7 @@ sphere 0 0 0 3
 
 /// α = 1e-4 for too many misses at 5 % each; estimates planted a fifth off must fail the same test.
 #[test]
-fn intervals_hold_the_error_of_a_lambert_ball() {
+fn intervals_contain_the_error_of_a_lambert_ball() {
     let mut settings = Settings::default();
     settings.estimator.connect = Connect::Light;
     let scene = prepared(LAMBERT, &settings);
@@ -223,7 +223,7 @@ fn an_error_ends_with_the_picture_of_the_samples_done() {
 }
 
 #[test]
-fn samples_end_what_neither_time_nor_error_do() {
+fn samples_end_a_rendering_before_time_and_error() {
     let scene = prepared(TABLE, &Settings::default());
     let job = Job {
         until: until(Some(1e6), Some(1e-12)),
@@ -235,7 +235,7 @@ fn samples_end_what_neither_time_nor_error_do() {
 }
 
 #[test]
-fn progress_is_that_of_what_ends_it() {
+fn progress_is_that_of_the_limit_that_ends_it() {
     let scene = prepared(TABLE, &Settings::default());
     let job = Job {
         until: until(Some(0.3), None),

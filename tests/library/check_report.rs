@@ -6,7 +6,7 @@ use vkpt_lab::check::report::{Held, failures, table};
 use crate::common::checks::run;
 
 #[test]
-fn the_table_fits_a_hundred_columns_beside_the_mark_of_what_fails() {
+fn the_table_fits_a_hundred_columns_beside_the_mark_of_failures() {
     let text = table(&run());
     let columns = |l: &str| l.trim_end_matches(" FAILS").chars().count();
     assert!(text.lines().all(|l| columns(l) <= 100), "{text}");
@@ -14,12 +14,12 @@ fn the_table_fits_a_hundred_columns_beside_the_mark_of_what_fails() {
 }
 
 #[test]
-fn failures_tell_the_case_what_is_stiff_and_each_bound() {
+fn failures_name_the_case_its_difficulty_and_each_bound() {
     assert_snapshot!(failures(&run()).join("\n\n"));
 }
 
 #[test]
-fn the_json_has_every_bound_and_null_for_what_is_infinite() {
+fn the_json_has_every_bound_and_null_for_infinity() {
     let json = serde_json::to_value(run()).expect("JSON");
     assert_eq!(json["cases"][1]["held"][0]["margin"], 4.5);
     assert!(json["cases"][1]["margin"].is_null());

@@ -151,7 +151,7 @@ fn cubes_that_touch() {
 
 /// Up to the rounding of turned shapes; a gap that single precision represents is one.
 #[test]
-fn glass_touches_glass_whatever_it_is_made_of() {
+fn glass_touches_glass_in_every_shape() {
     let cube = cube();
     let mesh = format!("mesh {} 0 0 -1 1", cube.path().display());
     let touch = |shapes: &str| {

@@ -41,7 +41,7 @@ fn replay(kind: &str, target: &str, body: Body) -> usize {
 }
 
 #[test]
-fn what_is_kept_holds() {
+fn kept_inputs_satisfy_the_invariants() {
     for (target, body) in TARGETS {
         let corpus = replay("corpus", target, body);
         assert!(corpus > 20, "{target}: only {corpus} inputs");

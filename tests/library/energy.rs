@@ -214,7 +214,7 @@ fn a_rough_interface_makes_nothing() {
 
 /// The sums of `albedo_dielectric.csv`, through the whole renderer.
 #[test]
-fn a_rough_interface_loses_what_quadrature_says() {
+fn a_rough_interface_loses_as_much_as_by_quadrature() {
     let table = Table::open("albedo_dielectric.csv");
     // the erf form of Beckmann's G1 is not this model's
     let rows = || table.rows().filter(|row| row.text("D") != "beckmann_erf");

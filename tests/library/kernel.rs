@@ -62,7 +62,7 @@ fn a_slot_may_be_a_file_that_is_also_used_by_name() {
 }
 
 #[test]
-fn what_is_missing_is_named_with_who_asked() {
+fn missing_files_are_named_with_the_file_that_uses_them() {
     let unknown = Composer::new()
         .add("a", "// uses: math/nonesuch\n")
         .compose(&["a"])
@@ -91,7 +91,7 @@ fn what_is_missing_is_named_with_who_asked() {
 }
 
 #[test]
-fn a_circle_is_told_whole() {
+fn a_cycle_is_reported_whole() {
     let circle = diamond()
         .add("d", "// uses: a\n")
         .compose(&["a"])
@@ -194,7 +194,7 @@ void main() {
 }\n";
 
 #[test]
-fn what_main_does_not_reach_is_left_out() {
+fn functions_that_main_does_not_reach_are_left_out() {
     let spirv = spirv(ARITHMETIC);
     assert_eq!(spirv.functions, ["scaled"]);
     assert_eq!(spirv.workgroup_size, [64, 1, 1]);

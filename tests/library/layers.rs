@@ -103,7 +103,7 @@ fn a_ball_has_the_normals_of_its_places() {
 
 /// A wall behind the eye, in a mirror straight ahead: Ks times its albedo, and its normal.
 #[test]
-fn a_mirror_shows_what_is_behind() {
+fn a_mirror_shows_the_surface_that_it_reflects() {
     let scene = "screen 4 3\ncamera 0 0 5 1e-6\nbrdf 0 0 0 .9 .8 .7 0\nbox -50 -50 0 100 100 1\n\
                  brdf .5 .25 .125 0 0 0 1\nbox -50 -50 9 100 100 1\n";
     let channels = seen(scene, 16);
@@ -130,7 +130,7 @@ fn a_mirror_shows_what_is_behind() {
 
 /// A pane transmits (1 − F)/(1 + F), F = .04 from either side, and shows the wall behind; the light that it reflects is black.
 #[test]
-fn a_pane_shows_what_is_behind_as_far_as_it_lets_it_through() {
+fn a_pane_shows_the_surface_behind_weighted_by_its_transmission() {
     let scene = "screen 64 48\ncamera 0 0 5 1e-6\nbrdf 0 0 0 .04 .04 .04 0 1 1 1 1.5\nbox -50 -50 0 100 100 1\n\
                  brdf .5 .5 .5 0 0 0 1\nbox -50 -50 -9 100 100 1\n";
     let channels = seen(scene, 16);
@@ -181,7 +181,7 @@ fn layers_are_known_from_the_first_samples() {
 
 /// Only the requested layers are there, each channel once, with any crop.
 #[test]
-fn what_is_not_asked_for_is_not_there() {
+fn only_requested_layers_are_there() {
     let scene = "screen 8 6\ncamera 0 0 5 .5\nbrdf .5 .5 .5 0 0 0 1\nsphere 0 0 0 1\n";
     let settings = Settings::default();
     let prepared = prepared(scene, &settings);

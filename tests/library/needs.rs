@@ -33,7 +33,7 @@ fn summary(outputs: &[&Output]) -> String {
 }
 
 #[test]
-fn what_is_missing_fails_a_test_that_says_what_to_install() {
+fn a_missing_program_fails_a_test_with_the_package_to_install() {
     let output = without_programs(false);
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(!output.status.success(), "{text}");

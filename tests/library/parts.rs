@@ -154,7 +154,7 @@ fn an_interrupted_rendering_goes_on_to_the_same_bits() {
 }
 
 #[test]
-fn what_another_job_has_left_is_refused() {
+fn parts_of_another_job_are_refused() {
     let (scene, settings, _) = cases().remove(1);
     let job = job(&scene, settings, 3, 5);
     let left = outcome(&job, &Target::CpuF64).state;

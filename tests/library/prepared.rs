@@ -96,7 +96,7 @@ fn the_eye_knows_the_medium_it_stands_in() {
 }
 
 #[test]
-fn overlapping_glass_is_said_once() {
+fn overlapping_glass_gives_one_warning() {
     let warnings = |shapes: &str| prepared(&format!("{VIEW}{SKY}{GLASS}{shapes}")).warnings;
     assert_eq!(
         warnings("sphere 0 0 0 1\nsphere 1.5 0 0 1\nsphere .7 0 0 1\n").len(),
@@ -108,7 +108,7 @@ fn overlapping_glass_is_said_once() {
 
 /// 2⁹⁶ = 7.92e28: 2³² samples of it add up to 2¹²⁸, the end of single precision.
 #[test]
-fn a_radiance_whose_samples_do_not_add_up_is_warned_of() {
+fn a_radiance_whose_sum_overflows_gives_a_warning() {
     let warnings = |line: &str| prepared(&format!("{VIEW}{line}\nsphere 0 0 -5 1\n")).warnings;
     for line in ["light 1 7.93e28 1", "background 3e38 0 0"] {
         let warnings = warnings(line);
@@ -137,7 +137,7 @@ fn lights_are_chosen_by_power() {
 /// Every number below is finite in single precision; the squares of some indices of refraction and the width of one picture
 /// are not. Lengths and places are, in rendering space.
 #[test]
-fn what_overflows_single_precision_is_refused() {
+fn scenes_that_overflow_single_precision_are_refused() {
     let glass = |ior: &str| format!("brdf 0 0 0 .04 .04 .04 .1 .5 .5 .5 {ior}\nsphere 0 0 0 1");
     let camera =
         |eye: &str, ry: &str| format!("camera {eye} {ry}\nsphere 0 0 0 1\nsphere 3e38 0 0 1");
@@ -188,7 +188,7 @@ fn within_2(p: &Prepared) -> bool {
 
 /// 2·.2/30 of the distance is a pixel; at 1e-9 of it, 2⁻²³ covers a hundred.
 #[test]
-fn pixels_that_are_narrower_than_directions_are_warned_of() {
+fn pixels_narrower_than_directions_give_a_warning() {
     for (ry, narrow) in [("1e-5", false), ("1e-9", true)] {
         let text = format!("screen 40 30\ncamera 0 0 9 {ry}\n{MATTE}sphere 0 0 0 1\n");
         let warnings = prepared(&text).warnings;
@@ -199,7 +199,7 @@ fn pixels_that_are_narrower_than_directions_are_warned_of() {
 
 /// 2⁻²⁴ of its distance must be less than a hundredth of its size; for a mesh, of its largest extent.
 #[test]
-fn what_is_too_small_for_where_it_is_is_warned_of() {
+fn objects_too_small_for_their_distance_give_a_warning() {
     let tetrahedron = "mesh tests/data/scene/tetrahedron.ply";
     let rows = [
         ("sphere 1e4 0 0 1".to_owned(), false),
@@ -223,7 +223,7 @@ fn what_is_too_small_for_where_it_is_is_warned_of() {
 
 /// On a ball, a face, an edge, a mantle and a cap of glass; not next to them, and not on opaque shapes.
 #[test]
-fn an_eye_on_the_surface_of_glass_is_warned_of() {
+fn an_eye_on_the_surface_of_glass_gives_a_warning() {
     let told = |material: &str, shape: &str, eye: &str| {
         let text = format!("screen 40 30\ncamera {eye} .2\n{material}{shape}\n{SKY}");
         let warnings = prepared(&text).warnings;
@@ -263,7 +263,7 @@ fn an_eye_on_the_surface_of_glass_is_warned_of() {
 /// A ball of radius r fills r²/(4d²) of all directions from afar; a box of area A a mean of A/(16π d²). No part of a wall with
 /// a sheen gathers light, nor does a wide gloss.
 #[test]
-fn lights_are_as_small_as_what_gathers_their_light_sees_them() {
+fn lights_are_as_small_as_receivers_see_them() {
     let share = |text: &str| prepared(&format!("{VIEW}{text}")).light_share;
     let glass = "brdf 0 0 0 .04 .04 .04 .2 .9 .9 .9 1.5\nsphere 0 0 0 1\n";
     let ball = "light 1 1 1\nsphere 0 0 10 .5\n";
@@ -295,7 +295,7 @@ fn lights_are_as_small_as_what_gathers_their_light_sees_them() {
 }
 
 #[test]
-fn pictures_that_can_only_be_black_are_warned_of() {
+fn pictures_that_can_only_be_black_give_a_warning() {
     const NONE_SHINES: &str = "the scene has no lights";
     const SHUT_IN: &str = "the eye is inside the opaque shape of line 4";
     let far = format!("{MATTE}sphere 0 0 -5 1\n");

@@ -86,7 +86,7 @@ fn at(spp: u32, seconds: f64, rel_mse: Option<f64>, interval: Option<[f64; 2]>) 
 }
 
 #[test]
-fn json_holds_every_field_by_name() {
+fn json_has_every_field_by_name() {
     let mut record = record();
     record.work.dropped = Dropped {
         nan: 1,
@@ -175,7 +175,7 @@ scenes/a.scn: 400×300, 64 samples per pixel, seed 7
 }
 
 #[test]
-fn the_last_line_tells_the_error_as_well_as_it_is_known() {
+fn the_last_line_prints_the_error_as_well_as_it_is_known() {
     let line = |error: Vec<ErrorAt>| {
         let text = summary(&Record { error, ..record() });
         let line = text.lines().last().unwrap_or_default().to_owned();
@@ -212,7 +212,7 @@ fn the_last_line_tells_the_error_as_well_as_it_is_known() {
 }
 
 #[test]
-fn a_target_that_was_missed_is_told() {
+fn a_missed_target_is_printed() {
     let mut record = record();
     record.job.target_error = Some(1e-3);
     assert_eq!(
@@ -262,7 +262,7 @@ fn concerns_name_causes() {
 }
 
 #[test]
-fn settings_are_told_in_the_words_of_their_flags() {
+fn settings_are_printed_in_the_words_of_their_flags() {
     let words = |settings: &Settings| {
         notes(
             &Job {
@@ -294,7 +294,7 @@ fn settings_are_told_in_the_words_of_their_flags() {
 }
 
 #[test]
-fn a_header_holds_what_the_picture_depends_on() {
+fn a_header_has_everything_that_the_picture_depends_on() {
     let names = |job: &Job| {
         notes(job, "llvmpipe")
             .iter()
@@ -330,7 +330,7 @@ fn a_header_holds_what_the_picture_depends_on() {
 }
 
 #[test]
-fn notes_of_standard_errors_tell_their_degrees_of_freedom_and_no_others_do() {
+fn only_notes_of_standard_errors_have_degrees_of_freedom() {
     let read = |notes: Vec<(&str, String)>| {
         let lines = notes
             .into_iter()

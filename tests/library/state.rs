@@ -131,7 +131,7 @@ fn a_size_that_is_not_there_is_refused_before_it_is_read() {
 }
 
 #[test]
-fn what_differs_is_named() {
+fn differences_are_named() {
     let own = kept("two").header;
     let other = |change: &dyn Fn(&mut Header)| {
         let mut other = own.clone();

@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn what_became_of_a_device_is_told() {
+    fn lost_devices_are_reported() {
         let board = board();
         assert_eq!(board.tell(asked(0)).trouble, None);
         board.trouble("the device failed".to_owned());

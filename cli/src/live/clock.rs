@@ -42,7 +42,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_was_there_before_is_not_taken_for_speed() {
+    fn samples_done_before_the_start_do_not_count_as_speed() {
         let at = |ago: u64, fraction| {
             let then = Instant::now().checked_sub(Duration::from_secs(ago));
             let progress = Progress {

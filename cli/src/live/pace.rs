@@ -33,7 +33,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_takes_long_is_made_seldom() {
+    fn slow_pictures_are_made_less_often() {
         let mut pace = Pace::default();
         assert!(pace.is_due(), "the first at once");
         pace.made(Instant::now());

@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn names_tell_formats_and_the_flag_tells_the_others() {
+    fn names_give_formats_and_the_flag_gives_the_others() {
         const PNG: Option<Format> = Some(Format::Png);
         let rows: [(&[&str], _, &str); 7] = [
             (&["b.EXR"], None, "b.EXR:exr"),

@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_what_lies_below_it_and_stars() {
+    fn names_groups_and_stars_select_cases() {
         let name = "alpha/ggx/1e-3";
         for yes in [
             name,

@@ -105,7 +105,7 @@ mod tests {
     use crate::cli::source::Source;
 
     #[test]
-    fn what_is_not_the_default_is_in_the_command() {
+    fn the_command_has_every_value_that_is_not_the_default() {
         let mut settings = Settings::handout();
         settings.model.max_depth = Some(3);
         let scene = Source::File("it's a.txt".into());

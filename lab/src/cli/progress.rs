@@ -127,7 +127,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_rendering_tells_what_is_left() {
+    fn a_rendering_reports_the_time_left() {
         let at = |samples_done, spp: u32, fraction| {
             let progress = Progress {
                 samples_done,

@@ -84,7 +84,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn tables_hold_what_is_hard() {
+    fn tables_contain_the_hard_arguments() {
         let count = |holds: &dyn Fn([f32; 3]) -> bool| {
             let rows = wide().into_iter().map(|row| row.map(f32::from_bits));
             rows.filter(|row| holds(*row)).count()

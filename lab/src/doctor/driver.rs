@@ -88,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_beyond_the_bound_is_told_and_where() {
+    fn results_beyond_the_bound_are_reported_with_their_argument() {
         let sine = compared(
             &BUILTINS[0],
             |x, truth| if x > 3.0 { truth + 0.001 } else { truth },

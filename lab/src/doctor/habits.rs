@@ -87,7 +87,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_mixture_is_told_in_numbers() {
+    fn a_mixture_is_reported_in_numbers() {
         let table = [[1f32, 2.0, 0.0].map(f32::to_bits); 3];
         let ways: [Way; 2] = [("sum", &|[x, y, _]| x + y), ("product", &|[x, y, _]| x * y)];
         assert_eq!(shares(&table, &[3.0; 3], &ways), "sum");

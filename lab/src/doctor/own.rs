@@ -205,7 +205,7 @@ mod tests {
 
     /// What a flushed correction leaves of erfc: 60 units off, and no picture hangs on it.
     #[test]
-    fn what_flushed_denormals_leave_of_a_small_result_is_told_and_not_judged() {
+    fn small_results_of_flushed_denormals_are_reported_and_not_judged() {
         let erfc = &OWN[5];
         for (x, judged) in [(9.08f32, false), (8.0, true)] {
             let off = f32::from_bits(elementary::erfc(x).to_bits() + 60);

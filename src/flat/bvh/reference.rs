@@ -35,7 +35,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn references_decode_to_what_was_encoded() {
+    fn references_decode_to_the_encoded_values() {
         for kind in ShapeKind::EVERY {
             for index in [0, 1, INDEX_MASK] {
                 assert_eq!(decode(encode(kind, index)), (kind, index as usize));

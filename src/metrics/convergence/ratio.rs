@@ -64,7 +64,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_common_to_both_sides_cancels() {
+    fn factors_common_to_both_sides_cancel() {
         // b is always a third of a, at any spread of the replicates.
         let a = [3.0, 30.0, 6.0, 9.0];
         let b = a.map(|e| e / 3.0);
@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_logarithm_has_no_ratio() {
+    fn values_without_a_logarithm_have_no_ratio() {
         let good = [1.0, 2.0];
         assert!(efficiency(&good, &good).is_some());
         for bad in [&[1.0, -1.0][..], &[0.0, 0.0], &[f64::NAN, 1.0], &[1.0]] {

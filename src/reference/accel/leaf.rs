@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_test_hits_is_never_missed_and_most_of_the_rest_is() {
+    fn hits_of_the_test_are_never_missed_and_most_misses_are_spared() {
         let mut state = 3;
         let (mut hits, mut misses, mut spared) = (0, 0, 0);
         for round in 0..50_000 {

@@ -32,7 +32,7 @@ mod tests {
     const RARE: [f32; 9] = [0.0, 1e-40, 1e-30, 1e-12, 5.9e-8, 6e-8, 1.2e-7, 1e-5, 2.4e-4];
 
     #[test]
-    fn what_is_rare_has_the_probability_that_it_is_drawn_with() {
+    fn rare_probabilities_become_those_of_the_draw() {
         for p in RARE {
             let drawn = f64::from(below(p)) * 2f64.powi(-24);
             assert_eq!(f64::from(chance(p)), drawn, "{p:e}");
@@ -45,7 +45,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_rare_stays_and_is_drawn_nearly_so_often() {
+    fn common_probabilities_stay_and_are_drawn_nearly_as_often() {
         for p in [
             0.000_244_140_63f32,
             0.000_244_140_65,

@@ -17,7 +17,7 @@ fn an_unknown_case_is_a_mistake_of_the_command_line() {
 }
 
 #[test]
-fn a_case_is_told_and_reported() {
+fn a_case_is_printed_and_reported() {
     if without_vulkan() {
         return;
     }
@@ -68,7 +68,7 @@ fn a_case_is_told_and_reported() {
 
 /// Before any case runs: no case is reported.
 #[test]
-fn reports_that_cannot_be_written_are_told_before_the_work() {
+fn reports_that_cannot_be_written_are_refused_before_the_work() {
     let folder = folder("");
     let lines = [
         ("--html none/r.html", 5),

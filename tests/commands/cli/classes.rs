@@ -85,7 +85,7 @@ fn classes_are_compared_by_their_patterns() {
 }
 
 #[test]
-fn what_is_no_class_is_refused() {
+fn invalid_classes_are_refused() {
     let folder = folder(SCENE);
     let part = words(
         folder.path(),

@@ -159,7 +159,7 @@ fn other_formats_compare_within_their_steps() {
 }
 
 #[test]
-fn what_cannot_be_compared() {
+fn pictures_that_cannot_be_compared() {
     let folder = folder(&noisy(1, 1.0), &noisy(2, 1.0));
     let path = folder.path();
     let small = Film {

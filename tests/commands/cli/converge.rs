@@ -103,7 +103,7 @@ fn a_curve_goes_to_table_csv_and_json() {
 
 /// A lamp a tenth darker than the reference's: reported outside the table, without an error.
 #[test]
-fn what_does_not_converge_is_a_warning_and_a_field() {
+fn a_curve_that_does_not_converge_is_a_warning_and_a_field() {
     let folder = folder(&LIT.replace("9 8 7", "10 8.9 7.8"));
     let folder = folder.path();
     reference(folder, "brighter.exr");

@@ -6,7 +6,7 @@ use super::denoise::SCENE;
 use super::program::{folder, words};
 
 #[test]
-fn denoised_pictures_are_judged_and_said_to_go_elsewhere() {
+fn denoised_pictures_are_measured_and_their_bias_is_printed() {
     let folder = folder(SCENE);
     let line = "converge scene.scn --connect bsdf --vary denoise=off,nlm --spp 16 --replicates 3 --time 5 --device cpu-f32 --json c.json";
     let run = words(folder.path(), line);

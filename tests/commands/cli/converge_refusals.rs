@@ -46,7 +46,7 @@ fn write_picture(path: &Path, odd: f32) {
 }
 
 #[test]
-fn what_cannot_be_measured_is_a_wrong_command_line() {
+fn settings_that_cannot_be_measured_are_a_wrong_command_line() {
     let folder = folder(LIT);
     let lines = [
         "--replicates 1",

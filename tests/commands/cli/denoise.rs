@@ -182,7 +182,7 @@ fn a_library_that_does_not_work_leaves_the_noisy_picture() {
 }
 
 #[test]
-fn what_cannot_be_denoised_is_refused() {
+fn renderings_that_cannot_be_denoised_are_refused() {
     let folder = folder(SCENE);
     let lines = [
         "scene.scn --spp 3 --denoise",

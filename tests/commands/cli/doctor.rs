@@ -11,7 +11,7 @@ use super::interrupt::send;
 use super::program::{command, finish, folder, names, run, without_vulkan};
 
 #[test]
-fn the_page_begins_with_the_verdict_and_the_record_holds_every_finding() {
+fn the_page_begins_with_the_verdict_and_the_record_has_every_finding() {
     if without_vulkan() {
         return;
     }
@@ -60,7 +60,7 @@ fn the_page_begins_with_the_verdict_and_the_record_holds_every_finding() {
 }
 
 #[test]
-fn what_decides_nothing_is_examined_on_request_alone() {
+fn parts_that_decide_nothing_are_examined_on_request_alone() {
     if without_vulkan() {
         return;
     }

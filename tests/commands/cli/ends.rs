@@ -66,7 +66,7 @@ fn the_samples_asked_for_are_the_most_there_are() {
 }
 
 #[test]
-fn the_report_holds_the_curve_and_the_last_line_its_end() {
+fn the_report_has_the_curve_and_the_last_line_its_end() {
     let folder = folder(SCENE);
     let (run, json) = render(folder.path(), "a", &["--spp", "48"]);
     let errors = json["error"].as_array().expect("a list");

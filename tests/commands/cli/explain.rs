@@ -131,7 +131,7 @@ fn each_of_two_kernels_has_a_file() {
 
 /// radv compiles for an AMD GPU that does not exist, which has no memory and so renders nothing.
 #[test]
-fn the_drivers_statistics_are_told_for_each_kernel() {
+fn the_drivers_statistics_are_printed_for_each_kernel() {
     let Some(radv) = radv() else { return };
     let folder = folder(SCENE);
     let told = |integrator: &str| {
@@ -205,7 +205,7 @@ fn the_full_kernel_is_larger_and_named_as_the_reason() {
 }
 
 #[test]
-fn what_is_wrong_has_its_exit_code() {
+fn each_mistake_has_its_exit_code() {
     let folder = folder("screen 8 6\n");
     let code = |arguments: &[&str]| run(folder.path(), arguments).code;
     assert_eq!(code(&["explain"]), Some(2));

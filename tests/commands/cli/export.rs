@@ -58,7 +58,7 @@ fn meshes_stand_beside_the_scene() {
 }
 
 #[test]
-fn what_has_no_equal_is_told_by_file_and_line_and_leaves_nothing() {
+fn settings_without_an_equal_are_named_by_file_and_line_and_leave_nothing() {
     let folder = folder(&format!(
         "{SCENE}brdf .1 .1 .1 .5 .5 .5 60\nsphere 3 0 0 1\n"
     ));
@@ -160,7 +160,7 @@ fn each_renderer_has_files_of_its_own() {
 }
 
 #[test]
-fn what_another_model_makes_of_a_scene_is_warned_of_and_strict_refuses_it() {
+fn differences_of_models_are_warnings_and_errors_with_strict() {
     let folder = folder(&SCENE.replace("light 1 1 1", "light 3 2 1"));
     let line = "export scene.scn --to pbrt -o -";
     let warned = words(folder.path(), line);

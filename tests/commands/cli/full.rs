@@ -51,7 +51,7 @@ fn cannot_mount() -> bool {
 
 /// Full from the start, and full half-way through the picture.
 #[test]
-fn a_full_disk_keeps_what_it_has() {
+fn a_full_disk_keeps_its_files() {
     if cannot_mount() {
         return;
     }

@@ -15,7 +15,7 @@ fn refused(line: &str) -> String {
 }
 
 #[test]
-fn what_light_paths_cannot_do_is_refused() {
+fn settings_without_light_paths_are_refused() {
     let lines = [
         "scene.scn --integrator light --absorption term",
         "scene.scn --integrator light --model handout",
@@ -27,7 +27,7 @@ fn what_light_paths_cannot_do_is_refused() {
 }
 
 #[test]
-fn what_bidirectional_paths_cannot_do_is_refused() {
+fn settings_without_bidirectional_paths_are_refused() {
     let lines = [
         "scene.scn --integrator bidirectional --absorption term",
         "scene.scn --integrator bidirectional --connect bsdf",
@@ -36,7 +36,7 @@ fn what_bidirectional_paths_cannot_do_is_refused() {
 }
 
 #[test]
-fn what_light_paths_do_not_see_is_warned_of_once() {
+fn parts_that_light_paths_do_not_see_give_one_warning() {
     let lacking = format!("background 1 1 1\n{SCENE}brdf 0 0 0 1 1 1 0\nsphere 3 0 0 1\n");
     for (scene, warnings) in [(SCENE, 0), (&lacking, 1)] {
         for (integrator, warnings) in [("path", 0), ("light", warnings)] {

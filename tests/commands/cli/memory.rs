@@ -16,7 +16,7 @@ const SCENE: &str = "screen 8 6\ncamera 0 0 5 .3\nlight 1 1 1\nmesh blob.ply 0 0
 /// Of 300,000 triangles, flat and smooth, "about" means: less than half as much again, more than two thirds.
 #[cfg(target_os = "linux")]
 #[test]
-fn the_peak_is_about_what_is_said_beforehand() {
+fn the_peak_is_about_the_announced_size() {
     for smooth in [false, true] {
         let folder = folder(SCENE);
         let mesh = Icosphere::new(123, 0.1, 0);
@@ -104,7 +104,7 @@ fn a_picture_that_cannot_fit_is_refused_before_its_first_sample() {
 /// With any amount of memory, it suffices, the scene is refused with its own figure, or the missing memory is reported.
 #[cfg(target_os = "linux")]
 #[test]
-fn a_scene_that_cannot_fit_is_told_by_its_size() {
+fn a_scene_that_cannot_fit_is_refused_with_its_size() {
     let folder = folder(SCENE);
     let mesh = Icosphere::new(123, 0.1, 0);
     fs::write(folder.path().join("blob.ply"), ply::bytes(&mesh, None)).expect("a mesh");

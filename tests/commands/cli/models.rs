@@ -154,7 +154,7 @@ fn parts_of_other_buffers_or_cameras_do_not_join() {
 
 /// Notes are for people, warnings for scripts too.
 #[test]
-fn a_quiet_run_tells_warnings_only() {
+fn a_quiet_run_prints_warnings_only() {
     let mut dim = model();
     let folder = folder(&dim);
     let quiet = "model.glb --size 4x4 --spp 1 --device cpu-f32 --quiet -o a.exr";

@@ -13,7 +13,7 @@ const RENDER: &str = "scene.scn --device cpu-f32 --spp 2 --quiet";
 
 /// Each line leaves only the whole picture in `a`; a device or a link that it wrote to is there as before.
 #[test]
-fn what_is_open_already_is_written_to() {
+fn files_that_are_already_open_are_written_to() {
     let folder = folder(SCENE);
     words(folder.path(), &format!("{RENDER} -o expected.png"));
     let picture = fs::read(folder.path().join("expected.png")).expect("a picture");
@@ -69,7 +69,7 @@ fn stdout_by_another_name_is_still_stdout() {
 }
 
 #[test]
-fn links_stay_and_lead_to_what_is_written() {
+fn links_stay_and_lead_to_the_written_file() {
     let folder = folder(SCENE);
     let path = |name: &str| folder.path().join(name);
     fs::create_dir(path("in")).expect("a folder");

@@ -47,7 +47,7 @@ fn a_table_goes_to_stdout_and_leaves_no_file() {
 }
 
 #[test]
-fn what_cannot_be_compared_is_refused() {
+fn renderings_that_cannot_be_compared_are_refused() {
     let lines = [
         ("compare", 2),
         ("compare --paired none.scn", 3),

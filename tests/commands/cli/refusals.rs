@@ -69,7 +69,7 @@ fn a_wrong_command_line_is_2() {
 
 /// The flag says what it takes, also of a number that begins with a minus.
 #[test]
-fn a_wrong_number_is_told_by_its_flag() {
+fn a_wrong_number_is_refused_with_its_flag() {
     let lines = [
         "scene.scn --spp 1e3",
         "scene.scn --spp -1",
@@ -150,7 +150,7 @@ fn no_such_device_is_4() {
 }
 
 #[test]
-fn no_vulkan_is_4_and_says_what_to_do() {
+fn no_vulkan_is_4_with_advice() {
     let folder = folder(SCENE);
     for arguments in [&["scene.scn", "--device", "0"][..], &["devices"][..]] {
         let output = blind(folder.path(), arguments);
@@ -189,7 +189,7 @@ fn blind(folder: &Path, arguments: &[&str]) -> Output {
 }
 
 #[test]
-fn what_cannot_be_written_is_5() {
+fn a_file_that_cannot_be_written_is_5() {
     let messages = [
         refused(SCENE, &["scene.scn", "-o", "none/a.png"], 5),
         refused(SCENE, &["scene.scn", "--json", "none/a.json"], 5),
@@ -218,7 +218,7 @@ fn standard_errors_that_cannot_be_written_are_5() {
 
 /// A file that is no scene: the first errors are shown, the rest counted.
 #[test]
-fn of_many_errors_the_first_are_told() {
+fn the_first_of_many_errors_are_printed() {
     let lines: String = (0..3000).map(|i| format!("v {i} 0 0\n")).collect();
     let folder = folder(&lines);
     let run = run(folder.path(), &["scene.scn"]);

@@ -103,7 +103,7 @@ fn the_default_is_two_pictures_named_like_the_scene() {
 }
 
 #[test]
-fn an_hdr_holds_the_crop_alone() {
+fn an_hdr_has_the_crop_alone() {
     let folder = folder(LIT);
     let outputs = ["-o", "a.hdr", "-o", "a.exr", "--crop", "1,1,6,5"];
     rendered(folder.path(), &outputs);
@@ -199,7 +199,7 @@ const LOTTERY: &str = "screen 12 9\ncamera 0 -6 3 .35 x 65\nlight 900 800 700\ns
 
 /// The last line and the JSON report the same pixels, and the JSON the sample, whose path `--trace` prints.
 #[test]
-fn a_lottery_is_told_with_its_pixel_and_its_sample() {
+fn the_largest_sample_is_printed_with_its_pixel() {
     let folder = folder(LOTTERY);
     let out = rendered(
         folder.path(),

@@ -197,7 +197,7 @@ fn it_goes_on_to_other_ends() {
 }
 
 #[test]
-fn another_rendering_is_not_gone_on_from() {
+fn parts_of_another_rendering_are_not_resumed() {
     let folder = folder(SCENE);
     let path = folder.path();
     let first = words(path, &format!("{COMMON} --spp 300 -o a.vkpt"));
@@ -227,7 +227,7 @@ fn another_rendering_is_not_gone_on_from() {
 
 /// A user who forgets `--resume` gets a message before the samples are overwritten.
 #[test]
-fn a_part_that_could_be_gone_on_from_is_pointed_out() {
+fn a_part_that_could_be_resumed_is_pointed_out() {
     let folder = folder(SCENE);
     let path = folder.path();
     let part = words(path, &format!("{COMMON} --spp 300 -o a.vkpt"));

@@ -244,7 +244,7 @@ fn errors_in_a_scene_from_stdin_name_it_and_the_line() {
 }
 
 #[test]
-fn what_stdout_cannot_take_is_refused_before_the_work() {
+fn outputs_that_stdout_cannot_take_are_refused_before_the_work() {
     let folder = folder(SCENE);
     let lines = [
         "scene.scn -o -",

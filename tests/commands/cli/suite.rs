@@ -142,7 +142,7 @@ fn a_picture_that_differs_is_shown() {
 
 /// One bad scene leaves the others, and a picture whose scene is gone is no test that passes.
 #[test]
-fn what_cannot_be_tried_is_a_failure() {
+fn scenes_and_pictures_that_cannot_be_compared_are_failures() {
     let folder = two();
     let at = folder.path();
     assert_eq!(words(at, "test p --spp 2 --bless").code, Some(0));

@@ -10,7 +10,7 @@ const RENDER: &str = "scene.scn --device cpu-f32 --spp 2 --quiet";
 
 /// Noticed before the first of 2³² samples, also for default names: no file can be made in /proc.
 #[test]
-fn a_folder_that_takes_no_files_is_told_before_the_work() {
+fn a_folder_that_takes_no_files_is_an_error_before_the_work() {
     let folder = folder(SCENE);
     let scene = folder.path().join("scene.scn");
     let scene = scene.to_str().expect("a name");
@@ -62,7 +62,7 @@ fn a_file_that_may_not_be_written_is_not_replaced() {
 }
 
 #[test]
-fn names_that_no_file_can_have_are_told_before_the_work() {
+fn names_that_no_file_can_have_are_errors_before_the_work() {
     let folder = folder(SCENE);
     let (most, more) = ("n".repeat(251) + ".exr", "n".repeat(252) + ".exr");
     let endless = RENDER.replace("--spp 2", "--spp 4294967295");

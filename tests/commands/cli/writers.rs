@@ -72,7 +72,7 @@ fn the_later_writer_of_a_picture_is_refused() {
 
 /// Each with one of its outputs claimed.
 #[test]
-fn every_command_claims_what_it_writes() {
+fn every_command_claims_its_outputs() {
     let folder = folder(MESHED);
     let path = folder.path();
     fs::write(path.join("m.ply"), MESH).expect("a mesh");

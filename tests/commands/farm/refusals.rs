@@ -54,7 +54,7 @@ fn scripts_are_written_again_until_parts_are_there() {
 }
 
 #[test]
-fn what_cannot_be_rendered_leaves_no_folder() {
+fn scenes_that_cannot_be_rendered_leave_no_folder() {
     let folder = folder(SCENE);
     for (name, text) in [
         ("wrong.txt", "sphere 0"),

@@ -28,7 +28,7 @@ const RENDER: &str =
     "$VKPT scene.scn --device cpu-f32 --quiet -o a.exr --json a.json --checkpoint off --spp";
 
 #[test]
-fn what_ends_as_it_should_passes() {
+fn expected_ends_pass() {
     let sound = finish(shell(&format!("{RENDER} 64")));
     assert_eq!(sound.code, Some(0), "{}", sound.err);
     for line in [
@@ -41,7 +41,7 @@ fn what_ends_as_it_should_passes() {
 }
 
 #[test]
-fn what_goes_wrong_is_found() {
+fn wrong_ends_are_found() {
     let sound = finish(shell(&format!("{RENDER} 64")));
     let lost = "echo 'error: the device was lost' >&2";
     for (line, why) in [

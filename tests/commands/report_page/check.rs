@@ -78,7 +78,7 @@ fn a_row_opens_by_its_name() {
 }
 
 #[test]
-fn what_fails_is_one_link_away() {
+fn failures_are_one_link_away() {
     let Some((mut browser, _folder)) = opened() else {
         return;
     };
@@ -142,7 +142,7 @@ fn a_phone_scrolls_one_way() {
 }
 
 #[test]
-fn paper_has_what_is_open() {
+fn paper_has_the_open_details() {
     let Some((mut browser, _folder)) = opened() else {
         return;
     };

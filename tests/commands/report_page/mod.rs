@@ -99,7 +99,7 @@ const TIP: &str =
     "(() => { const t = document.querySelector('.tip'); return t.hidden ? '' : t.innerText; })()";
 
 #[test]
-fn a_point_tells_its_figures() {
+fn a_point_shows_its_figures() {
     let Some((mut browser, report)) = opened() else {
         return;
     };

@@ -100,7 +100,7 @@ fn all_of_it_lies_in_one_folder() {
 
 /// By a program that renders `b.txt` and examines devices without success.
 #[test]
-fn what_fails_is_named_and_loses_nothing_else() {
+fn failures_are_named_and_lose_nothing_else() {
     let folder = folder("");
     let fake = r#"
 case "$*" in

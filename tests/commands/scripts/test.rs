@@ -84,7 +84,7 @@ fn without_the_flag_a_driver_is_installed_and_then_there_is_a_device() {
 }
 
 #[test]
-fn no_install_installs_nothing_and_says_what_is_missing() {
+fn no_install_installs_nothing_and_names_missing_packages() {
     let without = |missing: &str| {
         let there: Vec<_> = LINKED
             .into_iter()

@@ -41,7 +41,7 @@ fn names_are_unique_and_groups_stand_together() {
 
 /// Each has a scene that is read and prepared, and each is compared with something other than f64.
 #[test]
-fn every_case_can_be_rendered_and_knows_what_to_expect() {
+fn every_case_can_be_rendered_and_has_an_expectation() {
     for case in battery() {
         let (scene, warnings) = case
             .scene()
@@ -66,7 +66,7 @@ fn every_case_can_be_rendered_and_knows_what_to_expect() {
 
 /// One of each group, without a planted fault.
 #[test]
-fn what_is_sound_passes() {
+fn sound_kernels_pass() {
     let names = [
         "alpha/ggx/.3",
         "furnace/rough-sphere/2^17",

@@ -78,7 +78,7 @@ fn every_case_is_there_with_its_bounds_and_pictures() {
 
 /// Without pictures too, as where there are none.
 #[test]
-fn what_fails_is_told_first_and_stands_open() {
+fn failures_come_first_and_are_open() {
     for page in [both(), written(&run(), &[])] {
         let (findings, groups) = page.split_once("<section id=\"group-").expect("groups");
         assert!(findings.contains("Failures"));

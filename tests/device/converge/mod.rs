@@ -47,7 +47,7 @@ fn check_pictures(engine: &Engine, render: impl Fn(&Job) -> vkpt::film::Film) {
 }
 
 #[test]
-fn replicates_are_what_renderings_make() {
+fn replicates_equal_renderings() {
     check_pictures(&Engine::CpuF32, |job| outcome(job, &Target::CpuF32).film);
     let Some(device) = common::device() else {
         return;

@@ -56,7 +56,7 @@ fn told(job: &Job, engine: &Engine, reference: &Reference) -> (VariantRecord, St
 }
 
 #[test]
-fn one_cosine_too_many_flattens_the_curve_and_is_said_not_to_converge() {
+fn one_cosine_too_many_flattens_the_curve_which_is_reported() {
     let Some(device) = device() else { return };
     let limits = DispatchLimits::of(device).expect("a probe");
     let engine = Engine::Vulkan(device.clone(), limits);

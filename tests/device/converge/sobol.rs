@@ -39,7 +39,7 @@ fn estimate(values: &[f64]) -> (f64, f64) {
 }
 
 #[test]
-fn halves_and_replicates_tell_the_error_and_the_spread_of_samples_does_not() {
+fn halves_and_replicates_estimate_the_error_and_the_spread_does_not() {
     let mut settings = Settings::default();
     settings.estimator.sampler = Sampler::Sobol;
     let scene = prepared(LIT, &settings);

@@ -13,7 +13,7 @@ use crate::common::scenes::scene_files;
 use crate::common::settings::{estimators, models};
 
 #[test]
-fn the_full_kernel_holds_what_any_scene_needs() {
+fn the_full_kernel_has_the_parts_of_every_scene() {
     let settings = Settings::default();
     let full = Features::full(&settings, &[]);
     assert_eq!(full.members(), Member::all(&settings));
@@ -44,7 +44,7 @@ fn a_member_is_there_once_it_is_put_in_and_gone_once_it_is_taken_out() {
 }
 
 #[test]
-fn what_a_member_cannot_do_without_comes_and_goes_with_it() {
+fn members_come_and_go_with_those_that_they_need() {
     let full = Features::full(&Settings::default(), &[]);
     let (mesh, light) = (
         Member::Shape(ShapeKind::Mesh),

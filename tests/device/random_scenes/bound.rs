@@ -107,7 +107,7 @@ mod tests {
     /// The quadrature by closed forms: 1 for GGX, and for Beckmann (1 + erf a)/2 + exp(−a²)/(2a√π), a = 1/(α tan θ), against the
     /// rational G1 (Walter et al. 2007, eq. 26: its reciprocal).
     #[test]
-    fn what_facets_return_is_known_of_ggx_and_beckmann() {
+    fn the_albedo_of_facets_is_known_of_ggx_and_beckmann() {
         for (width, z) in WIDTHS.into_iter().flat_map(|w| COSINES.map(|z| (w, z))) {
             let ggx = facets(Distribution::Ggx, width, z);
             assert!(
@@ -129,7 +129,7 @@ mod tests {
 
     /// α_p = 0, D = 1/π: the integral is (1 + cos θ)/2, and 3.535/2 its value at the horizon.
     #[test]
-    fn what_facets_return_is_known_of_phong() {
+    fn the_albedo_of_facets_is_known_of_phong() {
         for z in COSINES {
             let expected = g1(Distribution::Phong, 1.0, z) * 0.5 * (1.0 + z) / z;
             let phong = facets(Distribution::Phong, 1.0, z);

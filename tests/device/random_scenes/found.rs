@@ -26,7 +26,7 @@ fn radiance_out_of_the_densest_glass_is_finite() {
 
 /// All but a thousandth is reflected, as far as f32 resolves: (1 − F)/(1 − F̄) was 1.00007, F̄ being F but for a rounding.
 #[test]
-fn what_grey_glass_lets_through_next_to_total_reflection_weighs_1() {
+fn transmission_of_grey_glass_near_total_reflection_weighs_1() {
     let mut settings = Settings::default();
     settings.model.radiance_scaling = false;
     settings.estimator.connect = Connect::Bsdf;

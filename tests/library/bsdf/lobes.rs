@@ -109,7 +109,7 @@ fn is_smooth(case: &Case) -> bool {
 }
 
 #[test]
-fn what_has_a_density_fits_it() {
+fn samples_of_lobes_fit_their_density() {
     let mut cases = cases();
     cases.retain(|c| c.m.kd != DVec3::ZERO || !is_smooth(c));
     let least = sidak(LEVEL, 2 * cases.len());

@@ -20,7 +20,7 @@ fn red(pixels: &[[f32; 3]]) -> Vec<f64> {
 /// A ball of radius r whose centre is d away, at the angle θ from the normal, and which is above the horizon: irradiance
 /// π L (r/d)² cos θ, radiance Kd L (r/d)² cos θ by one bounce.
 #[test]
-fn the_diffuse_part_of_a_floor_is_known_whatever_else_it_reflects() {
+fn the_diffuse_part_of_a_floor_is_known_beside_any_other_lobe() {
     let scene = |brdf| {
         format!(
             "screen 32 24\ncamera 0 0 6 1e-5\nlight 8 8 8\nsphere 2 0 4 .5\nbrdf {brdf}\nbox -50 -50 -1 100 100 1\n"

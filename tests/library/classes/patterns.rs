@@ -67,7 +67,7 @@ fn a_pattern_has_the_paths_whose_whole_strings_match() {
 
 /// The message names the error, and what is allowed.
 #[test]
-fn what_is_no_pattern_is_refused() {
+fn invalid_patterns_are_refused() {
     let long = format!("E{}L", "D".repeat(200));
     for (pattern, why) in [
         ("", "no path matches it"),

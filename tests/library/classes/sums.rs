@@ -128,7 +128,7 @@ fn classes_depend_neither_on_the_crop_nor_on_one_another() {
 
 /// Radiance above 2⁹⁶ breaks the samples that see it: the film counts them as 0, and so does every class.
 #[test]
-fn what_the_film_drops_is_dropped_from_every_class() {
+fn samples_that_the_film_drops_are_dropped_from_every_class() {
     let scene = SCENE.replace("light 2 3 4", "light 2 1e30 4");
     for integrator in INTEGRATORS {
         let settings = settings(integrator, Some(DEPTH));

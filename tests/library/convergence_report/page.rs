@@ -66,7 +66,7 @@ fn words_are_no_markup() {
 }
 
 #[test]
-fn it_tells_all_that_the_record_has() {
+fn the_page_shows_all_of_the_record() {
     let (a, b) = (curve(&STEPS), curve(&STEPS.map(|(s, e)| (s, 3.0 * e))));
     let mut record = experiment("a b.scn", &[("connect=mis", &a), ("connect=bsdf", &b)]);
     record.models_differ = true;

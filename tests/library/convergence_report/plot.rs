@@ -111,7 +111,7 @@ fn points_lie_where_the_ticks_say() {
 }
 
 #[test]
-fn what_falls_by_the_root_of_time_is_parallel_to_the_guides() {
+fn errors_that_fall_by_the_root_of_time_are_parallel_to_the_guides() {
     let of = |power: f64| {
         let steps: Vec<_> = independent()
             .iter()
@@ -161,7 +161,7 @@ fn bars_end_where_the_intervals_do() {
 }
 
 #[test]
-fn what_says_nothing_is_hollow_and_what_has_no_logarithm_is_left_out() {
+fn inconclusive_points_are_hollow_and_those_without_a_logarithm_left_out() {
     let filled = |steps: &[(f64, f64)]| {
         let record = experiment("a.scn", &[("", &curve(steps))]);
         let text = svg(&record);

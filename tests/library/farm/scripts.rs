@@ -102,7 +102,7 @@ fn options_are_quoted_as_sbatch_reads_them() {
 }
 
 #[test]
-fn what_is_not_asked_for_is_not_in_the_scripts() {
+fn the_scripts_have_only_the_requested_flags() {
     let [plain, rounds] = [farm(), in_rounds()].map(|farm| slurm(&farm));
     for (name, word) in [
         ("merge.sbatch", "submit.sh\n"),

@@ -42,7 +42,7 @@ fn with_header(first: &str, lines: &str) -> Vec<u8> {
 }
 
 #[test]
-fn what_a_header_says_of_radiance_is_undone() {
+fn the_exposure_of_a_header_is_undone() {
     let plain = picture("narrow.hdr").film;
     let decoded = |first, lines| decode(&with_header(first, lines)).expect("a picture").film;
     // Radiance itself writes commands without a `=`, and two exposures multiply.

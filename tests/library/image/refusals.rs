@@ -26,14 +26,14 @@ fn of_bytes(bytes: &[u8]) -> String {
 
 /// A message's quotation from a file is escaped before it reaches a terminal.
 #[test]
-fn a_message_holds_no_control_characters() {
+fn a_message_has_no_control_characters() {
     let hdr = b"#?RADIANCE\nFORMAT=32-bit_\x1b[2J\n\n-Y 1 +X 1\n";
     let told = of_bytes(hdr);
     assert!(told.contains("32-bit_\u{fffd}[2J"), "{told:?}");
 }
 
 #[test]
-fn what_is_no_picture() {
+fn files_that_are_no_pictures() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = |name| folder.path().join(name);
     fs::write(path("empty.exr"), "").expect("written");

@@ -70,7 +70,7 @@ fn an_hdr_keeps_every_pixel_of_the_format() {
 }
 
 #[test]
-fn an_hdr_clamps_what_it_cannot_hold() {
+fn an_hdr_clamps_values_beyond_its_range() {
     let film = Film {
         width: 3,
         height: 1,
@@ -99,7 +99,7 @@ fn a_png_comes_back_as_its_codes() {
 }
 
 #[test]
-fn a_file_is_told_by_its_bytes() {
+fn the_format_of_a_file_is_that_of_its_bytes() {
     let folder = tempfile::tempdir().expect("a folder");
     for format in [Format::Png, Format::Hdr, Format::Exr] {
         let bytes = encoded(&film(), format, 0.0);

@@ -66,7 +66,7 @@ fn an_exr_has_the_same_bytes_each_time() {
 }
 
 #[test]
-fn a_png_holds_srgb_codes() {
+fn a_png_has_srgb_codes() {
     // Radiance and its code. Each code was worked out by hand from IEC 61966-2-1:
     // 0.002 × 12.92 × 255 = 6.59; (1.055 × 0.18^(1/2.4) − 0.055) × 255 = 117.65; 0.5: 187.52; 1/3: 156.19.
     let codes = [

@@ -87,7 +87,7 @@ fn edge(lens: &str) -> String {
 }
 
 #[test]
-fn what_is_in_focus_is_the_pinholes_picture() {
+fn objects_in_focus_equal_the_pinholes_picture() {
     let [pinhole, lens] = ["", "lens .5 3"]
         .map(|lens| film(&edge(lens), Settings::default(), 64, 1, &Target::CpuF32));
     assert_eq!(pinhole, lens);

@@ -18,7 +18,7 @@ fn warnings(lens: &str, shape: &str) -> Vec<String> {
 }
 
 #[test]
-fn a_lens_that_reaches_through_a_surface_is_warned_of() {
+fn a_lens_that_reaches_through_a_surface_gives_a_warning() {
     let crossing = [
         // The eye outside and the edge inside, the other way round, a ball within the disc, a floor below the eye.
         format!("{GLASS}\nsphere .8 0 0 .5"),
@@ -50,7 +50,7 @@ fn a_lens_that_reaches_through_a_surface_is_warned_of() {
 
 /// 2⁻²³ (R/F)² of a pixel's .4/30: a pixel at R/F = 334.
 #[test]
-fn a_lens_whose_rays_miss_what_is_sharp_is_warned_of() {
+fn a_lens_too_wide_for_its_focal_distance_gives_a_warning() {
     for (lens, wide) in [
         ("1200 4", false),
         ("1e-3 3.3e-6", false),

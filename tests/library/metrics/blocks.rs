@@ -84,7 +84,7 @@ fn without_errors_pictures_are_equal_within_rounding() {
 }
 
 #[test]
-fn what_it_refuses() {
+fn invalid_pictures_are_refused() {
     let good = constant(30, 30, [1.0; 3]);
     let small = constant(29, 30, [1.0; 3]);
     let mut negative = good.clone();

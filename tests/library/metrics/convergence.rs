@@ -86,7 +86,7 @@ fn check_coverage(name: &str, truth: f64, mut experiment: impl FnMut() -> Interv
 }
 
 #[test]
-fn intervals_hold_the_mse_the_slope_and_the_ratio_95_times_in_100() {
+fn intervals_contain_mse_slope_and_ratio_95_times_in_100() {
     let (truth, mut random) = (truth(), Random(3));
     let exact = Reference::picture(truth.clone(), None).expect("a reference");
     let mse = |random: &mut Random, spp| {

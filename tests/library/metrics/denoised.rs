@@ -55,7 +55,7 @@ fn p_of_held(held: u64) -> f64 {
 }
 
 #[test]
-fn the_estimate_is_unbiased_and_the_bound_holds_the_error() {
+fn the_estimate_is_unbiased_and_the_bound_covers_the_error() {
     let (truth, spread) = (truth(), constant(64, 48, [0.3, 0.2, 0.5]));
     let (errors, held) = trials(|random| {
         let [a, b] = [(); 2].map(|()| random.noisy(&truth, &spread));

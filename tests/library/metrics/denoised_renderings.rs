@@ -133,7 +133,7 @@ fn is_as_said(trials: &Trials) {
 }
 
 #[test]
-fn bounds_hold_the_errors_of_renderings() {
+fn bounds_cover_the_errors_of_renderings() {
     let trials = Trials {
         integrator: Integrator::Path,
         size: [40, 32],
@@ -147,7 +147,7 @@ fn bounds_hold_the_errors_of_renderings() {
 
 #[test]
 #[ignore = "two minutes: 800 renderings"]
-fn bounds_hold_the_errors_of_many_renderings() {
+fn bounds_cover_the_errors_of_many_renderings() {
     for integrator in [Integrator::Path, Integrator::Bidirectional] {
         is_as_said(&Trials {
             integrator,

@@ -44,7 +44,7 @@ fn a_firefly_counts_with_the_weight_of_its_neighbours() {
 
 /// Fireflies of 4, 3, 2 and 1 parts of the error, each alone among its neighbours: the first two make more than half.
 #[test]
-fn few_pixels_that_make_the_error_are_told() {
+fn few_pixels_that_make_the_error_are_named() {
     let parts = [
         ([2, 2], 2.0f32),
         ([12, 2], 4.0),
@@ -93,7 +93,7 @@ fn pictures_of_any_size_are_taken() {
 }
 
 #[test]
-fn what_is_no_picture_is_refused() {
+fn invalid_pictures_are_refused() {
     let good = constant(3, 2, [1.0; 3]);
     for (mean, half, said) in [
         (
@@ -271,12 +271,12 @@ fn check(pictures: u64) {
 }
 
 #[test]
-fn intervals_hold_the_truth_as_often_as_they_say() {
+fn intervals_contain_the_truth_as_often_as_they_claim() {
     check(120);
 }
 
 #[test]
 #[ignore = "half a minute"]
-fn intervals_hold_the_truth_in_thousands_of_pictures() {
+fn intervals_contain_the_truth_in_thousands_of_pictures() {
     check(4000);
 }

@@ -21,7 +21,7 @@ fn scene() -> [Film; 2] {
 }
 
 #[test]
-fn it_sees_what_it_should() {
+fn planted_differences_are_found() {
     let [mean, stderr] = scene();
     let mut random = Random(1);
     let reference = random.noisy(&mean, &stderr);

@@ -110,7 +110,7 @@ fn lights_are_drawn_as_often_as_their_probabilities_say() {
 
 /// Within reach is a ball of which some part is above the horizon of p; out of reach is one that is all below.
 #[test]
-fn what_can_shine_is_within_reach_and_what_is_below_the_horizon_is_not() {
+fn lights_that_can_shine_are_within_reach_and_those_below_the_horizon_not() {
     let scene = scene();
     let world = World::<f32>::new(&scene);
     let (mut seen, mut hidden) = (0, 0);

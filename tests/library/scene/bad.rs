@@ -115,7 +115,7 @@ const ONE: &[(&str, &[Row])] = &[
 ];
 
 #[test]
-fn each_mistake_is_told_once_and_in_its_place() {
+fn each_mistake_is_printed_once_and_in_its_place() {
     for (topic, rows) in ONE {
         let mut drawn = String::new();
         for (line, severity, column) in *rows {
@@ -161,7 +161,7 @@ fn views_are_checked_too() {
 }
 
 #[test]
-fn all_mistakes_of_a_line_and_of_a_file_are_told_at_once() {
+fn all_mistakes_of_a_line_and_of_a_file_are_printed_at_once() {
     let lines = "brdf -1 0 0 0 x 0 1 2 0 0 0\nsphere 0 0 0 1\nmesh none.ply x 0 0 0";
     assert_snapshot!(draw(&all_of(read_lines(lines))));
 }

@@ -165,7 +165,7 @@ fn without_transmission_the_ior_is_not_read() {
 }
 
 #[test]
-fn commands_of_other_programs_say_what_the_picture_lacks() {
+fn commands_of_other_programs_name_the_effect_of_their_absence() {
     let rows = [
         (
             "skydome sky.hdr 2",

@@ -9,7 +9,7 @@ use super::gltf::plain;
 const ENDINGS: [&str; 4] = ["ply", "obj", "gltf", "glb"];
 
 #[test]
-fn files_of_other_kinds_are_told_by_name() {
+fn files_of_other_kinds_are_named() {
     let page = "it is a web page: download the file itself";
     let rows: [(&[u8], &str); 8] = [
         (b"", "it is empty"),

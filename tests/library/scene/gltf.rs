@@ -235,7 +235,7 @@ fn a_position_that_is_not_finite_matters_where_a_triangle_uses_it() {
 
 /// A warning comes with the line of the scene file.
 #[test]
-fn what_is_not_done_is_warned_of() {
+fn unsupported_features_give_warnings() {
     let (mut document, bin) = plain();
     primitives(&mut document)[0]["targets"] = json!([{"POSITION": 2}]);
     let mesh = read(&document, &bin).expect("a mesh");

@@ -155,7 +155,7 @@ const FAULTS: [(&str, &str, &str); 37] = [
 ];
 
 #[test]
-fn what_is_wrong_is_said() {
+fn mistakes_are_named() {
     let mut buffer = square();
     buffer.vectors(F32, &CORNERS[..3]);
     let document = one(

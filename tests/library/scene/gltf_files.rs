@@ -39,7 +39,7 @@ fn json_may_be_padded_and_begin_with_a_byte_order_mark() {
 }
 
 #[test]
-fn the_bytes_tell_json_from_glb_and_not_the_ending() {
+fn the_bytes_distinguish_json_from_glb_and_not_the_ending() {
     let (document, bin) = plain();
     let expected = read(&document, &bin).expect("a mesh");
     let json = alone().to_string().into_bytes();
@@ -184,7 +184,7 @@ fn other_versions_are_refused_by_name() {
 }
 
 #[test]
-fn extensions_that_change_what_is_read_must_be_known() {
+fn extensions_that_change_the_meaning_must_be_known() {
     let (mut document, bin) = plain();
     let harmless = [
         "KHR_mesh_quantization",

@@ -133,7 +133,7 @@ fn a_scene_without_triangles_gives_way_to_one_that_has_some() {
 
 /// None of this is inspected, so it may have any form.
 #[test]
-fn what_is_not_read_may_be_as_it_likes() {
+fn unused_nodes_may_be_invalid() {
     let (mut document, bin) = plain();
     let expected = read(&document, &bin).expect("a mesh");
     document["animations"] = json!([{"channels": [{"sampler": 0, "target": {"path": "pointer"}}]}]);
@@ -248,7 +248,7 @@ fn a_scale_of_zero_flattens() {
 }
 
 #[test]
-fn what_is_scaled_to_nothing_is_left_out() {
+fn meshes_scaled_to_nothing_are_left_out() {
     let (mut document, bin) = plain();
     document["scenes"][0]["nodes"] = json!([0, 2, 3]);
     document["nodes"] = json!([

@@ -251,7 +251,7 @@ const FAULTS: [(&str, &str, &str); 13] = [
 ];
 
 #[test]
-fn what_is_wrong_with_a_skin_is_said() {
+fn mistakes_of_a_skin_are_named() {
     let joints = [[0., 9., 9., 9.], [1., 0., 0., 0.], [0.; 4]];
     let mut skinned = Skinned::new(&joints, &FIRST);
     let buffer = &mut skinned.buffer;

@@ -169,7 +169,7 @@ fn eleven_numbers_transmit_and_alpha_may_be_zero() {
 }
 
 #[test]
-fn words_hold_for_the_materials_that_follow() {
+fn words_apply_to_the_materials_that_follow() {
     let lines = "brdf 0 0 0 1 1 1 1\nsphere 0 0 0 1\ndistribution beckmann\nsphere 0 0 0 1\n\
                  brdf 0 0 0 1 1 1 1\nsphere 0 0 0 1\ndistribution ggx\nfresnel exact\n\
                  brdf 0 0 0 1 1 1 1\nsphere 0 0 0 1\ndistribution phong\nfresnel schlick\n\

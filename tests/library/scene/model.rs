@@ -113,7 +113,7 @@ fn glass_of_a_thickness_absorbs_and_refracts() {
 }
 
 #[test]
-fn thin_walls_and_parts_of_transmission_are_told() {
+fn thin_walls_and_partial_transmission_give_warnings() {
     let mut thin = glass([1.0; 3], 1.0);
     thin["extensions"]["KHR_materials_volume"]["thicknessFactor"] = json!(0);
     let (brdf, warnings) = brdf(thin);
@@ -166,7 +166,7 @@ fn a_base_colour_does_not_tint_glass() {
 }
 
 #[test]
-fn what_emits_is_a_light() {
+fn emissive_meshes_are_lights() {
     let mut shining = matte([0.0; 3]);
     shining["emissiveFactor"] = json!([1, 0.5, 0.25]);
     shining["extensions"]["KHR_materials_emissive_strength"] = json!({"emissiveStrength": 8});
@@ -227,7 +227,7 @@ fn point_lights_are_balls_of_their_power() {
 }
 
 #[test]
-fn other_lights_are_told_by_name() {
+fn other_lights_are_named() {
     let mut model = block(matte([0.5; 3]));
     model.light(
         [0.0; 3],
@@ -285,7 +285,7 @@ fn a_primitive_of_a_node_is_a_shape() {
 }
 
 #[test]
-fn what_is_not_read_is_told_once_by_name() {
+fn unsupported_properties_are_named_once() {
     let mut material = matte([0.5; 3]);
     for texture in ["normalTexture", "occlusionTexture", "emissiveTexture"] {
         material[texture] = json!({"index": 0});

@@ -78,7 +78,7 @@ fn a_share_above_1_counts_as_1() {
 }
 
 #[test]
-fn all_that_is_wrong_is_told_in_one_go() {
+fn all_mistakes_are_printed_at_once() {
     let mut model = block(json!({"emissiveFactor": [-1, 0, 0]}));
     model.document["cameras"][0]["perspective"]["yfov"] = json!(7);
     model.cuboid(
@@ -97,7 +97,7 @@ fn all_that_is_wrong_is_told_in_one_go() {
 }
 
 #[test]
-fn what_is_not_there_is_told() {
+fn missing_materials_lights_and_triangles_are_named() {
     let mut model = block(lamp(1.0));
     model.document["meshes"][0]["primitives"][0]["material"] = json!(9);
     assert_eq!(errors(&model), ["m.glb: material 9: it does not exist"]);

@@ -70,7 +70,7 @@ fn transmitted() -> [f64; 3] {
 }
 
 #[test]
-fn a_slab_transmits_what_the_table_says() {
+fn a_slab_transmits_as_much_as_in_the_table() {
     for thickness in [1.0, 0.25] {
         let seen = channels(&slab(thickness, thickness), 256);
         for (channel, t) in seen.iter().zip(transmitted()) {
@@ -91,7 +91,7 @@ fn another_distance_is_noticed() {
 
 /// Of a unit of the file a thousandth is absorbed as by its own distances: Kt per unit would be .1^1000, which f64 lacks.
 #[test]
-fn what_absorbs_within_a_thousandth_of_a_unit_is_no_wall() {
+fn media_that_absorb_within_a_thousandth_of_a_unit_are_rendered() {
     let mut model = Model::seen_from([0.0, 0.0, 0.01], 1e-5);
     let thickness = 5e-4;
     model.cuboid(

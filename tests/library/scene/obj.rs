@@ -98,7 +98,7 @@ fn a_face_has_normals_if_all_its_corners_do() {
 }
 
 #[test]
-fn what_is_wrong_is_said_with_its_line() {
+fn mistakes_are_named_with_their_line() {
     let rows = [
         (
             "f 1 2 5",
@@ -197,7 +197,7 @@ fn what_is_wrong_is_said_with_its_line() {
 
 /// Lines are read from above; the targets of the faces are looked up at the end, the highest first.
 #[test]
-fn of_several_faults_the_first_is_told() {
+fn the_first_of_several_mistakes_is_named() {
     let rows = [
         (
             "f 1/x 2 0",

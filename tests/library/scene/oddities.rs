@@ -393,7 +393,7 @@ fn statements_that_are_left_out() {
 }
 
 #[test]
-fn of_a_file_that_contradicts_itself_the_culprit_is_told() {
+fn a_file_that_contradicts_itself_has_its_culprit_named() {
     let rows = [
         (
             PLY.replace("2 2 0", "2 2 0 7"),

@@ -20,7 +20,7 @@ fn scenes() -> Vec<(PathBuf, Scene)> {
 }
 
 #[test]
-fn there_are_eight_at_least_small_ones_and_each_says_what_it_shows() {
+fn there_are_eight_or_more_small_ones_that_describe_themselves() {
     let scenes = scenes();
     assert!(scenes.len() >= 8);
     for (path, scene) in scenes {

@@ -162,7 +162,7 @@ fn triangle(x: f32, corners: [i32; 3]) -> Vec<Vec<Scalar>> {
 }
 
 #[test]
-fn what_is_wrong_is_said() {
+fn mistakes_are_named() {
     let rows = triangle(0.0, [0, 1, 2]);
     for encoding in ENCODINGS {
         let message = |header: &str, rows: &[Vec<Scalar>]| match read(&file(encoding, header, rows))

@@ -149,7 +149,7 @@ fn names_are_read_as_meshes_are() {
 }
 
 #[test]
-fn what_is_odd_about_a_picture_is_said() {
+fn oddities_of_a_picture_give_warnings() {
     let folder = folder();
     for (line, told) in [
         ("background square.exr", "it is 2×2"),
@@ -165,7 +165,7 @@ fn what_is_odd_about_a_picture_is_said() {
 }
 
 #[test]
-fn what_is_no_picture_of_radiances_is_refused() {
+fn files_that_are_no_pictures_of_radiances_are_refused() {
     let folder = folder();
     for (line, told) in [
         ("background gone.exr", "no such file"),

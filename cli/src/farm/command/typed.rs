@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_typed_comes_back_and_no_more() {
+    fn only_typed_flags_come_back() {
         let command = Typed::<Group>::augment_args(Command::new("test")).mut_args(negative);
         let typed = |words: &[&str]| {
             let matches = command.clone().try_get_matches_from(words)?;

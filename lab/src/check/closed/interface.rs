@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_smooth_loses_nothing_and_fresnel_is_known_at_0() {
+    fn smooth_interfaces_lose_nothing_and_fresnel_is_known_at_0() {
         for distribution in Distribution::EVERY {
             assert!((mirror(distribution, 1e-4) - 1.0).abs() < 1e-6);
             assert!((dielectric(distribution, 1e-4, 1.0, 1.5) - 1.0).abs() < 1e-6);

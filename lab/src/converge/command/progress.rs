@@ -37,7 +37,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_experiment_tells_which_replicate_and_what_is_spent() {
+    fn an_experiment_reports_its_replicate_and_the_time_spent() {
         let at = |part| {
             words(&Progress {
                 part,

@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_setting_or_value_is_told() {
+    fn unknown_settings_and_values_are_named() {
         for (text, said) in [
             ("connect", "connect=mis,light"),
             (

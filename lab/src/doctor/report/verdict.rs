@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn what_no_picture_depends_on_leaves_equal_bits() {
+    fn findings_that_no_picture_depends_on_leave_equal_bits() {
         let found = verdict(
             &[tested(Outcome::Passes), tested(Outcome::Avoided)],
             &[],

@@ -202,7 +202,7 @@ fn eighths_of_a_turn_are_exact() {
 }
 
 #[test]
-fn ends_are_what_the_table_says() {
+fn ends_of_the_domains_agree_with_the_table() {
     let (inf, nan) = (f32::INFINITY, f32::NAN);
     assert_eq!([exp(-inf), exp(0.0), exp(inf)], [0.0, 1.0, inf]);
     assert_eq!([expm1(-inf), expm1(0.0), expm1(inf)], [-1.0, 0.0, inf]);

@@ -96,7 +96,7 @@ fn thousands_of_samples_are_nets() {
 }
 
 #[test]
-fn what_is_no_net_is_noticed() {
+fn points_that_are_no_net_are_found() {
     let sobol = sobol::sampler_block;
     let planted: [(&str, Sampler); 4] = [
         ("random numbers", super::super::random::sampler_block),

@@ -116,7 +116,7 @@ fn where_nobody_looks_on_it_waits_for_nobody() {
 }
 
 #[test]
-fn a_tab_that_takes_nothing_holds_the_end_up_for_a_moment() {
+fn a_tab_that_reads_nothing_delays_the_end_for_a_moment() {
     let mut rendering = Rendering::start("--spp 20000 --checkpoint off -o a.exr");
     Tab::new(rendering.port, 7).told(|state| state["phase"] != "rendering");
     let start = Instant::now();
@@ -130,7 +130,7 @@ fn a_tab_that_takes_nothing_holds_the_end_up_for_a_moment() {
 }
 
 #[test]
-fn stopping_is_what_ctrl_c_is() {
+fn stopping_is_like_ctrl_c() {
     let mut rendering = Rendering::start(ENDLESS);
     let port = rendering.port;
     Tab::new(port, 1).told(|state| !state["picture"].is_null());

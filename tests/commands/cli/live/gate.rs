@@ -103,7 +103,7 @@ fn no_other_address_of_this_machine_leads_there() {
 }
 
 #[test]
-fn a_port_that_is_taken_is_told_before_anything_is_rendered() {
+fn a_port_in_use_is_an_error_before_anything_is_rendered() {
     let rendering = Rendering::start(ENDLESS);
     let folder = folder("this is no scene");
     let run = words(

@@ -5,7 +5,7 @@ use super::pointer::readout;
 use super::{ENDLESS, Rendering};
 
 #[test]
-fn keys_do_what_the_pointer_does() {
+fn keys_do_the_same_as_the_pointer() {
     let mut rendering = Rendering::start(ENDLESS);
     let Some(mut browser) = opened(&rendering) else {
         return;

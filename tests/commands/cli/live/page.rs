@@ -103,7 +103,7 @@ fn everything_has_a_name() {
 }
 
 #[test]
-fn what_the_server_tells_stands_on_the_page() {
+fn the_page_shows_the_servers_words() {
     let rendering = Rendering::start("--time 100 -o a.exr");
     let Some(mut browser) = opened(&rendering) else {
         return;

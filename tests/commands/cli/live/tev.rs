@@ -100,7 +100,7 @@ fn a_viewer_that_hangs_up_is_done_without() {
 }
 
 #[test]
-fn a_viewer_that_reads_nothing_holds_nothing_up_for_long() {
+fn a_viewer_that_reads_nothing_delays_nothing_for_long() {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
     let port = listener.local_addr().expect("an address").port();
     let (run, took) = large(&format!("--tev 127.0.0.1:{port}"));
@@ -109,7 +109,7 @@ fn a_viewer_that_reads_nothing_holds_nothing_up_for_long() {
 }
 
 #[test]
-fn an_address_that_is_none_is_told() {
+fn an_invalid_address_is_refused() {
     let folder = folder(SCENE);
     let run = words(folder.path(), "scene.scn --tev localhost:x");
     assert_eq!(run.code, Some(2), "{}", run.err);

@@ -64,7 +64,7 @@ fn shapes_that_are_no_triangles_are_refused() {
 }
 
 #[test]
-fn what_is_outside_is_white_where_nothing_shines_and_else_black() {
+fn surroundings_must_be_white_without_lights_and_else_black() {
     let scene = |light: &str, outside: &str| {
         format!("screen 8 8\ncamera 0 0 9 1\n{outside}\n{light}\nbox 0 0 0 1 1 1\n")
     };

@@ -33,7 +33,7 @@ fn the_camera_is_turned_and_looks_along_z() {
 }
 
 #[test]
-fn a_lens_is_as_wide_and_as_far_from_what_is_sharp() {
+fn a_lens_keeps_its_radius_and_its_focal_distance() {
     for (line, expected) in [("lens .25 7", "thinlens"), ("lens 0 7", "perspective")] {
         let exported = export(&format!("{AIR}{line}\n"));
         let document = document(&exported);

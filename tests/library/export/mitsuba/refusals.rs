@@ -59,7 +59,7 @@ fn a_material_of_no_shape_is_not_refused() {
 }
 
 #[test]
-fn every_reason_is_told_once_in_the_order_of_the_file() {
+fn every_reason_is_given_once_in_the_order_of_the_file() {
     let scene = "screen 8 8\ncamera 0 0 9 1\nbrdf 0 0 0 .9 .9 .9 0\nsphere 0 0 0 1\nbrdf .1 .1 .1 .5 .5 .5 .3\n\
                  sphere 3 0 0 1\nbrdf 0 0 0 .8 .8 .8 0\nsphere 6 0 0 1\n";
     let refusals = export_by(scene, &Settings::default()).err();

@@ -27,7 +27,7 @@ fn a_ball_has_its_centre_and_radius() {
 }
 
 #[test]
-fn a_box_is_a_cube_from_minus_1_to_1_whatever_the_diagonal_points_to() {
+fn a_box_is_a_cube_from_minus_1_to_1_for_every_diagonal() {
     for shape in ["box 1 2 3 4 2 1", "box 5 2 4 -4 2 -1"] {
         let exported = export(&of(GREY, shape));
         let document = document(&exported);

@@ -34,7 +34,7 @@ fn schlicks_reflectance_is_all_metal() {
 }
 
 #[test]
-fn what_reflects_all_light_needs_no_reflectance() {
+fn mirrors_that_reflect_all_light_need_no_reflectance() {
     for (alpha, plugin) in [("0", "conductor"), (".3", "roughconductor")] {
         let exported = export(&of("#", &format!("0 0 0 1 1 1 {alpha}")));
         let document = document(&exported);

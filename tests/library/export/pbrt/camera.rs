@@ -38,7 +38,7 @@ fn the_field_of_view_is_that_of_the_shorter_side() {
 }
 
 #[test]
-fn a_lens_is_as_wide_and_as_far_from_what_is_sharp() {
+fn a_lens_keeps_its_radius_and_its_focal_distance() {
     let lens = export(&format!("{AIR}lens .25 7\n"));
     check(lens.only("Camera"), "float lensradius", &[0.25]);
     check(lens.only("Camera"), "float focaldistance", &[7.0]);

@@ -29,7 +29,7 @@ fn a_ball_has_its_place_and_radius() {
 }
 
 #[test]
-fn a_box_is_12_triangles_seen_from_outside_whatever_the_diagonal_points_to() {
+fn a_box_is_12_triangles_seen_from_outside_for_every_diagonal() {
     for shape in ["box 1 2 3 4 2 1", "box 5 2 4 -4 2 -1"] {
         let exported = export(&of(GREY, shape));
         let mesh = exported.only("Shape");

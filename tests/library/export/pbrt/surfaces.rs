@@ -23,7 +23,7 @@ fn kd_is_a_reflectance() {
 }
 
 #[test]
-fn what_reflects_all_light_is_of_an_imaginary_index() {
+fn mirrors_that_reflect_all_light_have_an_imaginary_index() {
     for alpha in ["0", ".3"] {
         let exported = export(&of("#", &format!("0 0 0 1 1 1 {alpha}")));
         let mirror = material(&exported);
@@ -83,7 +83,7 @@ fn an_index_of_1_is_an_interface_or_nothing() {
 }
 
 #[test]
-fn another_model_is_warned_of_by_line() {
+fn another_model_gives_a_warning_with_its_line() {
     let said = |scene: &str| {
         let warnings = export(scene).warnings.into_iter();
         let words = warnings.map(|w| format!("{}: {}", w.line, &w.reason[..7]));

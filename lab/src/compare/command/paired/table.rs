@@ -135,7 +135,7 @@ mod tests {
     use vkpt::sample::{Address, Path};
 
     #[test]
-    fn numbers_are_told_with_the_digits_that_matter() {
+    fn numbers_have_the_digits_that_matter() {
         let cases = [0, 7, 999, 1000, 12_345, 7_680_000].map(thousands);
         assert_eq!(cases, ["0", "7", "999", "1,000", "12,345", "7,680,000"]);
         let cases = [
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_lines_up_and_what_stands_out_has_a_command() {
+    fn the_table_lines_up_and_outliers_have_a_command() {
         let mut pairs: [Comparison; 3] = Default::default();
         for (i, pair) in pairs.iter_mut().enumerate() {
             for index in 0..4 {

@@ -108,7 +108,7 @@ fn named(statements: &[Statement]) -> Result<(), String> {
 }
 
 #[test]
-fn what_is_wrong_is_found() {
+fn mistakes_are_found() {
     let whole = "Film \"rgb\" \"integer xresolution\" [ 8 ]\nWorldBegin\n\
                  MakeNamedMaterial \"m\" \"string type\" [ \"dielectric\" ] \"float eta\" [ 1.5 ]\n\
                  AttributeBegin\nNamedMaterial \"m\"\nShape \"sphere\" \"float radius\" [ 1 ]\nAttributeEnd\n";
