@@ -72,8 +72,8 @@ pub fn run(
     let output = command.output()?;
     let whole = start.elapsed().as_secs_f64();
     if !output.status.success() {
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        return Err(format!("{}: {said}", scene.display()).into());
+        let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+        return Err(format!("{}: {stderr}", scene.display()).into());
     }
     let mut json: Value = serde_json::from_slice(&std::fs::read(&report)?)?;
     // The folder is gone.

@@ -176,12 +176,12 @@ impl Queue {
         let mut ticks = [0u64; 2];
         let flags = vk::QueryResultFlags::TYPE_64 | vk::QueryResultFlags::WAIT;
         // SAFETY: of the caller.
-        let told = unsafe {
+        let waited = unsafe {
             device
                 .raw
                 .get_query_pool_results(self.queries, 0, &mut ticks, flags)
         };
-        match told {
+        match waited {
             Ok(()) => (),
             Err(vk::Result::ERROR_DEVICE_LOST) => return Err(GpuError::Lost),
             Err(_) => return Ok(None),

@@ -87,15 +87,15 @@ pub fn render_several(
     // Samples that the last device has left are available once the others have ended.
     while !course.has_ended() && !alive.is_empty() {
         let halt = AtomicBool::new(false);
-        let (tell, told) = mpsc::channel();
+        let (sender, messages) = mpsc::channel();
         std::thread::scope(|scope| {
             for &i in &alive {
-                let (tell, left, halt, target) = (tell.clone(), &left, &halt, &targets[i]);
+                let (sender, left, halt, target) = (sender.clone(), &left, &halt, &targets[i]);
                 let count = alive.len() as u32;
-                scope.spawn(move || work(job, target, i, count, left, &[stop, halt], &tell));
+                scope.spawn(move || work(job, target, i, count, left, &[stop, halt], &sender));
             }
-            drop(tell);
-            for message in told {
+            drop(sender);
+            for message in messages {
                 match message {
                     Message::Made(part) => joining.take(part, &mut course, watch),
                     Message::Took(i, stats) => joining.stats[i] = Some(stats),
@@ -139,13 +139,13 @@ fn work(
     devices: u32,
     left: &Mutex<Left>,
     stops: &[&AtomicBool],
-    tell: &mpsc::Sender<Message>,
+    sender: &mpsc::Sender<Message>,
 ) {
     let mut slices = Slices::new(WANTED);
     let lock = || left.lock().unwrap_or_else(PoisonError::into_inner);
     let stopped = || stops.iter().any(|stop| stop.load(Ordering::Relaxed));
     let ended = with_ranges(job, target, &mut |ranges| {
-        let _ = tell.send(Message::Took(i, ranges.took()));
+        let _ = sender.send(Message::Took(i, ranges.took()));
         while !stopped() {
             let Some(range) = lock().take(slices.next(u32::MAX), devices) else {
                 break;
@@ -155,7 +155,7 @@ fn work(
                 Ok(part) => {
                     slices.took(range.len() as u32, began.elapsed());
                     // The receiver is gone only if a panic has ended the rendering.
-                    let _ = tell.send(Message::Made(part));
+                    let _ = sender.send(Message::Made(part));
                 }
                 Err(error) => {
                     lock().back.push(range);
@@ -165,7 +165,7 @@ fn work(
         }
         Ok(ranges.took())
     });
-    let _ = tell.send(match ended {
+    let _ = sender.send(match ended {
         Ok(stats) => Message::Took(i, stats),
         Err(error) => Message::Failed(i, error),
     });

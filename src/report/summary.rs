@@ -73,8 +73,8 @@ fn stages(record: &Record) -> String {
         ("render", s.render),
         ("write", s.write),
     ];
-    let told = all.iter().filter(|(_, seconds)| *seconds >= 0.001);
-    let told: Vec<String> = told
+    let shown = all.iter().filter(|(_, seconds)| *seconds >= 0.001);
+    let shown: Vec<String> = shown
         .map(|(stage, seconds)| match (*stage, s.gpu) {
             ("render", Some(gpu)) => {
                 format!("render {} (device {})", duration(*seconds), duration(gpu))
@@ -82,7 +82,7 @@ fn stages(record: &Record) -> String {
             _ => format!("{stage} {}", duration(*seconds)),
         })
         .collect();
-    told.join(", ")
+    shown.join(", ")
 }
 
 fn work(record: &Record) -> String {
@@ -157,8 +157,9 @@ fn causes(dropped: &Dropped) -> String {
         (dropped.infinite, "infinite"),
         (dropped.loops, "cut off in a loop"),
     ];
-    let told = all.iter().filter(|(n, _)| *n > 0);
-    told.map(|(n, cause)| format!("{n} {cause}"))
+    let shown = all.iter().filter(|(n, _)| *n > 0);
+    shown
+        .map(|(n, cause)| format!("{n} {cause}"))
         .collect::<Vec<_>>()
         .join(", ")
 }

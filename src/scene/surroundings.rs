@@ -108,13 +108,13 @@ fn radiances(folder: &Path, file: &FilePath, log: &mut Log) -> Option<Film> {
         Ok(picture) => whole(picture, path, *place, log)?,
         Err(error) => {
             let missing = matches!(&error.cause, DecodeError::Io(e) if e.kind() == std::io::ErrorKind::NotFound);
-            let told = match missing {
+            let message = match missing {
                 true => format!("{}: no such file", path.display()),
                 false => error.to_string(),
             };
-            let told = log.error(*place, told, "");
+            let message = log.error(*place, message, "");
             if missing {
-                told.help(match similar(folder, path, is_picture_name) {
+                message.help(match similar(folder, path, is_picture_name) {
                     Some(name) => format!("did you mean `{name}`?"),
                     None => LOOKED_FOR.to_owned(),
                 });

@@ -43,12 +43,12 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
 
 /// The tokens of the line `number`, whose first byte is byte `start` of the text.
 fn tokens(line: &str, number: usize, start: usize) -> Line<'_> {
-    let (mut told, mut column) = (0, 1);
+    let (mut counted, mut column) = (0, 1);
     line.split_whitespace()
         .map(|text| {
             let offset = text.as_ptr() as usize - line.as_ptr() as usize;
-            column += line[told..offset].chars().count();
-            told = offset;
+            column += line[counted..offset].chars().count();
+            counted = offset;
             let place = Place {
                 line: number,
                 column,

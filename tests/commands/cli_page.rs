@@ -160,14 +160,17 @@ fn options(page: &mut String, heading: &str, options: &[&Arg]) {
 fn row(page: &mut String, arg: &Arg) {
     let short = arg.get_short().map(|short| format!("`-{short}`, "));
     let help = arg.get_help().expect("a help").to_string();
-    let (help, said) = help.rsplit_once(" [default").unwrap_or((&help, ""));
-    let said = said.trim_end_matches(']').trim_start_matches(':').trim();
+    let (help, default_text) = help.rsplit_once(" [default").unwrap_or((&help, ""));
+    let default_text = default_text
+        .trim_end_matches(']')
+        .trim_start_matches(':')
+        .trim();
     let values = arg.get_default_values().iter();
     let values: Vec<_> = values.map(|value| value.to_string_lossy()).collect();
     // A switch is off by default, which is not shown.
-    let default = match said.is_empty() && arg.get_action().takes_values() {
+    let default = match default_text.is_empty() && arg.get_action().takes_values() {
         true => values.join(" "),
-        false => said.to_owned(),
+        false => default_text.to_owned(),
     };
     let default = match default.is_empty() {
         true => default,
@@ -198,7 +201,9 @@ fn after(page: &mut String, command: &Command) {
             for line in examples.lines().map(str::trim) {
                 // The comment on a line follows two blanks.
                 match line.split_once("  ") {
-                    Some((line, said)) => _ = writeln!(page, "{line:<52}  # {}", said.trim()),
+                    Some((line, default_text)) => {
+                        _ = writeln!(page, "{line:<52}  # {}", default_text.trim())
+                    }
                     None => _ = writeln!(page, "{line}"),
                 }
             }

@@ -102,8 +102,8 @@ fn of_help(help: &str) -> Vec<String> {
 }
 
 fn cheaper(line: &str) -> String {
-    let told = |line: String, (long, short): &(&str, &str)| line.replace(long, short);
-    let line = CHEAPER.iter().fold(line.to_owned(), told);
+    let shortened = |line: String, (long, short): &(&str, &str)| line.replace(long, short);
+    let line = CHEAPER.iter().fold(line.to_owned(), shortened);
     let is_large = line.contains("scenes/") || line.contains("docs/");
     let line = match is_large && !line.contains("--size") {
         true => format!("{line} --size 8x6"),

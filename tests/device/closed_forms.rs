@@ -79,8 +79,8 @@ pub fn check(cases: &[Case]) {
                     continue;
                 }
                 let paths = case.paths();
-                let told = noticeable(level, expected, case.most, paths, samples.len());
-                let wrong = expected + told.max(0.01 * expected);
+                let detectable = noticeable(level, expected, case.most, paths, samples.len());
+                let wrong = expected + detectable.max(0.01 * expected);
                 let p = p_of_mean(samples, wrong, ROUNDING * expected);
                 assert!(
                     p <= level,

@@ -40,7 +40,7 @@ fn of_text(text: &str, settings: Settings) -> Vec<Part> {
 
 fn find<'a>(parts: &'a [Part], group: &str, name: &str) -> &'a Part {
     let found = parts.iter().find(|p| p.group == group && p.name == name);
-    found.unwrap_or_else(|| panic!("{group} {name} is not told"))
+    found.unwrap_or_else(|| panic!("{group} {name} is not listed"))
 }
 
 /// (group, name, lines): the features of this scene and the lines that require them.
@@ -213,8 +213,8 @@ fn parts_that_a_scene_lacks_are_left_out_with_the_reason() {
 /// Exactly the features are in the kernel, each by some line; all else has a reason.
 fn check_whole(job: &Job, text: &str, name: &str) {
     for part in explained(job, text) {
-        let told = !part.why.is_empty() || !part.quote.is_empty();
-        assert!(told, "{name}: nothing is told of {part:?}");
+        let is_explained = !part.why.is_empty() || !part.quote.is_empty();
+        assert!(is_explained, "{name}: nothing explains {part:?}");
         assert!(part.present || part.lines.is_empty(), "{name}: {part:?}");
         assert!(!part.why.contains("--kernel"), "{name}: {part:?}");
         assert!(part.lines.is_sorted(), "{name}: {part:?}");

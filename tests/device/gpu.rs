@@ -199,11 +199,11 @@ fn buffers_above_the_limits_are_refused_by_name_and_size() {
             Some(GpuError::TooLarge {
                 name,
                 bytes,
-                limit: told,
+                limit: found,
                 ..
             }) => {
                 assert_eq!(
-                    (name.as_str(), bytes, told),
+                    (name.as_str(), bytes, found),
                     ("triangles", limit + 1, limit)
                 );
             }

@@ -222,8 +222,8 @@ fn the_folder_is_the_users_unless_the_environment_names_another() {
         (&[("XDG_CACHE_HOME", "/x"), ("VKPT_CACHE", "")], None),
     ] {
         let expected = format!("folder {:?}", expected.map(PathBuf::from));
-        let told = lines(child("gpu_cache::child_that_prints_its_folder", variables));
-        assert!(told.contains(&expected), "{variables:?}: {told:?}");
+        let printed = lines(child("gpu_cache::child_that_prints_its_folder", variables));
+        assert!(printed.contains(&expected), "{variables:?}: {printed:?}");
     }
 }
 
@@ -234,8 +234,8 @@ fn statistics(radv: &str, steps: &str) -> BTreeMap<String, f64> {
     let folder = tempfile::tempdir().expect("a folder");
     let asked = [("STEPS", steps), ("STATISTICS", "1")];
     let twice = [(); 2].map(|_| {
-        let told = lines(start(radv, folder.path(), &asked));
-        let numbers = told.iter().filter_map(|line| {
+        let printed = lines(start(radv, folder.path(), &asked));
+        let numbers = printed.iter().filter_map(|line| {
             let (name, value) = line.strip_prefix("statistic ")?.split_once('=')?;
             Some((name.to_owned(), value.parse().ok()?))
         });
@@ -270,8 +270,8 @@ fn a_gpu_reports_instructions_and_registers() {
 fn there_are_no_statistics_without_asking() {
     let Some(radv) = radv() else { return };
     let folder = tempfile::tempdir().expect("a folder");
-    let told = lines(start(&radv, folder.path(), &[]));
-    assert!(!told.iter().any(|line| line.starts_with("statistic ")));
+    let printed = lines(start(&radv, folder.path(), &[]));
+    assert!(!printed.iter().any(|line| line.starts_with("statistic ")));
 }
 
 /// The query is valid on any device of the tests; lavapipe lacks the extension and reports nothing.
@@ -284,9 +284,9 @@ fn asking_for_statistics_is_no_error_anywhere() {
         return;
     };
     let pipeline = device.pipeline(&kernel(1), &[BufferUse::Storage], 0);
-    let told = pipeline.and_then(|p| p.statistics()).expect("no error");
+    let statistics = pipeline.and_then(|p| p.statistics()).expect("no error");
     if device.info().name.contains("llvmpipe") {
-        assert_eq!(told, []);
+        assert_eq!(statistics, []);
     }
     assert_eq!(device.validation_messages(), [""; 0]);
 }

@@ -34,7 +34,7 @@ fn rendered(job: &Job) -> Outcome {
 }
 
 /// The error of one picture, and its own estimate of it.
-struct Told {
+struct Reported {
     truth: f64,
     estimate: RelMse,
 }
@@ -52,13 +52,13 @@ fn drawn(integrator: Integrator, sampler: Sampler) -> Settings {
     settings
 }
 
-fn told(scene: &Prepared, settings: Settings, pictures: u32) -> Vec<Told> {
+fn reported(scene: &Prepared, settings: Settings, pictures: u32) -> Vec<Reported> {
     let reference = reference(scene, settings.estimator.integrator);
     let of = |seed| {
         let outcome = rendered(&job(scene, settings, SPP, seed));
         let figures = reference.figures(&outcome.film, &Viewing::default());
         let last = outcome.state.errors.last().and_then(|e| e.rel_mse);
-        Told {
+        Reported {
             truth: figures.expect("figures").rel_mse.all,
             estimate: last.expect("an estimate"),
         }
@@ -67,7 +67,7 @@ fn told(scene: &Prepared, settings: Settings, pictures: u32) -> Vec<Told> {
 }
 
 /// The number of intervals, and how many of them miss a truth that is scaled by `scale`.
-fn misses(all: &[Told], scale: f64) -> [u64; 2] {
+fn misses(all: &[Reported], scale: f64) -> [u64; 2] {
     let intervals = all
         .iter()
         .filter_map(|t| Some((scale * t.truth, t.estimate.interval.ok()?)));
@@ -92,10 +92,11 @@ fn check(scenes: &[&str], integrator: Integrator, pictures: u32) {
         let settings = Settings::default();
         let scene = prepared_file(Path::new(&path), &settings, Some(SIZE));
         for sampler in [Sampler::Random, Sampler::Sobol] {
-            let all = told(&scene, drawn(integrator, sampler), pictures);
+            let all = reported(&scene, drawn(integrator, sampler), pictures);
             let count = misses(&all, 1.0);
             let [given, missed] = count;
-            let mean = |of: fn(&Told) -> f64| all.iter().map(of).sum::<f64>() / all.len() as f64;
+            let mean =
+                |of: fn(&Reported) -> f64| all.iter().map(of).sum::<f64>() / all.len() as f64;
             let ratio = mean(|t| t.estimate.estimate) / mean(|t| t.truth);
             println!(
                 "{name}, {sampler:?}: {missed} of {given} intervals miss, {} tell none; estimate/truth {ratio:.3}",

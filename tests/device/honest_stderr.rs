@@ -42,7 +42,7 @@ fn with_errors(scene: &Prepared, settings: Settings, seed: u32) -> Job<'_> {
 }
 
 /// A picture of each seed, and the squares of its standard errors.
-fn told(scene: &Prepared, settings: Settings) -> (Vec<Film>, Vec<Values>) {
+fn reported(scene: &Prepared, settings: Settings) -> (Vec<Film>, Vec<Values>) {
     let of = |seed| {
         let outcome = outcome(&with_errors(scene, settings, seed), &Target::CpuF32);
         let square = |p: &[f32; 3]| p.map(|e| f64::from(e) * f64::from(e));
@@ -70,8 +70,8 @@ fn p_of_honesty(pictures: &[Film], squares: &[Values]) -> f64 {
             .iter()
             .zip(films[1].rgb.as_flattened());
         let variance: f64 = values.map(|(x, y)| 0.5 * f64::from(x - y).powi(2)).sum();
-        let said: f64 = squares.iter().flat_map(|s| s.as_flattened()).sum::<f64>() / 2.0;
-        (variance - said) / (3 * films[0].rgb.len()) as f64
+        let mean_square: f64 = squares.iter().flat_map(|s| s.as_flattened()).sum::<f64>() / 2.0;
+        (variance - mean_square) / (3 * films[0].rgb.len()) as f64
     };
     let pairs = pictures.chunks_exact(2).zip(squares.chunks_exact(2));
     let all: Vec<f64> = pairs.map(excess).collect();
@@ -95,7 +95,7 @@ fn the_mean_square_is_the_variance_of_the_pixel() {
         for sampler in [Sampler::Random, Sampler::Sobol] {
             let settings = settings(sampler, integrator);
             let scene = prepared(SCENE, &settings);
-            let (pictures, squares) = told(&scene, settings);
+            let (pictures, squares) = reported(&scene, settings);
             let p = p_of_honesty(&pictures, &squares);
             // Planted: errors a tenth too large; of Sobol's points those of their spread.
             let planted = match sampler {

@@ -14,7 +14,7 @@ fn the_device_traces_the_same_events_as_the_reference() {
         return;
     }
     let target = Target::Vulkan(common::selector());
-    let mut told = String::new();
+    let mut traces = String::new();
     for text in [TABLE, SMOOTH, WIDE, LENS] {
         let scene = prepared(text, &Settings::default());
         let job = job(&scene, Settings::default(), 8, 1);
@@ -34,7 +34,7 @@ fn the_device_traces_the_same_events_as_the_reference() {
                 trace.ends_with("the two paths are the same"),
                 "pixel {pixel:?}, sample {index}:\n{trace}"
             );
-            told += &trace;
+            traces += &trace;
         }
     }
     for event in [
@@ -50,7 +50,7 @@ fn the_device_traces_the_same_events_as_the_reference() {
         "is blocked",
         "leaves the scene",
     ] {
-        assert!(told.contains(event), "no path of these has this: {event}");
+        assert!(traces.contains(event), "no path of these has this: {event}");
     }
 }
 
@@ -61,8 +61,8 @@ fn a_connection_follows_its_vertex() {
     let job = job(&scene, Settings::default(), 64, 1);
     let mut arrived = 0;
     for sample in 0..64 {
-        let told = trace(&job, &Target::CpuF64, [3, 20], sample).expect("a trace");
-        let text = told.to_string();
+        let found = trace(&job, &Target::CpuF64, [3, 20], sample).expect("a trace");
+        let text = found.to_string();
         let f32_side = text
             .lines()
             .skip(1)
@@ -135,7 +135,7 @@ fn both_paths_are_printed_with_every_way_to_find_light() {
         assert!(text.contains(equal), "{text}");
     }
     // Light paths of the first begin at its lamp; most of those of the second at its sky, which emits none.
-    let mut told = String::new();
+    let mut traces = String::new();
     for text in [TABLE, SMOOTH] {
         let scene = prepared(text, &settings);
         let job = job(&scene, settings, 32, 1);
@@ -143,7 +143,7 @@ fn both_paths_are_printed_with_every_way_to_find_light() {
             let trace = trace(&job, &Target::CpuF64, [16, 20], index).expect("a trace");
             let text = trace.to_string();
             assert!(text.ends_with("the two paths are the same"), "{text}");
-            told += &text;
+            traces += &text;
         }
     }
     for event in [
@@ -158,6 +158,6 @@ fn both_paths_are_printed_with_every_way_to_find_light() {
         "weight ",
         "delta",
     ] {
-        assert!(told.contains(event), "no path of these has this: {event}");
+        assert!(traces.contains(event), "no path of these has this: {event}");
     }
 }

@@ -43,8 +43,8 @@ fn the_error_is_reported_after_powers_of_two_and_at_the_end() {
         (21, vec![1, 2, 4, 8, 16, 21]),
     ] {
         for (name, outcome) in outcomes(&job(&scene, Settings::default(), spp, 1)) {
-            let told: Vec<u32> = outcome.state.errors.iter().map(|e| e.spp).collect();
-            assert_eq!(told, expected, "{name}");
+            let reported: Vec<u32> = outcome.state.errors.iter().map(|e| e.spp).collect();
+            assert_eq!(reported, expected, "{name}");
             let known = |e: &ErrorAt| e.rel_mse.is_some() == (e.spp > 1);
             assert!(outcome.state.errors.iter().all(known), "{name}");
             assert!(

@@ -103,8 +103,8 @@ fn citations_name_headings_of_the_page() {
     let (mut wrong, mut cited) = (Vec::new(), 0);
     for (path, text) in all_sources() {
         cited += citations(&text).0.len();
-        let told = complaints(&text, &headings);
-        wrong.extend(told.into_iter().map(|c| format!("{path}: {c}")));
+        let found = complaints(&text, &headings);
+        wrong.extend(found.into_iter().map(|c| format!("{path}: {c}")));
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(cited > 50, "only {cited} citations were found");

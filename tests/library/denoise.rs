@@ -58,12 +58,12 @@ fn edges_stay() {
     let step = |film: &Film| film.rgb[20 * 48 + 24][0] - film.rgb[20 * 48 + 23][0];
     assert!((step(&clean) - 1.5).abs() < 0.1, "{}", step(&clean));
     let faint = edge(1.0, 1.1);
-    let told = Features {
+    let features = Features {
         albedo: mapped(&faint, |x| 5.0 * (x - 1.0)),
         ..flat()
     };
     let [blurred, _] = denoised(&faint, 0.3, &flat(), 7);
-    let [kept, _] = denoised(&faint, 0.3, &told, 7);
+    let [kept, _] = denoised(&faint, 0.3, &features, 7);
     let errors = [&blurred, &kept].map(|film| mse(film, &faint));
     assert!(errors[1] < errors[0] / 2.0, "{errors:?}");
 }

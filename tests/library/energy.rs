@@ -158,7 +158,7 @@ const LIMIT: f64 = 1.0 + RATIONAL_G1;
 /// A path that is continued contributes no more than its weight, at most 1 by visible normals of GGX, 1.0033 of Beckmann and
 /// 1.83 of Phong, whose facets gain up to 1.7675 and whose law is up to 1.033 times their visible part (model.md, "Visible
 /// micro-normals"), and its connection at most half of that: f/p · p²/(p² + q²) ≤ f/2q.
-fn told(level: f64, mean: f64, distribution: Distribution, pixels: &[f64]) -> f64 {
+fn detectable(level: f64, mean: f64, distribution: Distribution, pixels: &[f64]) -> f64 {
     let weight = match distribution {
         Distribution::Ggx => 1.0,
         Distribution::Beckmann => 1.0033,
@@ -205,7 +205,7 @@ fn a_rough_interface_makes_nothing() {
         );
         // Extra light that puts the mean above the limit by the amount that this many paths can detect.
         let mean = mean_and_error(&pixels).0;
-        let more = LIMIT / (mean - told(2.0 * level, mean, distribution, &pixels));
+        let more = LIMIT / (mean - detectable(2.0 * level, mean, distribution, &pixels));
         let planted: Vec<f64> = pixels.iter().map(|x| more * x).collect();
         let p = p_above(&planted, LIMIT);
         assert!(p < level, "{case}: passes × {more}, p = {p:e}");
@@ -234,7 +234,7 @@ fn a_rough_interface_loses_as_much_as_by_quadrature() {
             "{row:?}: {:?}, p = {p:e}",
             mean_and_error(&pixels)
         );
-        let wrong = sum + told(level, sum, distribution, &pixels).max(0.01 * sum);
+        let wrong = sum + detectable(level, sum, distribution, &pixels).max(0.01 * sum);
         let p = p_of_mean(&pixels, wrong, ROUNDING);
         assert!(p < level, "{row:?}: passes for {wrong}, p = {p:e}");
     }

@@ -108,8 +108,8 @@ fn a_disc_light_through_a_stain() {
                         Connect::Light => connected,
                         Connect::Bsdf => hit,
                     };
-                let told = noticeable(level, expected[c], most, 24.0 * 24.0 * 64.0, 24 * 24);
-                let wrong = expected[c] + told.max(0.01 * expected[c]);
+                let detectable = noticeable(level, expected[c], most, 24.0 * 24.0 * 64.0, 24 * 24);
+                let wrong = expected[c] + detectable.max(0.01 * expected[c]);
                 assert!(
                     p(wrong) < level,
                     "{absorption:?}, {connect:?}: {wrong} passes"

@@ -28,8 +28,8 @@ fn summary(outputs: &[&Output]) -> String {
         text.extend_from_slice(&output.stdout);
     }
     fs::write(log.path(), text).expect("written");
-    let told = Command::new(".ci/summary").arg(log.path()).output();
-    String::from_utf8(told.expect("awk").stdout).expect("a text")
+    let summary = Command::new(".ci/summary").arg(log.path()).output();
+    String::from_utf8(summary.expect("awk").stdout).expect("a text")
 }
 
 #[test]

@@ -163,11 +163,11 @@ fn scenes_that_overflow_single_precision_are_refused() {
         let view = ["", "camera 0 0 0 .2\n"][usize::from(!lines.starts_with("camera"))];
         let text = format!("screen 40 30\n{view}{lines}");
         let read = vkpt::scene::parse(&text, Path::new("test.txt"), true).expect("a legal scene");
-        let told = prepare(&read.scene, &Settings::default(), None);
-        match (refused, told.map_err(|e| e.to_string())) {
+        let found = prepare(&read.scene, &Settings::default(), None);
+        match (refused, found.map_err(|e| e.to_string())) {
             (None, Ok(p)) => assert!(within_2(&p), "{text}"),
-            (Some(start), Err(told)) if told.starts_with(start) => {}
-            (_, told) => panic!("{text}: {:?}", told.err()),
+            (Some(start), Err(found)) if found.starts_with(start) => {}
+            (_, found) => panic!("{text}: {:?}", found.err()),
         }
     }
 }
@@ -192,8 +192,8 @@ fn pixels_narrower_than_directions_give_a_warning() {
     for (ry, narrow) in [("1e-5", false), ("1e-9", true)] {
         let text = format!("screen 40 30\ncamera 0 0 9 {ry}\n{MATTE}sphere 0 0 0 1\n");
         let warnings = prepared(&text).warnings;
-        let told = warnings.iter().any(|w| w.starts_with("line 2: the camera"));
-        assert_eq!(told, narrow, "{warnings:?}");
+        let found = warnings.iter().any(|w| w.starts_with("line 2: the camera"));
+        assert_eq!(found, narrow, "{warnings:?}");
     }
 }
 
@@ -216,15 +216,15 @@ fn objects_too_small_for_their_distance_give_a_warning() {
         // The two others keep the middle of the scene at the origin.
         let text = format!("{VIEW}{MATTE}{shape}\nsphere -2e6 0 0 9e3\nsphere 2e6 0 0 9e3\n");
         let warnings = prepared(&text).warnings;
-        let told = warnings.iter().any(|w| w.contains("line 4 is"));
-        assert_eq!(told, small, "{shape}: {warnings:?}");
+        let found = warnings.iter().any(|w| w.contains("line 4 is"));
+        assert_eq!(found, small, "{shape}: {warnings:?}");
     }
 }
 
 /// On a ball, a face, an edge, a mantle and a cap of glass; not next to them, and not on opaque shapes.
 #[test]
 fn an_eye_on_the_surface_of_glass_gives_a_warning() {
-    let told = |material: &str, shape: &str, eye: &str| {
+    let warns = |material: &str, shape: &str, eye: &str| {
         let text = format!("screen 40 30\ncamera {eye} .2\n{material}{shape}\n{SKY}");
         let warnings = prepared(&text).warnings;
         assert!(warnings.len() <= 1, "{warnings:?}");
@@ -245,8 +245,8 @@ fn an_eye_on_the_surface_of_glass_gives_a_warning() {
         (can, "0 -1 1"),
         (can, ".5 0 2"),
     ] {
-        assert!(told(GLASS, shape, eye), "{shape}, {eye}");
-        assert!(!told(MATTE, shape, eye), "{shape}, {eye}");
+        assert!(warns(GLASS, shape, eye), "{shape}, {eye}");
+        assert!(!warns(MATTE, shape, eye), "{shape}, {eye}");
     }
     for (shape, eye) in [
         (ball, "0 0 0"),
@@ -256,7 +256,7 @@ fn an_eye_on_the_surface_of_glass_gives_a_warning() {
         (can, "0 0 1"),
         (can, ".9999 0 1"),
     ] {
-        assert!(!told(GLASS, shape, eye), "{shape}, {eye}");
+        assert!(!warns(GLASS, shape, eye), "{shape}, {eye}");
     }
 }
 
@@ -334,13 +334,13 @@ fn pictures_that_can_only_be_black_give_a_warning() {
             None,
         ));
     }
-    for (rest, said) in rows {
+    for (rest, message) in rows {
         let warnings = prepared(&format!("{VIEW}{rest}")).warnings;
-        match said {
+        match message {
             None => assert!(warnings.is_empty(), "{rest}: {warnings:?}"),
-            Some(said) => {
+            Some(message) => {
                 assert_eq!(warnings.len(), 1, "{rest}: {warnings:?}");
-                assert!(warnings[0].starts_with(said), "{rest}: {warnings:?}");
+                assert!(warnings[0].starts_with(message), "{rest}: {warnings:?}");
             }
         }
     }

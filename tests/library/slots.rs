@@ -55,9 +55,9 @@ fn asked() -> BTreeSet<String> {
 /// The errors of the table.
 fn complaints(readme: &str) -> Vec<String> {
     let rows = rows(readme);
-    let told: BTreeSet<String> = rows.iter().map(|r| r.slot.clone()).collect();
+    let listed: BTreeSet<String> = rows.iter().map(|r| r.slot.clone()).collect();
     let mut bad: Vec<String> = asked()
-        .symmetric_difference(&told)
+        .symmetric_difference(&listed)
         .map(|slot| format!("<{slot}> stands in the table or in the shaders alone"))
         .collect();
     for row in &rows {

@@ -179,10 +179,10 @@ fn planted_faults_are_found() {
         ),
     ] {
         let wrong = sound.replace(old, new);
-        let said = faults(&wrong);
+        let message = faults(&wrong);
         assert!(
-            said.iter().any(|fault| fault.contains(found)),
-            "{new}: {said:?}"
+            message.iter().any(|fault| fault.contains(found)),
+            "{new}: {message:?}"
         );
     }
     assert!(

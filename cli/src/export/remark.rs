@@ -23,7 +23,7 @@ impl<R> Remark<R> {
 
 impl<R: fmt::Display> Remark<R> {
     /// The same with its reason as text.
-    pub fn told(self) -> Remark<String> {
+    pub fn as_text(self) -> Remark<String> {
         Remark {
             line: self.line,
             reason: self.reason.to_string(),

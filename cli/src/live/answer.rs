@@ -21,7 +21,7 @@ pub fn answer<B>(request: &Request<B>, port: u16, board: &Board, page: &Page) ->
     let admitted = admit(request.method(), request.uri(), request.headers(), port);
     let answer = match admitted {
         Ok(Route::Page) => of_type("text/html; charset=utf-8", page.html.clone()),
-        Ok(Route::State(asked)) => match serde_json::to_vec(&board.tell(asked)) {
+        Ok(Route::State(asked)) => match serde_json::to_vec(&board.answer(asked)) {
             Ok(json) => of_type("application/json", json.into()),
             Err(_) => refusal(StatusCode::INTERNAL_SERVER_ERROR),
         },

@@ -111,7 +111,7 @@ impl Board {
     }
 
     /// The answer to a tab's question.
-    pub fn tell(&self, asked: Asked) -> State {
+    pub fn answer(&self, asked: Asked) -> State {
         let mut shown = self.shown();
         let newest = shown.snapshot.as_ref().map_or(0, |s| s.number);
         let is_up_to_date = asked.has == newest;
@@ -181,13 +181,13 @@ mod tests {
     fn a_snapshot_is_wanted_by_a_tab_that_has_the_newest() {
         let board = board();
         assert!(!board.is_wanted(), "no tab is open");
-        board.tell(asked(0));
+        board.answer(asked(0));
         assert!(board.is_wanted());
         board.show(snapshot(1));
         assert!(!board.is_wanted());
-        board.tell(asked(0));
+        board.answer(asked(0));
         assert!(!board.is_wanted(), "the newest is on its way to it");
-        board.tell(asked(1));
+        board.answer(asked(1));
         assert!(board.is_wanted());
     }
 
@@ -200,11 +200,11 @@ mod tests {
             start.elapsed()
         };
         assert!(waited(&board) < PATIENCE / 2);
-        board.tell(asked(0));
+        board.answer(asked(0));
         board.show(snapshot(1));
         board.enter(Phase::Ended);
         assert!(waited(&board) >= PATIENCE);
-        board.tell(asked(1));
+        board.answer(asked(1));
         assert!(waited(&board) >= PATIENCE, "it may not know");
         std::thread::scope(|scope| {
             let knows_end = true;
@@ -213,7 +213,7 @@ mod tests {
                 ..asked(1)
             };
             let board = &board;
-            scope.spawn(move || board.tell(last));
+            scope.spawn(move || board.answer(last));
             assert!(waited(board) < PATIENCE / 2);
         });
     }
@@ -221,18 +221,18 @@ mod tests {
     #[test]
     fn lost_devices_are_reported() {
         let board = board();
-        assert_eq!(board.tell(asked(0)).trouble, None);
+        assert_eq!(board.answer(asked(0)).trouble, None);
         board.trouble("the device failed".to_owned());
-        let told = board.tell(asked(0)).trouble;
-        assert_eq!(told.as_deref(), Some("the device failed"));
+        let trouble = board.answer(asked(0)).trouble;
+        assert_eq!(trouble.as_deref(), Some("the device failed"));
     }
 
     #[test]
     fn whoever_asks_to_stop_sets_the_flag() {
         let stop = Arc::default();
         let board = Board::new("room".to_owned(), Arc::clone(&stop));
-        assert!(!board.tell(asked(0)).stopping);
+        assert!(!board.answer(asked(0)).stopping);
         board.stop();
-        assert!(stop.load(Ordering::Relaxed) && board.tell(asked(0)).stopping);
+        assert!(stop.load(Ordering::Relaxed) && board.answer(asked(0)).stopping);
     }
 }

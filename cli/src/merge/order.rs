@@ -11,7 +11,7 @@ use vkpt_lab::cli::command;
 use vkpt_lab::cli::exit::Failure;
 
 /// A file and its header.
-struct Told {
+struct Named {
     path: PathBuf,
     header: Header,
     samples: Range<u32>,
@@ -19,7 +19,7 @@ struct Told {
 
 /// Parts of one picture, each beginning where the one before ends.
 pub struct InOrder {
-    parts: Vec<Told>,
+    parts: Vec<Named>,
     /// Whether all have moments in addition to sums.
     pub keep_moments: bool,
 }
@@ -69,7 +69,7 @@ pub fn in_order(arguments: &MergeArguments) -> Result<InOrder, Failure> {
         match state::read_header(path) {
             Ok((header, [begin, end], keeps)) => {
                 keep_moments &= keeps == Keeps::Moments;
-                parts.push(Told {
+                parts.push(Named {
                     path: path.clone(),
                     header,
                     samples: begin..end,
@@ -111,11 +111,11 @@ fn none_wrong(wrong: Vec<String>) -> Result<(), Failure> {
 }
 
 /// Parts of another picture than the first.
-fn foreign(parts: &[Told]) -> Vec<String> {
+fn foreign(parts: &[Named]) -> Vec<String> {
     let Some((first, others)) = parts.split_first() else {
         return Vec::new();
     };
-    let difference = |part: &Told| {
+    let difference = |part: &Named| {
         let names = [first, part].map(|part| part.path.display().to_string());
         let difference = differs(&first.header, &part.header)?;
         let [a, b] = names.each_ref().map(String::as_str);
@@ -128,7 +128,7 @@ fn foreign(parts: &[Told]) -> Vec<String> {
 }
 
 /// Samples that are missing between two parts, or are in both.
-fn misplaced(parts: &[Told]) -> Vec<String> {
+fn misplaced(parts: &[Named]) -> Vec<String> {
     let mut wrong = Vec::new();
     // The part that reaches furthest so far.
     let mut last = 0;
@@ -162,7 +162,7 @@ fn misplaced(parts: &[Told]) -> Vec<String> {
 }
 
 /// How to render the samples that should follow a part.
-fn mended(part: &Told, missing: Range<u32>) -> String {
+fn mended(part: &Named, missing: Range<u32>) -> String {
     let job = &part.header.record.job;
     let asked = part.samples.start.saturating_add(job.spp_asked);
     match part.samples.end < asked {

@@ -19,17 +19,17 @@ pub struct Picture {
 ///
 /// `--format` is the format of every picture whose name does not imply one. If all names do, it must agree with them.
 pub fn pictures(outputs: &[Destination], format: Option<Format>) -> Result<Vec<Picture>, Failure> {
-    let told = |to: &Destination| to.path().and_then(Format::of);
+    let named = |to: &Destination| to.path().and_then(Format::of);
     if let Some(format) = format
-        && outputs.iter().all(|to| told(to).is_some())
-        && let Some(other) = outputs.iter().find(|to| told(to) != Some(format))
+        && outputs.iter().all(|to| named(to).is_some())
+        && let Some(other) = outputs.iter().find(|to| named(to) != Some(format))
     {
         let name = format.name();
         return Err(Failure::Usage(format!(
             "--format {name} contradicts -o {other}: change the ending, or omit --format"
         )));
     }
-    let picture = |to: &Destination| match told(to).or(format) {
+    let picture = |to: &Destination| match named(to).or(format) {
         Some(format) => Ok(Picture {
             to: to.clone(),
             format,
@@ -124,8 +124,8 @@ mod tests {
             .collect();
         match pictures(&outputs, format) {
             Ok(all) => {
-                let told = |p: &Picture| format!("{}:{}", p.to, p.format.name());
-                Ok(all.iter().map(told).collect::<Vec<_>>().join(" "))
+                let named = |p: &Picture| format!("{}:{}", p.to, p.format.name());
+                Ok(all.iter().map(named).collect::<Vec<_>>().join(" "))
             }
             Err(Failure::Usage(message)) => Err(message),
             Err(other) => panic!("{other:?}"),
@@ -154,9 +154,9 @@ mod tests {
             (&["b.exr"], PNG, "--format png contradicts -o b.exr"),
             (&["a.png", "b.exr"], PNG, "contradicts -o b.exr"),
         ];
-        for (outputs, format, said) in refused {
+        for (outputs, format, words) in refused {
             let message = chosen(outputs, format).expect_err("refused");
-            assert!(message.contains(said), "{message}");
+            assert!(message.contains(words), "{message}");
         }
     }
 }

@@ -15,7 +15,7 @@ use vkpt::render::{
     self, Best, Job, KernelChoice, Outcome, RenderError, Start, Target, Until, Watch,
 };
 use vkpt::report::names::Named;
-use vkpt_lab::cli::beside::parted;
+use vkpt_lab::cli::beside::split;
 use vkpt_lab::cli::denoise::{self, DenoiseArguments, LEAST};
 use vkpt_lab::cli::destination::Destination;
 use vkpt_lab::cli::exit::Failure;
@@ -132,7 +132,7 @@ impl RenderArguments {
 
     /// The outputs in addition to the picture: by kinds, and the light of classes of paths.
     pub fn beside(&self) -> (Vec<Aov>, Vec<PathClass>) {
-        let (mut aovs, classes) = parted(&self.outputs.aov);
+        let (mut aovs, classes) = split(&self.outputs.aov);
         aovs.extend(self.denoise.denoise.map(|_| Aov::Denoised));
         (aovs, classes)
     }

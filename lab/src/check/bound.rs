@@ -18,6 +18,6 @@ pub fn carried(vertices: f64, condition: f64) -> f64 {
 
 /// Probability that f32 decides differently somewhere on this path. A decision compares a number x with a uniform one, or
 /// a point with an edge around which it is uniform: an error δ of x changes a fraction δ of the decisions.
-pub fn parted(vertices: f64, condition: f64) -> f64 {
+pub fn diverged(vertices: f64, condition: f64) -> f64 {
     (DECISIONS_PER_VERTEX * carried(vertices, condition)).min(1.0)
 }

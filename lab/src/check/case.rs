@@ -183,8 +183,8 @@ impl Stiffness {
     }
 
     /// The largest probability of a path to diverge from f64's.
-    pub fn parted(&self) -> f64 {
-        bound::parted(self.vertices, self.decisions)
+    pub fn diverged(&self) -> f64 {
+        bound::diverged(self.vertices, self.decisions)
     }
 
     /// The largest relative difference of 99 % of those that do not diverge.

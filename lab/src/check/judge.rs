@@ -47,7 +47,7 @@ impl Judge {
             sound("negative", m.negative),
         ]);
         held.extend(
-            [self.parted(case, m), self.close(case, m), self.bias(m)]
+            [self.diverged(case, m), self.close(case, m), self.bias(m)]
                 .into_iter()
                 .flatten(),
         );
@@ -77,8 +77,8 @@ impl Judge {
     }
 
     /// No more paths diverge than a binomial distribution with the bound allows.
-    fn parted(&self, case: &Case, m: &Measured) -> Option<Held> {
-        let share = case.stiffness.parted();
+    fn diverged(&self, case: &Case, m: &Measured) -> Option<Held> {
+        let share = case.stiffness.diverged();
         let limit = most_of(m.f64.paths, share, self.level)?;
         let s = &case.stiffness;
         let why = format!(
@@ -107,7 +107,7 @@ impl Judge {
 
     /// The mean contribution of diverged paths is the same on both sides.
     fn bias(&self, m: &Measured) -> Option<Held> {
-        let p = match m.f64.parted.verdict() {
+        let p = match m.f64.diverged.verdict() {
             Verdict::TooFew => return None,
             Verdict::Unbiased(p) | Verdict::Biased(p) => p,
         };

@@ -110,7 +110,7 @@ fn record(case: &Case, judge: &Judge, done: &HashMap<&str, Measured>) -> CaseRec
         name: case.name.clone(),
         about: case.about.clone(),
         samples: m.f64.paths,
-        parted: m.f64.paths - m.f64.together,
+        diverged: m.f64.paths - m.f64.together,
         median: closeness.quantile(0.5),
         p99: closeness.quantile(0.99),
         worst: closeness
@@ -118,7 +118,7 @@ fn record(case: &Case, judge: &Judge, done: &HashMap<&str, Measured>) -> CaseRec
             .map(|w| w.difference)
             .or(closeness.quantile(1.0)),
         worst_at: closeness.worst.map(|w| at(w.address)),
-        parted_at: m.f64.first_parted.map(at),
+        diverged_at: m.f64.first_diverged.map(at),
         nan: m.nan,
         infinite: m.infinite,
         largest: m.largest,

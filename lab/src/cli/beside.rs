@@ -40,7 +40,7 @@ impl Display for Beside {
 }
 
 /// All requested values, each once.
-pub fn parted(asked: &[Beside]) -> (Vec<Aov>, Vec<PathClass>) {
+pub fn split(asked: &[Beside]) -> (Vec<Aov>, Vec<PathClass>) {
     let (mut aovs, mut classes) = (Vec::new(), Vec::new());
     for beside in asked {
         match beside {

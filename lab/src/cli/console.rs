@@ -1,7 +1,7 @@
 //! Text for people.
 
 use super::destination::Destination;
-use super::streams::{put, tell};
+use super::streams::{print_line, put};
 use vkpt::image::file::FileError;
 
 /// Where text for people goes.
@@ -26,7 +26,7 @@ impl Console {
         match self {
             Self::Stdout => put(text.as_bytes()),
             Self::Stderr => {
-                tell(text.trim_end_matches('\n'));
+                print_line(text.trim_end_matches('\n'));
                 Ok(())
             }
         }

@@ -5,7 +5,7 @@ use miette::Severity;
 use super::caller::caller;
 pub use super::failure::{Ending, Failure, MEMORY};
 use super::interrupt::exit_code;
-use super::streams::tell;
+use super::streams::print_line;
 use vkpt::scene::Diagnostic;
 
 /// Prints a failure and returns the program's exit code.
@@ -16,14 +16,14 @@ pub fn exit(ending: Result<Ending, Failure>) -> u8 {
         Ok(Ending::Undenoised) => 1,
         Err(failure) => {
             let code = failure.code();
-            tell_failure(failure);
+            print_failure(failure);
             code
         }
     }
 }
 
 /// Prints a failure.
-fn tell_failure(failure: Failure) {
+fn print_failure(failure: Failure) {
     match failure {
         Failure::Usage(message) => {
             error(&format!("{message}\n\nFor more information, try '--help'."))
@@ -49,21 +49,21 @@ fn placed(diagnostic: &Diagnostic) -> String {
 }
 
 fn error(message: &dyn std::fmt::Display) {
-    tell(format!("error: {message}"));
+    print_line(format!("error: {message}"));
 }
 
 /// Prints a warning, or passes it to the caller.
 pub fn warn(message: &str) {
     match caller() {
         Some(by) => by.caller.borrow_mut().warn(message),
-        None => tell(format!("warning: {message}")),
+        None => print_line(format!("warning: {message}")),
     }
 }
 
 /// Prints a note, on the command line only.
 pub fn note(message: &str) {
     if caller().is_none() {
-        tell(format!("note: {message}"));
+        print_line(format!("note: {message}"));
     }
 }
 
@@ -86,10 +86,10 @@ pub fn point_out(mut diagnostics: Vec<Diagnostic>) {
         diagnostics.truncate(MOST);
     }
     for diagnostic in diagnostics {
-        tell(format!("{:?}", miette::Report::new(diagnostic)));
+        print_line(format!("{:?}", miette::Report::new(diagnostic)));
     }
     if all > MOST {
-        tell(format!("… and {} more\n", all - MOST));
+        print_line(format!("… and {} more\n", all - MOST));
     }
 }
 

@@ -125,6 +125,6 @@ impl Failure {
 /// The error of a command line, without the advice that clap adds for people at a terminal.
 fn sentence(wrong: &clap::Error) -> String {
     let text = wrong.to_string();
-    let said = text.split("\n\n").next().unwrap_or(&text);
-    said.trim_start_matches("error: ").trim_end().to_owned()
+    let words = text.split("\n\n").next().unwrap_or(&text);
+    words.trim_start_matches("error: ").trim_end().to_owned()
 }

@@ -84,7 +84,7 @@ impl Loaded {
         let start = Instant::now();
         let prepared = self.prepare_in_silence(request).inspect_err(|failure| {
             if let Failure::Prepare(_, error) = failure {
-                self.tell_lines(&[error.to_string()]);
+                self.print_lines(&[error.to_string()]);
             }
         })?;
         let prepare_s = start.elapsed().as_secs_f64();
@@ -92,7 +92,7 @@ impl Loaded {
         let settings = settled.as_ref().map_or(request.settings, |s| s.settings);
         let mut warnings = prepared.warnings.clone();
         warnings.extend(integrator::unseen(&prepared, &settings));
-        self.tell_lines(&warnings);
+        self.print_lines(&warnings);
         if request.strict && !warnings.is_empty() {
             let name = request.scene.name();
             let named = warnings.iter().map(|warning| format!("{name}: {warning}"));
@@ -111,7 +111,7 @@ impl Loaded {
     }
 
     /// Prints the lines that messages name, if the file itself does not have them.
-    fn tell_lines(&self, messages: &[String]) {
+    fn print_lines(&self, messages: &[String]) {
         if self.is_listing {
             let lines = listing::named(&self.text, &messages.join("\n"));
             lines.iter().for_each(|line| note(line));

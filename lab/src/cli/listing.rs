@@ -23,8 +23,8 @@ pub fn named(text: &str, message: &str) -> Vec<String> {
     }
     numbers.sort_unstable();
     numbers.dedup();
-    let told = |number: usize| Some(format!("line {number} is `{}`", line(text, number)?));
-    numbers.into_iter().filter_map(told).collect()
+    let explained = |number: usize| Some(format!("line {number} is `{}`", line(text, number)?));
+    numbers.into_iter().filter_map(explained).collect()
 }
 
 #[cfg(test)]

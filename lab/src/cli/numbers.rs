@@ -228,8 +228,11 @@ mod tests {
             " 1",
             "1_000",
         ] {
-            let said = samples(wrong).expect_err("refused");
-            assert!(said.contains("from 1 to 4294967295"), "{wrong}: {said}");
+            let message = samples(wrong).expect_err("refused");
+            assert!(
+                message.contains("from 1 to 4294967295"),
+                "{wrong}: {message}"
+            );
         }
         assert_eq!(exposure("-1.5"), Ok(-1.5));
         for wrong in ["NaN", "-nan", "inf", "-inf", "x", ""] {

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::caller::{Called, caller};
-use super::streams::tell;
+use super::streams::print_line;
 use vkpt::render::Progress;
 use vkpt::report::human::duration;
 
@@ -77,7 +77,7 @@ impl Display {
             }
             Form::Lines { last } if last.elapsed() >= PAUSE => {
                 *last = Instant::now();
-                tell(format!("{:.0} %, {}", (100.0 * fraction).floor(), words()));
+                print_line(format!("{:.0} %, {}", (100.0 * fraction).floor(), words()));
             }
             Form::Lines { .. } => {}
         }

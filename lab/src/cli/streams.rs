@@ -67,7 +67,7 @@ fn is_numbered(path: &Path) -> bool {
 }
 
 /// Prints a line on stderr. If that fails, nothing can report it.
-pub fn tell(line: impl Display) {
+pub fn print_line(line: impl Display) {
     let _ = writeln!(io::stderr(), "{line}");
 }
 

@@ -120,6 +120,6 @@ mod tests {
             assert!(matches!(check(same), Err(Failure::Usage(_))), "{same:?}");
         }
         let errors = check(["none/a", "in", "-"]);
-        assert!(matches!(errors, Err(Failure::Files(told)) if told.len() == 2));
+        assert!(matches!(errors, Err(Failure::Files(files)) if files.len() == 2));
     }
 }

@@ -102,7 +102,7 @@ mod tests {
         assert!(count(&tie) > many);
         assert!(count(&|[x, ..]| x.is_nan()) > 20);
         let fused = cancelling().into_iter().map(|row| row.map(f32::from_bits));
-        let parted = fused.filter(|[x, y, z]| x * y + z == 0.0 && x.mul_add(*y, *z) != 0.0);
-        assert!(parted.count() > ROWS as usize / 2);
+        let differing = fused.filter(|[x, y, z]| x * y + z == 0.0 && x.mul_add(*y, *z) != 0.0);
+        assert!(differing.count() > ROWS as usize / 2);
     }
 }

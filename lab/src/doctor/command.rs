@@ -74,11 +74,11 @@ pub fn doctor(arguments: &DoctorArguments) -> Result<Ending, Failure> {
     let examined = Device::open(selector).and_then(|d| examiner.examine(&d, &mut progress));
     display.finish();
     let examination = examined.map_err(|error| Failure::Render(error.into()))?;
-    let told = match arguments.quiet {
+    let printed = match arguments.quiet {
         true => Ok(()),
         false => Console::beside(&arguments.json).print(&page(&examination)),
     };
-    all_written([told, whole(&arguments.json, || json(&examination))])?;
+    all_written([printed, whole(&arguments.json, || json(&examination))])?;
     ending(&examination, arguments.quiet)
 }
 

@@ -75,11 +75,11 @@ fn shares(table: &[[u32; 3]], results: &[f32], ways: &[Way]) -> String {
         counts[which.unwrap_or(ways.len())] += 1;
     }
     let names = ways.iter().map(|(name, _)| *name).chain(["neither"]);
-    let told = names.zip(counts).filter(|(_, n)| *n > 0);
-    let told: Vec<String> = told
+    let counted = names.zip(counts).filter(|(_, n)| *n > 0);
+    let counted: Vec<String> = counted
         .map(|(name, n)| format!("{name}: {}", thousands(n)))
         .collect();
-    told.join(", ")
+    counted.join(", ")
 }
 
 #[cfg(test)]

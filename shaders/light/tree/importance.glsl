@@ -24,7 +24,8 @@ float sine_of(float cosine) {
 // section 12.6.3). theta_b is the angle under which the ball is seen, theta' = max(0, theta - theta_o - theta_b) for theta, the
 // angle between the axis and the direction to p, and theta_i' = max(0, theta_i - theta_b), the angle to n. Emitters emit on
 // both sides, so cos theta counts without its sign. From inside the ball the angles give no bound. n = 0: the point is lit from
-// both sides. `power` is a light's power over 4 pi, as a share of the whole scene's.
+// both sides. `power` is radiance times the area seen from afar (of a convex body its power over 4 pi), as a share of the
+// sum over all lights.
 float node_importance(LightNode node, vec3 p, vec3 n) {
     vec3 to = node.centre - p;
     float r2 = node.radius * node.radius;

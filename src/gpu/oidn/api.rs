@@ -48,7 +48,7 @@ impl Api {
         // SAFETY: code that runs when a library is loaded is its own responsibility; it is Intel's, or the one that the
         // user has named.
         let library = unsafe { Library::new(library) };
-        let library = library.map_err(|error| OidnError::NoLibrary(told(&error)))?;
+        let library = library.map_err(|error| OidnError::NoLibrary(reason(&error)))?;
         Ok(Self {
             new_device: function(&library, "oidnNewDevice")?,
             commit_device: function(&library, "oidnCommitDevice")?,
@@ -76,8 +76,8 @@ fn function<F: Copy>(library: &Library, name: &str) -> Result<F, OidnError> {
 }
 
 /// The loader's message, in one line.
-fn told(error: &libloading::Error) -> String {
+fn reason(error: &libloading::Error) -> String {
     let source = std::error::Error::source(error).map(ToString::to_string);
-    let told = source.unwrap_or_else(|| error.to_string());
-    told.split_whitespace().collect::<Vec<_>>().join(" ")
+    let reason = source.unwrap_or_else(|| error.to_string());
+    reason.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -51,9 +51,9 @@ impl Oidn {
         // SAFETY: the function has this signature since version 2, which `Api::load` has made sure of.
         let device = unsafe { (api.new_device)(CPU) };
         let Some(device) = NonNull::new(device) else {
-            let told = failure(&api, null::<Device>().cast_mut());
-            let told = told.map_or(String::new(), |why| format!(": {why}"));
-            return Err(OidnError::NoDevice(told));
+            let reason = failure(&api, null::<Device>().cast_mut());
+            let reason = reason.map_or(String::new(), |why| format!(": {why}"));
+            return Err(OidnError::NoDevice(reason));
         };
         let device = OwnDevice { api, device };
         // SAFETY: the device is alive.

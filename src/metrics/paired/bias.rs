@@ -10,7 +10,7 @@ pub const ENOUGH: u64 = 30;
 
 /// Mean and spread of the differences a − b, per channel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Parted {
+pub struct Diverged {
     pub paths: u64,
     /// Pairs with different radiance: many end in the dark on both sides.
     pub different: u64,
@@ -29,7 +29,7 @@ pub enum Verdict {
     Biased(f64),
 }
 
-impl Parted {
+impl Diverged {
     /// Adds a difference. Welford, Note on a Method for Calculating Corrected Sums of Squares and Products,
     /// Technometrics 4(3), 1962.
     pub fn add(&mut self, difference: [f64; 3]) {
@@ -106,15 +106,15 @@ mod tests {
 
     #[test]
     fn mean_and_standard_error() {
-        let mut parted = Parted::default();
+        let mut diverged = Diverged::default();
         for d in [1.0, 2.0, 4.0, 5.0] {
-            parted.add([d, -d, 0.0]);
+            diverged.add([d, -d, 0.0]);
         }
         // s² = (4 + 1 + 1 + 4)/3
         let error = (10.0f64 / 3.0 / 4.0).sqrt();
         let close = |a: [f64; 3], b: [f64; 3]| (0..3).all(|c| (a[c] - b[c]).abs() < 1e-15);
-        assert!(close(parted.mean(), [3.0, -3.0, 0.0]));
-        assert!(close(parted.standard_error(), [error, error, 0.0]));
-        assert_eq!(Parted::default().standard_error(), [f64::INFINITY; 3]);
+        assert!(close(diverged.mean(), [3.0, -3.0, 0.0]));
+        assert!(close(diverged.standard_error(), [error, error, 0.0]));
+        assert_eq!(Diverged::default().standard_error(), [f64::INFINITY; 3]);
     }
 }

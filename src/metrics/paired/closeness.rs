@@ -135,10 +135,10 @@ mod tests {
         differences.sort_by(f64::total_cmp);
         for q in [0.11, 0.5, 0.9, 0.99, 1.0] {
             let exact = differences[((q * 1e4) as usize).max(1) - 1];
-            let told = closeness.quantile(q).expect("paths");
+            let estimate = closeness.quantile(q).expect("paths");
             assert!(
-                (told / exact).log2().abs() <= 1.01 / 128.0,
-                "{q}: {told}, {exact}"
+                (estimate / exact).log2().abs() <= 1.01 / 128.0,
+                "{q}: {estimate}, {exact}"
             );
         }
         assert_eq!(closeness.quantile(0.1), Some(0.0));

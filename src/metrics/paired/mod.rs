@@ -4,7 +4,7 @@
 mod bias;
 mod closeness;
 
-pub use bias::{Parted, Verdict};
+pub use bias::{Diverged, Verdict};
 pub use closeness::{Closeness, DARK, Worst, relative_difference};
 
 use crate::sample::{Address, Path};
@@ -20,13 +20,13 @@ pub struct Comparison {
     /// Same decisions: shape, light, arrival, lobe and roulette at each vertex.
     pub together: u64,
     /// The first path that diverged.
-    pub first_parted: Option<Address>,
+    pub first_diverged: Option<Address>,
     /// Samples with a NaN or an infinity on either side; the film drops them, here they count as 0.
     pub broken: u64,
     /// Of the paths that stay together and contribute light.
     pub closeness: Closeness,
     /// Of the diverged paths.
-    pub parted: Parted,
+    pub diverged: Diverged,
 }
 
 impl Comparison {
@@ -52,8 +52,8 @@ impl Comparison {
             self.together += 1;
             self.closeness.add(address, a, b);
         } else {
-            self.first_parted.get_or_insert(address);
-            self.parted.add([0, 1, 2].map(|c| a[c] - b[c]));
+            self.first_diverged.get_or_insert(address);
+            self.diverged.add([0, 1, 2].map(|c| a[c] - b[c]));
         }
     }
 

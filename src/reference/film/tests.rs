@@ -156,15 +156,15 @@ fn of_odd_numbers_of_dependent_samples_the_square_is_within_its_bounds() {
             film_half_difference(pixel.sum, pixel.contrast, n).x.powi(2)
         };
         // One group is the coin's, the other's samples are ½.
-        let told = |group: usize| {
+        let estimated = |group: usize| {
             let of = |coin| square(if group == 0 { [coin, 0.5] } else { [0.5, coin] });
             (of(0.0) + of(1.0)) / 2.0
         };
         let true_variance = |m: u32| f64::from(m * m) / 4.0 / f64::from(n * n);
         let bound = f64::from(n - 1) / f64::from(n + 1);
         let ratios = [
-            told(0) / true_variance(first),
-            told(1) / true_variance(second),
+            estimated(0) / true_variance(first),
+            estimated(1) / true_variance(second),
         ];
         assert!((ratios[0] - bound).abs() < 1e-12, "{n}: {ratios:?}");
         assert!((ratios[1] - 1.0 / bound).abs() < 1e-12, "{n}: {ratios:?}");

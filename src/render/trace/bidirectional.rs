@@ -21,7 +21,7 @@ pub struct Events<'a, F> {
     world: &'a World<F>,
     settings: &'a Settings,
     names: Names<'a>,
-    told: Vec<Event>,
+    events: Vec<Event>,
     /// Index of the last vertex among them.
     vertex: usize,
     paths: Paths<F>,
@@ -34,23 +34,23 @@ impl<'a, F: Real> Events<'a, F> {
             world,
             settings,
             names,
-            told: Vec::new(),
+            events: Vec::new(),
             vertex: 0,
             paths: Paths::new(world.camera.eye),
         }
     }
 
     /// The events; the eye path's radiance is `radiance`.
-    pub fn told(mut self, radiance: Vec3<F>) -> Vec<Event> {
+    pub fn finish(mut self, radiance: Vec3<F>) -> Vec<Event> {
         self.push(
             "the eye path ends".to_owned(),
             vec![("radiance", xyz(radiance))],
         );
-        self.told
+        self.events
     }
 
     fn push(&mut self, what: String, numbers: Vec<(&'static str, Vec<f64>)>) {
-        self.told.push(Event {
+        self.events.push(Event {
             what,
             numbers,
             rows: Vec::new(),
@@ -75,7 +75,7 @@ impl<'a, F: Real> Events<'a, F> {
             Some(_) => self.rows([light, eye], path),
             None => Vec::new(),
         };
-        self.told.push(Event {
+        self.events.push(Event {
             what: format!("s={light} t={eye}: {to}{how}"),
             numbers: vec![("light", brought)],
             rows,
@@ -133,7 +133,7 @@ impl<F: Real> Recorder<F> for Events<'_, F> {
         };
         let Vertex { shape, prim, p, .. } = x.v;
         let on = self.names.of(shape);
-        self.vertex = self.told.len();
+        self.vertex = self.events.len();
         let numbers = vec![
             ("point", self.names.place(p.f64())),
             (carried, xyz(x.carried)),
@@ -204,7 +204,7 @@ impl<F: Real> Recorder<F> for Events<'_, F> {
         if let Some(last) = self.paths.steps(from).last_mut() {
             last.delta = delta;
         }
-        if let Some(event) = self.told.get_mut(self.vertex) {
+        if let Some(event) = self.events.get_mut(self.vertex) {
             event.what += &format!(": {}", lobe_name(lobe));
             // It is meaningless for a delta lobe and for a path that ends.
             if lobe != LOBE_NONE && !delta {

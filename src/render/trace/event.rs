@@ -46,7 +46,7 @@ impl Names<'_> {
 /// Events of a path of the reference, in order; the connection of a vertex comes after it.
 pub struct Events<'a> {
     names: Names<'a>,
-    told: Vec<Event>,
+    events: Vec<Event>,
     /// The connection of the current vertex, and the radiance before it.
     pending: Option<(Event, Vec<f64>)>,
 }
@@ -56,14 +56,14 @@ impl<'a> Events<'a> {
     pub fn new(names: Names<'a>) -> Self {
         Self {
             names,
-            told: Vec::new(),
+            events: Vec::new(),
             pending: None,
         }
     }
 
     /// The events.
-    pub fn told(self) -> Vec<Event> {
-        self.told
+    pub fn finish(self) -> Vec<Event> {
+        self.events
     }
 }
 
@@ -87,10 +87,10 @@ impl<F: Real> Recorder<F> for Events<'_> {
             xyz(s.path.throughput),
             seen,
         ];
-        self.told.push(vertex(lobe, &on, v.prim, numbers));
+        self.events.push(vertex(lobe, &on, v.prim, numbers));
         if let Some(mut event) = connection {
             event.numbers.push(("radiance", after));
-            self.told.push(event);
+            self.events.push(event);
         }
     }
 
@@ -102,7 +102,7 @@ impl<F: Real> Recorder<F> for Events<'_> {
 
     fn escape(&mut self, s: &PathState<F>) {
         let numbers = [xyz(s.path.ray.d), xyz(s.path.throughput), xyz(s.radiance)];
-        self.told.push(escape(numbers));
+        self.events.push(escape(numbers));
     }
 }
 

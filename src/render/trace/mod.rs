@@ -87,7 +87,7 @@ fn both_of_reference<F: Real>(job: &Job, address: Address) -> Vec<Event> {
     let names = Names(job.prepared);
     let mut events = bidirectional::Events::new(&world, &job.settings, names);
     let brought = both_paths(job, &world, job.sample(address), &mut events);
-    events.told(brought.radiance)
+    events.finish(brought.radiance)
 }
 
 /// How a device's sample compares with that of cpu-f32.
@@ -121,5 +121,5 @@ fn reference<F: Real>(job: &Job, pixel: [u32; 2], index: u32) -> Vec<Event> {
     let id = job.sample(Address { pixel, index });
     let mut events = Events::new(Names(job.prepared));
     trace_path(&world, &job.settings, id, &mut events);
-    events.told()
+    events.finish()
 }

@@ -19,7 +19,7 @@ pub struct Trace {
 
 impl Trace {
     /// Number of the first event that differs.
-    fn parting(&self) -> Option<usize> {
+    fn divergence(&self) -> Option<usize> {
         let [a, b] = &self.paths;
         let differs = |i: &usize| match (a.get(*i), b.get(*i)) {
             (Some(a), Some(b)) => !a.agrees(b, self.tolerance),
@@ -33,9 +33,9 @@ impl Display for Trace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [a, b] = &self.names;
         writeln!(f, "{a:<WIDTH$}  {b}")?;
-        let parting = self.parting();
+        let divergence = self.divergence();
         for i in 0..self.paths[0].len().max(self.paths[1].len()) {
-            let mark = if Some(i) == parting {
+            let mark = if Some(i) == divergence {
                 "── the paths diverge here ──\n"
             } else {
                 ""
@@ -50,7 +50,7 @@ impl Display for Trace {
         for note in &self.notes {
             writeln!(f, "{note}")?;
         }
-        match parting {
+        match divergence {
             None => f.write_str("the two paths are the same"),
             Some(i) => write!(f, "the two paths diverge at event {}", i + 1),
         }
@@ -106,7 +106,7 @@ mod tests {
 
     #[test]
     fn the_tolerance_is_relative() {
-        assert_eq!(trace(&[1000.0], &[1000.5], 1e-3).parting(), None);
-        assert_eq!(trace(&[1000.0], &[1002.0], 1e-3).parting(), Some(0));
+        assert_eq!(trace(&[1000.0], &[1000.5], 1e-3).divergence(), None);
+        assert_eq!(trace(&[1000.0], &[1002.0], 1e-3).divergence(), Some(0));
     }
 }

@@ -124,9 +124,9 @@ fn an_interruption_leaves_the_picture_without_classes() {
         );
         if picture.exists() {
             assert_eq!(run.code, Some(130), "{}", run.err);
-            let told =
+            let message =
                 "warning: interrupted: the picture is written without the layers of --aov light\n";
-            assert!(run.err.contains(told), "{}", run.err);
+            assert!(run.err.contains(message), "{}", run.err);
             assert!(read_layer(&picture, "light:EL").is_err());
             assert!(folder.path().join("a.vkpt").exists());
             return;

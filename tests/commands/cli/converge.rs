@@ -130,8 +130,8 @@ fn a_curve_that_does_not_converge_is_a_warning_and_a_field() {
     );
     let (code, out, err, converges) = quiet("brighter.exr");
     assert_eq!((code, out, converges), (Some(0), nothing, false.into()));
-    let said = "warning: the pictures do not converge to the reference (brighter.exr): relMSE ";
-    assert!(err.starts_with(said), "{err}");
+    let message = "warning: the pictures do not converge to the reference (brighter.exr): relMSE ";
+    assert!(err.starts_with(message), "{err}");
     assert_eq!(err.lines().count(), 1, "{err}");
 }
 
@@ -162,7 +162,7 @@ fn a_replicate_is_the_picture_of_its_seed() {
     let render: Vec<&str> = render.split(' ').collect();
     assert_eq!(run(folder, &render).code, Some(0));
     let compared = run(folder, &["compare", "a.exr", "r.exr"]).out;
-    let told = |metric: &str| -> f64 {
+    let printed = |metric: &str| -> f64 {
         let line = compared
             .lines()
             .find(|l| l.starts_with(metric))
@@ -180,7 +180,7 @@ fn a_replicate_is_the_picture_of_its_seed() {
         // The third replicate has seed 7.
         let found = errors[name]["replicates"][2].as_f64().expect("an error");
         assert!(
-            (found / told(row) - 1.0).abs() < 1e-3,
+            (found / printed(row) - 1.0).abs() < 1e-3,
             "{name}: {found}\n{compared}"
         );
     }

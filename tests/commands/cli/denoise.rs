@@ -142,7 +142,7 @@ fn a_library_that_does_not_work_leaves_the_noisy_picture() {
         .status();
     assert!(cc.expect("cc").success());
     stand_in(folder.path());
-    for (library, fails, said) in [
+    for (library, fails, message) in [
         (
             "nowhere",
             false,
@@ -172,7 +172,7 @@ fn a_library_that_does_not_work_leaves_the_noisy_picture() {
         let out = command.output().expect("a run");
         let err = String::from_utf8_lossy(&out.stderr);
         assert_eq!(out.status.code(), Some(1), "{library}: {err}");
-        assert!(err.contains(said), "{library}: {err}");
+        assert!(err.contains(message), "{library}: {err}");
         assert_eq!(err.trim().lines().count(), 1, "{library}: {err}");
         assert!(
             folder.path().join("a.exr").exists() && !folder.path().join("a-denoised.exr").exists()

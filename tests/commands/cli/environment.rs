@@ -189,9 +189,9 @@ fn names_of_any_bytes_are_read_and_written() {
         let mut command = command(folder.path(), &[]);
         command.args(words.iter().map(|word| OsStr::from_bytes(word)));
         let output = command.output().expect("the program runs");
-        let told = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(0), "{told}");
-        assert!(name(written).is_file(), "{told}");
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(0), "{message}");
+        assert!(name(written).is_file(), "{message}");
     }
     let mut over = command(folder.path(), &[]);
     over.arg(name(b"a \xe9/s \xff.scn"))

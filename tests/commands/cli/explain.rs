@@ -134,7 +134,7 @@ fn each_of_two_kernels_has_a_file() {
 fn the_drivers_statistics_are_printed_for_each_kernel() {
     let Some(radv) = radv() else { return };
     let folder = folder(SCENE);
-    let told = |integrator: &str| {
+    let message = |integrator: &str| {
         let arguments = [
             "explain",
             "scene.scn",
@@ -153,7 +153,7 @@ fn the_drivers_statistics_are_printed_for_each_kernel() {
         let section = run.out.split("Driver statistics of Null hardware").nth(1);
         section.expect("a section").to_owned()
     };
-    let (path, both) = (told("path"), told("bidirectional"));
+    let (path, both) = (message("path"), message("bidirectional"));
     assert_eq!(path.matches("Spilled VGPRs").count(), 1, "{path}");
     assert_eq!(both.matches("Spilled VGPRs").count(), 2, "{both}");
     for words in ["light paths Compute Shader", "eye paths Compute Shader"] {

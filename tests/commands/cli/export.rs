@@ -186,8 +186,8 @@ fn a_gltf_file_renders_to_the_bits_of_its_scene() {
     let exported = words(folder.path(), "export scene.scn --to gltf");
     assert_eq!(exported.code, Some(0));
     // glTF has the aspect ratio of a picture, and not its size.
-    let said = "note: scene.scn:2: glTF does not store the size in pixels: render the file with --size 16x12";
-    assert_eq!(exported.err.trim_end(), said);
+    let message = "note: scene.scn:2: glTF does not store the size in pixels: render the file with --size 16x12";
+    assert_eq!(exported.err.trim_end(), message);
     let picture = |name: &str| {
         let flags = "--quiet --size 16x12 --spp 4 --device cpu-f32 -o a.exr";
         let run = words(folder.path(), &format!("{name} {flags}"));

@@ -65,9 +65,9 @@ fn a_full_disk_keeps_its_files() {
         (format!("$VKPT {large} -o disk/a.exr"), "a.exr\nold"),
     ] {
         let (ran, after) = on_a_small_disk(&line);
-        let said = "error: cannot write disk/a.exr: No space left on device";
+        let message = "error: cannot write disk/a.exr: No space left on device";
         assert_eq!(ran.code, Some(5), "{line}: {}", ran.err);
-        assert!(ran.err.starts_with(said), "{line}: {}", ran.err);
+        assert!(ran.err.starts_with(message), "{line}: {}", ran.err);
         assert_eq!(after, left, "{line}");
     }
 }
@@ -98,8 +98,8 @@ fn a_folder_on_a_disk_that_is_only_read_is_refused() {
             "mount -o remount,ro disk; $VKPT {endless} -o disk/{name}"
         ));
         assert_eq!(ran.code, Some(5), "{}", ran.err);
-        let said = format!("error: cannot write disk/{name}: ");
-        assert!(ran.err.starts_with(&said), "{}", ran.err);
+        let message = format!("error: cannot write disk/{name}: ");
+        assert!(ran.err.starts_with(&message), "{}", ran.err);
         assert!(ran.err.contains("Read-only file system"), "{}", ran.err);
         assert_eq!(after, "a.exr\nold");
     }
@@ -113,8 +113,8 @@ fn a_file_beyond_the_limit_is_an_error_and_no_kill() {
     let line = format!("ulimit -f 0; exec $VKPT {RENDER} -o a.exr");
     let ran = shell(folder.path(), &line);
     assert_eq!(ran.code, Some(5), "{}", ran.err);
-    let said = "error: cannot write a.exr: File too large";
-    assert!(ran.err.starts_with(said), "{}", ran.err);
+    let message = "error: cannot write a.exr: File too large";
+    assert!(ran.err.starts_with(message), "{}", ran.err);
     assert_eq!(names(folder.path()), ["a.exr", "scene.scn"]);
     let old = fs::read(folder.path().join("a.exr")).expect("a file");
     assert_eq!(old, b"old");

@@ -9,10 +9,10 @@ use super::program::{folder, names, words};
 fn a_first_scene_is_rendered_without_a_word() {
     let folder = folder("");
     let run = words(folder.path(), "init");
-    let said = "note: vkpt scene.txt renders it\n";
+    let message = "note: vkpt scene.txt renders it\n";
     assert_eq!(
         (run.code, run.out.as_str(), run.err.as_str()),
-        (Some(0), "", said)
+        (Some(0), "", message)
     );
     let text = fs::read_to_string(folder.path().join("scene.txt")).expect("a scene");
     assert_eq!(words(folder.path(), "init -").out, text);
@@ -57,8 +57,8 @@ fn no_file_is_written_over() {
     fs::write(folder.path().join("a.txt"), "mine").expect("a file");
     let before = names(folder.path());
     let run = words(folder.path(), "init a.txt");
-    let said = "error: cannot write a.txt: it exists already; give the scene another name\n";
-    assert_eq!((run.code, run.err.as_str()), (Some(5), said));
+    let message = "error: cannot write a.txt: it exists already; give the scene another name\n";
+    assert_eq!((run.code, run.err.as_str()), (Some(5), message));
     assert_eq!(
         fs::read_to_string(folder.path().join("a.txt")).expect("a file"),
         "mine"

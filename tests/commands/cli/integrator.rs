@@ -52,10 +52,10 @@ fn parts_that_light_paths_do_not_see_give_one_warning() {
             ];
             let run = run(folder.path(), &arguments);
             assert_eq!(run.code, Some(0), "{}", run.err);
-            let told = run
+            let printed = run
                 .err
                 .matches("does not render reflections in mirrors or the background");
-            assert_eq!(told.count(), warnings, "{integrator}: {}", run.err);
+            assert_eq!(printed.count(), warnings, "{integrator}: {}", run.err);
         }
     }
 }
@@ -124,13 +124,13 @@ fn a_scene_chooses_its_integrator() {
                 std::fs::read(folder.path().join(out)).expect("a picture"),
             )
         };
-        let (said, default) = of(&[], "default.png");
+        let (words, default) = of(&[], "default.png");
         let why = format!("{integrator} by auto: {why}");
-        assert!(said.trim_end().ends_with(&why), "{said}");
-        let (said, auto) = of(&["--integrator", "auto"], "auto.png");
-        assert!(said.trim_end().ends_with(&why), "{said}");
-        let (said, asked) = of(&["--integrator", integrator], "asked.png");
-        assert!(!said.contains("by auto"), "{said}");
+        assert!(words.trim_end().ends_with(&why), "{words}");
+        let (words, auto) = of(&["--integrator", "auto"], "auto.png");
+        assert!(words.trim_end().ends_with(&why), "{words}");
+        let (words, asked) = of(&["--integrator", integrator], "asked.png");
+        assert!(!words.contains("by auto"), "{words}");
         assert!(auto == asked && default == asked, "{integrator}");
     }
 }

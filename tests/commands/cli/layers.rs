@@ -91,15 +91,15 @@ fn layers_are_compared_by_name() {
     assert!(albedo.out.contains("mean B"), "{}", albedo.out);
     let missing = compare("Normal");
     assert_eq!(missing.code, Some(3));
-    let told =
+    let message =
         "a.exr: has no layer Normal; its channels are Albedo.B, Albedo.G, Albedo.R, B, G, R, Z";
-    assert!(missing.err.contains(told), "{}", missing.err);
+    assert!(missing.err.contains(message), "{}", missing.err);
 }
 
 #[test]
 fn layers_that_have_no_place_are_refused() {
     let folder = folder(SCENE);
-    for (line, told) in [
+    for (line, message) in [
         (
             "scene.scn --aov albedo -o a.png",
             "error: --aov albedo is a layer of an EXR, but no EXR is written: add -o NAME.exr",
@@ -122,7 +122,7 @@ fn layers_that_have_no_place_are_refused() {
         }
         let run = words(folder.path(), line);
         assert_eq!(run.code, Some(2), "{line}: {}", run.err);
-        assert!(run.err.starts_with(told), "{line}: {}", run.err);
+        assert!(run.err.starts_with(message), "{line}: {}", run.err);
         assert!(!folder.path().join("a.exr").exists() && !folder.path().join("a.png").exists());
     }
 }

@@ -1,4 +1,4 @@
-//! The host memory that a large scene is said to take, compared with that which it took by the kernel's count.
+//! The host memory that a large scene is announced to take, compared with that which it took by the kernel's count.
 
 use std::fs;
 use std::path::Path;
@@ -25,7 +25,7 @@ fn the_peak_is_about_the_announced_size() {
         fs::write(folder.path().join("blob.ply"), file).expect("a mesh");
         let read = parse(SCENE, &folder.path().join("scene.scn"), false).expect("a good scene");
         let footprint = Footprint::of(&read.scene);
-        let said = footprint.peak();
+        let announced = footprint.peak();
         assert_eq!(footprint.triangles, 302_580);
         let render = [
             "scene.scn",
@@ -39,10 +39,10 @@ fn the_peak_is_about_the_announced_size() {
         ];
         let report: Value = serde_json::from_str(&run(folder.path(), &render).out).expect("JSON");
         let took = report["memory"]["peak"].as_u64().expect("Linux counts");
-        let ratio = took as f64 / said as f64;
+        let ratio = took as f64 / announced as f64;
         assert!(
             (2.0 / 3.0..1.5).contains(&ratio),
-            "{took} bytes, said {said}"
+            "{took} bytes, announced {announced}"
         );
         let page = run(folder.path(), &["explain", "scene.scn"]).out;
         assert!(page.contains("at most"), "{page}");

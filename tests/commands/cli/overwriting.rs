@@ -83,7 +83,7 @@ fn a_kept_reference_is_not_written_over() {
     let to = format!("cache/references/{}", before[0].0);
     let ran = shell(folder.path(), &format!("{converge} --csv {to}"));
     assert_eq!(ran.code, Some(2), "{}", ran.err);
-    let said = format!("error: {to} would be overwritten: it is a cached reference; ");
-    assert!(ran.err.starts_with(&said), "{}", ran.err);
+    let message = format!("error: {to} would be overwritten: it is a cached reference; ");
+    assert!(ran.err.starts_with(&message), "{}", ran.err);
     assert!(contents(&kept) == before);
 }

@@ -263,9 +263,13 @@ fn a_part_is_named_after_scene_and_samples() {
     let folder = folder(SCENE);
     ok(&folder, &format!("scene.scn {COMMON} --samples 0..2"));
     assert_eq!(names(folder.path()), ["scene-0-2.vkpt", "scene.scn"]);
-    let told = run(
+    let printed = run(
         folder.path(),
         &["scene.scn", "--device", "cpu-f32", "--samples", "2..4"],
     );
-    assert!(told.out.contains("wrote   scene-2-4.vkpt"), "{}", told.out);
+    assert!(
+        printed.out.contains("wrote   scene-2-4.vkpt"),
+        "{}",
+        printed.out
+    );
 }

@@ -117,7 +117,7 @@ fn a_wrong_scene_is_3_and_shows_every_line() {
 fn strict_makes_a_warning_3() {
     let warned = format!("{SCENE}torus 0 0 0 1 2\n");
     let strict = ["--strict", "scene.scn"];
-    // Told by the preparation, not by the reader: two glass spheres that overlap.
+    // Found by the preparation, not by the reader: two glass spheres that overlap.
     let overlap = "screen 8 6\ncamera 0 0 5 0.3\nbrdf 0 0 0 .1 .1 .1 .1 .9 .9 .9 1.5\n\
         sphere 0 0 0 1\nsphere 1 0 0 1\nlight 1 1 1\nsphere 0 9 0 1\n";
     let messages = [refused(&warned, &strict, 3), refused(overlap, &strict, 3)];
@@ -144,8 +144,8 @@ fn no_such_device_is_4() {
     for device in ["99", "no such device"] {
         // It lists this machine's devices: no snapshot.
         let message = refused(SCENE, &["scene.scn", "--device", device], 4);
-        let (_, said) = message.split_once('\n').expect("a command and its message");
-        assert!(said.contains(device), "{message}");
+        let (_, printed) = message.split_once('\n').expect("a command and its message");
+        assert!(printed.contains(device), "{message}");
     }
 }
 
@@ -154,11 +154,11 @@ fn no_vulkan_is_4_with_advice() {
     let folder = folder(SCENE);
     for arguments in [&["scene.scn", "--device", "0"][..], &["devices"][..]] {
         let output = blind(folder.path(), arguments);
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(4), "{said}");
+        let printed = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(4), "{printed}");
         assert!(
-            said.contains("mesa-vulkan-drivers") && said.contains("--device cpu-f64"),
-            "{said}"
+            printed.contains("mesa-vulkan-drivers") && printed.contains("--device cpu-f64"),
+            "{printed}"
         );
         assert_eq!(names(folder.path()), ["scene.scn"]);
     }
@@ -168,10 +168,10 @@ fn no_vulkan_is_4_with_advice() {
 fn without_vulkan_the_reference_renders_and_says_so() {
     let folder = folder(SCENE);
     let output = blind(folder.path(), &["scene.scn", "-o", "blind.exr"]);
-    let said = String::from_utf8_lossy(&output.stdout);
-    assert_eq!(output.status.code(), Some(0), "{said}");
+    let printed = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{printed}");
     let last = "on cpu-f32, as no Vulkan device is usable";
-    assert!(said.trim_end().ends_with(last), "{said}");
+    assert!(printed.trim_end().ends_with(last), "{printed}");
     let reference = ["scene.scn", "--device", "cpu-f32", "-o", "asked.exr"];
     let asked = run(folder.path(), &reference);
     assert!(!asked.out.contains("on cpu-f32,"), "{}", asked.out);

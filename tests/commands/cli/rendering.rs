@@ -227,11 +227,11 @@ fn the_largest_sample_is_printed_with_its_pixel() {
     assert_eq!(last["spp"], 64);
     assert_eq!((&last["low"], &last["high"]), (&Value::Null, &Value::Null));
     let [u, v] = [0, 1].map(|i| last["worst_pixel"][i].as_u64().expect("a pixel"));
-    let said = match last["half_in_pixels"].as_u64().expect("a number") {
+    let message = match last["half_in_pixels"].as_u64().expect("a number") {
         1 => format!("? (half of it in pixel {u},{v})\n"),
         n => format!("? (half of it in {n} pixels, the worst {u},{v})\n"),
     };
-    assert!(out.ends_with(&said), "{out}{said}");
+    assert!(out.ends_with(&message), "{out}{message}");
 
     let address = format!("{x},{y},{}", largest["sample"]);
     let path = rendered(folder.path(), &["--connect", "bsdf", "--trace", &address]);
@@ -246,8 +246,11 @@ fn the_largest_sample_is_printed_with_its_pixel() {
     let brightest = channels
         .map(|x| x.parse::<f64>().expect("a number"))
         .fold(0.0, f64::max);
-    let told = largest["radiance"].as_f64().expect("a number");
-    assert!((brightest / told - 1.0).abs() < 1e-6, "{told}\n{path}");
+    let printed = largest["radiance"].as_f64().expect("a number");
+    assert!(
+        (brightest / printed - 1.0).abs() < 1e-6,
+        "{printed}\n{path}"
+    );
 }
 
 #[test]

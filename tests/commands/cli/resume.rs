@@ -101,10 +101,10 @@ fn a_signal_leaves_a_part_to_go_on_from() {
         let ended = child.wait_with_output();
         let ended = ended.expect("a child");
         assert_eq!(ended.status.code(), Some(code));
-        let said = String::from_utf8_lossy(&ended.stderr).into_owned();
+        let stderr = String::from_utf8_lossy(&ended.stderr).into_owned();
         assert!(
-            said.contains("note: continue with --resume, which reads a.vkpt"),
-            "{said}"
+            stderr.contains("note: continue with --resume, which reads a.vkpt"),
+            "{stderr}"
         );
         assert_eq!(names(path), ["a.exr", "a.vkpt", "scene.scn"]);
         // A few samples more.
@@ -182,17 +182,17 @@ fn it_goes_on_to_other_ends() {
         "it began anew"
     );
     // Nothing exists so far.
-    let said = ok(&format!("{COMMON} --spp 2 --resume -o new.exr"));
+    let stderr = ok(&format!("{COMMON} --spp 2 --resume -o new.exr"));
     assert!(
-        said.contains("new.vkpt does not exist: rendering from the first sample"),
-        "{said}"
+        stderr.contains("new.vkpt does not exist: rendering from the first sample"),
+        "{stderr}"
     );
     // A part that is whole.
     ok(&format!("{COMMON} --samples 5..9 -o p.vkpt"));
-    let said = ok(&format!("{COMMON} --samples 5..9 --resume -o p.vkpt"));
+    let stderr = ok(&format!("{COMMON} --samples 5..9 --resume -o p.vkpt"));
     assert!(
-        said.contains("the file already contains all samples"),
-        "{said}"
+        stderr.contains("the file already contains all samples"),
+        "{stderr}"
     );
 }
 
@@ -232,7 +232,7 @@ fn a_part_that_could_be_resumed_is_pointed_out() {
     let path = folder.path();
     let part = words(path, &format!("{COMMON} --spp 300 -o a.vkpt"));
     assert_eq!(part.code, Some(0));
-    let told = run(
+    let printed = run(
         path,
         &[
             "scene.scn",
@@ -244,8 +244,8 @@ fn a_part_that_could_be_resumed_is_pointed_out() {
             "a.exr",
         ],
     );
-    let said = "note: a.vkpt contains 300 samples per pixel of this rendering: continue from them with --resume";
-    assert!(told.err.contains(said), "{}", told.err);
+    let message = "note: a.vkpt contains 300 samples per pixel of this rendering: continue from them with --resume";
+    assert!(printed.err.contains(message), "{}", printed.err);
     let other = run(
         path,
         &[

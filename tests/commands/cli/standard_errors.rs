@@ -149,7 +149,7 @@ fn errors_beside_a_picture_without_notes_are_used_with_a_warning() {
     silent(folder.path(), &format!("{RENDER} -o a.png -o a.exr"));
     let ran = words(folder.path(), "compare a.png a.exr");
     assert_eq!(ran.code, Some(0), "{}", ran.err);
-    let said = "warning: a.png does not record how it was made: cannot check whether a-stderr.exr belongs to it\n";
-    assert_eq!(ran.err, said);
+    let expected = "warning: a.png does not record how it was made: cannot check whether a-stderr.exr belongs to it\n";
+    assert_eq!(ran.err, expected);
     assert!(ran.out.contains("z-test"), "{}", ran.out);
 }

@@ -23,7 +23,7 @@ fn piped(folder: &Path, arguments: &[&str], stdin: &str) -> Output {
 }
 
 /// stderr.
-fn told(output: &Output) -> String {
+fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
@@ -45,11 +45,17 @@ fn a_picture_on_stdout_is_that_of_the_file() {
         let file = fs::read(folder.path().join(&name)).expect("a picture");
         let flags = rendering(&["-o", "-", "--format", format]);
         let output = piped(folder.path(), &flags, "");
-        assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
         assert!(output.stdout == file && !file.is_empty(), "{format}");
-        let told = told(&output);
-        assert!(told.starts_with("scene.scn: 8×6, 2 samples"), "{told}");
-        assert!(told.contains("\n  wrote   stdout\n2 spp · "), "{told}");
+        let printed = stderr(&output);
+        assert!(
+            printed.starts_with("scene.scn: 8×6, 2 samples"),
+            "{printed}"
+        );
+        assert!(
+            printed.contains("\n  wrote   stdout\n2 spp · "),
+            "{printed}"
+        );
         let quiet = piped(folder.path(), &[&flags[..], &["--quiet"]].concat(), "");
         assert!(quiet.stdout == file && quiet.stderr.is_empty(), "{format}");
     }
@@ -89,7 +95,11 @@ fn a_report_on_stdout_is_all_there_is_on_it() {
         (&json["spp"], &json["files"][0]),
         (&2.into(), &"a.png".into())
     );
-    assert!(told(&output).contains("wrote   a.png"), "{}", told(&output));
+    assert!(
+        stderr(&output).contains("wrote   a.png"),
+        "{}",
+        stderr(&output)
+    );
 }
 
 #[test]
@@ -100,8 +110,12 @@ fn every_report_of_an_experiment_can_go_to_stdout() {
     let common: Vec<&str> = common.split(' ').collect();
     let on_stdout = |flag: &str| {
         let output = piped(folder.path(), &[&common[..], &[flag, "-"]].concat(), "");
-        assert_eq!(output.status.code(), Some(0), "{}", told(&output));
-        assert!(told(&output).contains("8 replicates"), "{}", told(&output));
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        assert!(
+            stderr(&output).contains("8 replicates"),
+            "{}",
+            stderr(&output)
+        );
         String::from_utf8(output.stdout).expect("a text")
     };
     let csv = on_stdout("--csv");
@@ -135,12 +149,12 @@ fn a_kernel_and_a_heat_map_on_stdout_are_those_of_the_files() {
             "relMSE",
         ),
     ];
-    for (arguments, name, said) in rows {
+    for (arguments, name, message) in rows {
         run(folder.path(), &[arguments, &[name]].concat());
         let output = piped(folder.path(), &[arguments, &["-"]].concat(), "");
-        assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
         assert!(output.stdout == read(name), "{name}");
-        assert!(told(&output).contains(said), "{}", told(&output));
+        assert!(stderr(&output).contains(message), "{}", stderr(&output));
     }
 }
 
@@ -158,12 +172,12 @@ fn a_check_and_an_examination_report_to_stdout() {
         ),
         (&["doctor", "--json", "-"], "verdict", ": healthy"),
     ];
-    for (arguments, member, said) in rows {
+    for (arguments, member, message) in rows {
         let output = piped(folder.path(), arguments, "");
-        assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
         let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
         assert!(!json[member].is_null(), "{member}");
-        assert!(told(&output).contains(said), "{}", told(&output));
+        assert!(stderr(&output).contains(message), "{}", stderr(&output));
     }
 }
 
@@ -178,7 +192,7 @@ fn a_scene_from_stdin_is_that_of_the_file() {
     let flags = [&["-"], &rendering(&[])[1..]].concat();
     let output = piped(folder.path(), &flags, &scene);
     assert_eq!(
-        (output.status.code(), told(&output).as_str()),
+        (output.status.code(), stderr(&output).as_str()),
         (Some(0), "")
     );
     let out = String::from_utf8(output.stdout).expect("a text");
@@ -218,7 +232,12 @@ fn every_command_that_takes_a_scene_reads_stdin() {
                 .iter()
                 .map(|word| if *word == "SCENE" { name } else { word });
             let output = piped(folder.path(), &arguments.collect::<Vec<_>>(), SCENE);
-            assert_eq!(output.status.code(), Some(0), "{row:?}: {}", told(&output));
+            assert_eq!(
+                output.status.code(),
+                Some(0),
+                "{row:?}: {}",
+                stderr(&output)
+            );
             String::from_utf8(output.stdout).expect("a text")
         };
         let (file, stdin) = (with("scene.scn"), with("-"));
@@ -239,7 +258,7 @@ fn errors_in_a_scene_from_stdin_name_it_and_the_line() {
     assert_eq!(output.status.code(), Some(3));
     let empty = piped(folder.path(), &["explain", "-"], "");
     assert_eq!(empty.status.code(), Some(3));
-    assert_snapshot!(told(&output) + &told(&empty));
+    assert_snapshot!(stderr(&output) + &stderr(&empty));
     assert_eq!(names(folder.path()), ["scene.scn"]);
 }
 
@@ -263,7 +282,7 @@ fn outputs_that_stdout_cannot_take_are_refused_before_the_work() {
         assert_eq!(output.status.code(), Some(2), "{line}");
         assert!(output.stdout.is_empty(), "{line}");
         assert_eq!(names(folder.path()), ["scene.scn"], "{line}");
-        shown(&arguments, &told(&output))
+        shown(&arguments, &stderr(&output))
     });
     assert_snapshot!(messages.concat());
 }
@@ -313,8 +332,11 @@ fn a_stdout_that_cannot_be_written_is_5() {
         let mut command = command(folder.path(), arguments);
         let output = command.stdout(full).output().expect("the program runs");
         assert_eq!(output.status.code(), Some(5), "{arguments:?}");
-        let told = told(&output);
-        assert!(told.contains("error: cannot write stdout: "), "{told}");
+        let printed = stderr(&output);
+        assert!(
+            printed.contains("error: cannot write stdout: "),
+            "{printed}"
+        );
     }
     // An output with its own file is written there.
     assert_eq!(names(folder.path()), ["a.png", "b.png", "scene.scn"]);
@@ -339,7 +361,7 @@ fn a_broken_pipe_ends_quietly() {
         let mut command = command(folder.path(), arguments);
         let output = command.stdout(writer).output().expect("the program runs");
         assert_eq!(output.status.code(), Some(0), "{arguments:?}");
-        assert_eq!(told(&output), "", "{arguments:?}");
+        assert_eq!(stderr(&output), "", "{arguments:?}");
     }
     // The reader of the messages does not matter either.
     let (reader, writer) = std::io::pipe().expect("a pipe");

@@ -34,8 +34,9 @@ fn kept_pictures_are_made_again() {
     let missing = words(at, "test p --spp 4");
     assert_eq!((missing.code, missing.err.as_str()), (Some(1), ""));
     assert!(missing.out.contains("FAILED  a.txt"), "{}", missing.out);
-    let told = "p/in/b.expected.exr does not exist: use --bless to keep the picture rendered now";
-    assert!(missing.out.contains(told), "{}", missing.out);
+    let printed =
+        "p/in/b.expected.exr does not exist: use --bless to keep the picture rendered now";
+    assert!(missing.out.contains(printed), "{}", missing.out);
     assert!(!at.join("test-results").exists());
 
     let blessed = words(at, "test p --spp 4 --bless");
@@ -87,11 +88,11 @@ fn a_picture_that_differs_is_shown() {
     );
     assert_eq!((run.code, run.err.as_str()), (Some(1), ""), "{}", run.out);
     assert!(run.out.starts_with("DIFFERS in/b.scn  "), "{}", run.out);
-    for told in [
+    for printed in [
         "of 48 pixels differ",
         "wrote test-results/in/b.actual.exr, test-results/in/b.difference.png",
     ] {
-        assert!(run.out.contains(told), "{}", run.out);
+        assert!(run.out.contains(printed), "{}", run.out);
     }
     let shown = names(&at.join("test-results/in"));
     assert_eq!(shown, ["b.actual.exr", "b.difference.png"]);
@@ -111,8 +112,8 @@ fn a_picture_that_differs_is_shown() {
     let page = bytes(at, "test-results/index.html");
     let page = String::from_utf8(page).expect("a page");
     assert_eq!(page.matches("src=\"data:image/png;base64,").count(), 3);
-    for told in ["same to the bit", "href=\"#in/b.scn\"", "1 failed"] {
-        assert!(page.contains(told), "{told}");
+    for printed in ["same to the bit", "href=\"#in/b.scn\"", "1 failed"] {
+        assert!(page.contains(printed), "{printed}");
     }
     fs::remove_file(at.join("test-results/index.html")).expect("a page");
     // Within the tolerance, and not within less.
@@ -123,12 +124,12 @@ fn a_picture_that_differs_is_shown() {
     // Other settings that it was made from are reported: a lamp that fills its pixels has no noise.
     let other = words(at, "test p --spp 8 --max-depth 3 --size 4x3");
     assert_eq!(other.code, Some(1));
-    for told in [
+    for printed in [
         "it has 4×3 pixels at 0,0 of 4×3; expected 8×6",
         "spp is 4 in the kept picture and 8 in this one",
         "max-depth is none in the kept picture and 3 in this one",
     ] {
-        assert!(other.out.contains(told), "{}", other.out);
+        assert!(other.out.contains(printed), "{}", other.out);
     }
     let blessed = words(at, "test p --spp 4 --bless");
     assert!(blessed.out.contains("kept    in/b.scn"), "{}", blessed.out);
@@ -150,13 +151,13 @@ fn scenes_and_pictures_that_cannot_be_compared_are_failures() {
     fs::write(at.join("p/gone.expected.exr"), "").expect("a file");
     let run = words(at, "test p --spp 2 --junit -");
     assert_eq!(run.code, Some(1));
-    for told in [
+    for printed in [
         "FAILED  a.txt",
         "FAILED  gone.expected.exr",
         "no scene next to it",
         "same    in/b.scn",
     ] {
-        assert!(run.err.contains(told), "{}", run.err);
+        assert!(run.err.contains(printed), "{}", run.err);
     }
     assert!(run.err.contains("spher"), "{}", run.err);
     let xml = Document::parse(&run.out).expect("XML");

@@ -39,8 +39,8 @@ fn a_folder_that_takes_no_files_is_an_error_before_the_work() {
     for (arguments, name) in rows {
         let ran = finish(command(Path::new("/proc"), &arguments).current_dir("/proc"));
         assert_eq!(ran.code, Some(5), "{arguments:?}: {}", ran.err);
-        let said = format!("error: cannot write {name}: ");
-        assert!(ran.err.starts_with(&said), "{arguments:?}: {}", ran.err);
+        let message = format!("error: cannot write {name}: ");
+        assert!(ran.err.starts_with(&message), "{arguments:?}: {}", ran.err);
         assert!(!ran.err.contains(".vkpt-"), "{}", ran.err);
         assert_eq!(ran.out, "", "{arguments:?}");
     }
@@ -67,7 +67,7 @@ fn names_that_no_file_can_have_are_errors_before_the_work() {
     let (most, more) = ("n".repeat(251) + ".exr", "n".repeat(252) + ".exr");
     let endless = RENDER.replace("--spp 2", "--spp 4294967295");
     let picture = format!("{endless} -o {most} --aov stderr");
-    for (line, said) in [
+    for (line, message) in [
         (format!("{endless} -o {more}"), "too long"),
         (picture, "n-stderr.exr: File name too long"),
         (
@@ -82,7 +82,7 @@ fn names_that_no_file_can_have_are_errors_before_the_work() {
     ] {
         let ran = words(folder.path(), &line);
         assert_eq!(ran.code, Some(5), "{}: {}", line, ran.err);
-        assert!(ran.err.contains(said), "{}: {}", line, ran.err);
+        assert!(ran.err.contains(message), "{}: {}", line, ran.err);
         assert_eq!(names(folder.path()), ["scene.scn"]);
     }
     // A part next to it would have a name that is longer by one.

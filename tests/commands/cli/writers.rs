@@ -29,10 +29,10 @@ fn endless(folder: &Path, picture: &str) -> Child {
 }
 
 fn is_refused(ran: &Run, name: &str) {
-    let said = format!(
+    let message = format!(
         "error: cannot write {name}: another vkpt is writing it; wait for it, or use another name\n"
     );
-    assert_eq!((ran.code, ran.err.as_str()), (Some(5), said.as_str()));
+    assert_eq!((ran.code, ran.err.as_str()), (Some(5), message.as_str()));
     assert_eq!(ran.out, "");
 }
 

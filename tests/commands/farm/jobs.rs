@@ -47,20 +47,20 @@ fn the_merge_says_which_parts_failed_and_how_to_render_them() {
     }
     farm.submit(&slurm);
     slurm.finish();
-    let said = farm.logs("merge");
-    assert!(!farm.has_picture(), "{said}");
+    let message = farm.logs("merge");
+    assert!(!farm.has_picture(), "{message}");
     for missing in [
         "part 1, samples 0 to 256, is missing",
         "part 3, samples 512 to 768, is missing",
     ] {
-        assert!(said.contains(missing), "{said}");
+        assert!(message.contains(missing), "{message}");
     }
-    let commands = said.lines().filter_map(|line| line.strip_prefix("    "));
+    let commands = message.lines().filter_map(|line| line.strip_prefix("    "));
     let commands: Vec<&str> = commands.collect();
-    assert_eq!(commands.len(), 4, "{said}");
+    assert_eq!(commands.len(), 4, "{message}");
     assert!(
         farm.logs("part").contains("--resume cannot continue"),
-        "{said}"
+        "{message}"
     );
 
     for state in &states {
@@ -68,10 +68,10 @@ fn the_merge_says_which_parts_failed_and_how_to_render_them() {
     }
     let by_hand = shell(&farm.path(""), commands[1]);
     assert_eq!(by_hand.code, Some(0), "{}", by_hand.err);
-    assert!(farm.path("parts/0-256.vkpt").exists(), "{said}");
+    assert!(farm.path("parts/0-256.vkpt").exists(), "{message}");
     slurm.says(&["bash", "-c", commands[2]]);
     slurm.finish();
-    assert!(farm.path("parts/512-768.vkpt").exists(), "{said}");
+    assert!(farm.path("parts/512-768.vkpt").exists(), "{message}");
     let again = farm.submit(&slurm);
     assert!(!again.out.contains("parts:"), "{}", again.out);
     slurm.finish();
@@ -89,13 +89,13 @@ fn rounds_end_at_the_target_when_time_is_up_or_with_the_last_sample() {
         farm.submit(&slurm);
     }
     slurm.finish();
-    for (farm, said) in [
+    for (farm, message) in [
         (&target, "the relMSE is below 0.000000005"),
         (&late, "more than 0.001 s"),
         (&capped, "all samples are rendered"),
     ] {
         let log = farm.logs("merge");
-        assert!(log.contains(said), "{log}{}", farm.logs("part"));
+        assert!(log.contains(message), "{log}{}", farm.logs("part"));
     }
     late.is_one_run_of(256);
     capped.is_one_run_of(600);

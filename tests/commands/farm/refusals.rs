@@ -46,8 +46,8 @@ fn scripts_are_written_again_until_parts_are_there() {
     fs::create_dir(&parts).expect("a folder");
     let refused = farm("8");
     assert_eq!((refused.code, refused.out.as_str()), (Some(2), ""));
-    for said in ["continue it with", "remove the folder"] {
-        assert!(refused.err.contains(said), "{}", refused.err);
+    for message in ["continue it with", "remove the folder"] {
+        assert!(refused.err.contains(message), "{}", refused.err);
     }
     let text = fs::read_to_string(parts.with_file_name("parts.txt")).expect("a text");
     assert_eq!(text, "1 0 9\n");
@@ -66,7 +66,7 @@ fn scenes_that_cannot_be_rendered_leave_no_folder() {
     fs::create_dir(folder.path().join("more")).expect("a folder");
     fs::write(folder.path().join("more/scene.txt"), SCENE).expect("a scene");
     let before = names(folder.path());
-    for (line, code, said) in [
+    for (line, code, message) in [
         ("-", 2, "write it to a file"),
         ("scene.scn more/scene.txt -o a.exr", 2, "omit it"),
         ("scene.scn more/scene.txt", 2, "two scenes"),
@@ -95,7 +95,7 @@ fn scenes_that_cannot_be_rendered_leave_no_folder() {
             "{line}: {}",
             refused.err
         );
-        assert!(refused.err.contains(said), "{line}: {}", refused.err);
+        assert!(refused.err.contains(message), "{line}: {}", refused.err);
         assert_eq!(names(folder.path()), before, "{line}");
     }
 }

@@ -73,7 +73,7 @@ fn whole(trial: &Trial) -> Result<(), String> {
 /// Whether the message names the failure: the call, or its meaning for a user.
 fn names_it(fault: &str, err: &str) -> bool {
     let call = |fault: &str| fault.split(':').next().unwrap_or_default().to_owned();
-    let told = [
+    let printed = [
         "out of memory on the device",
         "the device was lost",
         "the device did not finish",
@@ -81,5 +81,5 @@ fn names_it(fault: &str, err: &str) -> bool {
     ];
     let error = err.lines().any(|line| line.starts_with("error: "));
     let named = fault.split(',').any(|one| err.contains(&call(one)));
-    error && (named || told.iter().any(|words| err.contains(words)))
+    error && (named || printed.iter().any(|words| err.contains(words)))
 }

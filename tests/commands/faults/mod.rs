@@ -81,8 +81,8 @@ fn all_as_expected(layer: &Layer, sound: &Trial, faults: &[String]) {
         while let Some(fault) = faults.get(next.fetch_add(1, Ordering::Relaxed)) {
             let trial = rendering(layer, fault);
             if let Err(why) = expected::check(fault, &trial, sound) {
-                let told = format!("VKPT_FAULT={fault}: {why}\n{trial}");
-                wrong.lock().expect("no panic").push(told);
+                let message = format!("VKPT_FAULT={fault}: {why}\n{trial}");
+                wrong.lock().expect("no panic").push(message);
             }
         }
     };

@@ -150,7 +150,7 @@ impl Browser {
     }
 
     /// The parameters of all events of a kind so far.
-    pub fn told(&self, method: &str) -> Vec<&Value> {
+    pub fn events(&self, method: &str) -> Vec<&Value> {
         let of_kind = self.events.iter().filter(|e| e["method"] == method);
         of_kind.map(|e| &e["params"]).collect()
     }
@@ -162,11 +162,11 @@ impl Browser {
 
     /// The errors of the page, and its requests to the network except those with this beginning.
     pub fn complaints_beside(&self, own: &str) -> Vec<String> {
-        let errors = self.told("Runtime.exceptionThrown").into_iter();
-        let logged = self.told("Log.entryAdded").into_iter();
-        let printed = self.told("Runtime.consoleAPICalled").into_iter();
+        let errors = self.events("Runtime.exceptionThrown").into_iter();
+        let logged = self.events("Log.entryAdded").into_iter();
+        let printed = self.events("Runtime.consoleAPICalled").into_iter();
         let wrong = errors.chain(logged).chain(printed).map(Value::to_string);
-        let requests = self.told("Network.requestWillBeSent").into_iter();
+        let requests = self.events("Network.requestWillBeSent").into_iter();
         let asked = requests.filter_map(|r| r["request"]["url"].as_str());
         let outside = asked.filter(|url| !url.starts_with(own) && !url.starts_with("data:"));
         wrong.chain(outside.map(str::to_owned)).collect()

@@ -107,22 +107,28 @@ fn a_point_shows_its_figures() {
     for (variant, name) in [(0, "connect=mis"), (1, "connect=bsdf")] {
         for step in [0, report.last()] {
             browser.point(&target(variant, step), false);
-            let told = browser.text(TIP);
+            let message = browser.text(TIP);
             let record = report.step(variant, step);
             let mean = &record["errors"]["rel_mse"]["mean"];
-            assert!(told.contains(name), "{told}");
-            assert!(told.contains(&format!("{} spp", record["spp"])), "{told}");
+            assert!(message.contains(name), "{message}");
+            assert!(
+                message.contains(&format!("{} spp", record["spp"])),
+                "{message}"
+            );
             // Three digits are shown.
             let agrees = |found: f64, expected: f64| (found / expected - 1.0).abs() < 6e-3;
             assert!(
-                agrees(after(&told, "\nrelMSE "), number(&mean["value"])),
-                "{told}"
+                agrees(after(&message, "\nrelMSE "), number(&mean["value"])),
+                "{message}"
             );
-            assert!(agrees(after(&told, " ("), number(&mean["low"])), "{told}");
+            assert!(
+                agrees(after(&message, " ("), number(&mean["low"])),
+                "{message}"
+            );
             // Planted: another step's error is not taken for this one's.
             let other = report.step(variant, report.last() - step);
             assert!(!agrees(
-                after(&told, "\nrelMSE "),
+                after(&message, "\nrelMSE "),
                 number(&other["errors"]["rel_mse"]["mean"]["value"])
             ));
         }

@@ -127,8 +127,8 @@ esac"#;
             ran.err
         );
     }
-    let told = fs::read_to_string(out.join("render.txt")).expect("what it printed");
-    assert!(told.contains("device lost"), "{told}");
+    let text = fs::read_to_string(out.join("render.txt")).expect("what it printed");
+    assert!(text.contains("device lost"), "{text}");
     assert!(
         readme.contains("| a.txt | 15000000 | 15000000 |"),
         "{readme}"
@@ -146,7 +146,7 @@ fn where_it_cannot_begin_there_is_one_message_and_no_folder() {
         (VKPT, &["nosuch", &out_name], 4, "error: no "),
         (VKPT, &["cpu-f32", &out_name], 2, "a Vulkan device"),
     ];
-    for (vkpt, arguments, code, said) in rows {
+    for (vkpt, arguments, code, message) in rows {
         let ran = gpu(Path::new(vkpt), arguments);
         assert_eq!(
             (ran.code, ran.out.as_str()),
@@ -154,7 +154,7 @@ fn where_it_cannot_begin_there_is_one_message_and_no_folder() {
             "{}",
             ran.err
         );
-        assert!(ran.err.contains(said), "{arguments:?}: {}", ran.err);
+        assert!(ran.err.contains(message), "{arguments:?}: {}", ran.err);
         let paragraph = ran.err.split("\n\n").next().unwrap_or_default();
         assert_eq!(paragraph.trim_end().lines().count(), 1, "{}", ran.err);
         assert!(!out.exists(), "{arguments:?}");

@@ -24,7 +24,7 @@ struct Machine {
 /// How the script ended, its output, and the calls that it made.
 struct Run {
     code: Option<i32>,
-    said: String,
+    message: String,
     calls: String,
 }
 
@@ -61,7 +61,7 @@ impl Machine {
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
         Run {
             code: output.status.code(),
-            said: text(&output.stdout) + &text(&output.stderr),
+            message: text(&output.stdout) + &text(&output.stderr),
             calls: fs::read_to_string(calls).expect("a file"),
         }
     }
@@ -77,7 +77,7 @@ const LINKED: [(&str, &str); 4] = [
 #[test]
 fn without_the_flag_a_driver_is_installed_and_then_there_is_a_device() {
     let run = Machine::with(&LINKED).test(&["twins"], &[]);
-    assert_eq!(run.code, Some(0), "{}", run.said);
+    assert_eq!(run.code, Some(0), "{}", run.message);
     let installed = run.calls.find("apt-get -qq install").expect("an install");
     let tested = run.calls.find("cargo test twins\n").expect("tests");
     assert!(installed < tested, "{}", run.calls);
@@ -92,14 +92,14 @@ fn no_install_installs_nothing_and_names_missing_packages() {
             .collect();
         Machine::with(&there).test(&["--no-install"], &[])
     };
-    for (missing, said) in [
+    for (missing, message) in [
         ("cargo", "https://rustup.rs"),
         ("cc", "gcc libc6-dev"),
         ("nothing but a driver", "mesa-vulkan-drivers"),
     ] {
         let run = without(missing);
-        assert_eq!(run.code, Some(1), "{missing}: {}", run.said);
-        assert!(run.said.contains(said), "{missing}: {}", run.said);
+        assert_eq!(run.code, Some(1), "{missing}: {}", run.message);
+        assert!(run.message.contains(message), "{missing}: {}", run.message);
         for call in ["apt-get", "cargo test"] {
             assert!(!run.calls.contains(call), "{missing}: {}", run.calls);
         }
@@ -112,9 +112,9 @@ fn tests_that_need_no_device_run_without_one_and_without_other_programs() {
         &["twins", "--no-install", "--", "--ignored"],
         &[("VKPT_TEST_NO_GPU", "1")],
     );
-    assert_eq!(run.code, Some(0), "{}", run.said);
+    assert_eq!(run.code, Some(0), "{}", run.message);
     assert_eq!(run.calls, "cargo build\ncargo test twins -- --ignored\n");
     for package in ["spirv-tools", "chromium"] {
-        assert!(run.said.contains(package), "{}", run.said);
+        assert!(run.message.contains(package), "{}", run.message);
     }
 }

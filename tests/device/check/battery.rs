@@ -57,7 +57,7 @@ fn every_case_can_be_rendered_and_has_an_expectation() {
             case.name
         );
         assert!(
-            case.stiffness.close() > 0.0 && case.stiffness.parted() <= 1.0,
+            case.stiffness.close() > 0.0 && case.stiffness.diverged() <= 1.0,
             "{}",
             case.name
         );

@@ -25,7 +25,7 @@ fn one_cosine_too_many() -> String {
 }
 
 /// All that `vkpt converge` reports of a job, except its name.
-fn told(job: &Job, engine: &Engine, reference: &Reference) -> (VariantRecord, String) {
+fn reported(job: &Job, engine: &Engine, reference: &Reference) -> (VariantRecord, String) {
     let measured = measured(job, reference, engine, &plan());
     let subject = Subject {
         name: "",
@@ -77,8 +77,8 @@ fn one_cosine_too_many_flattens_the_curve_which_is_reported() {
     let reference = Reference::halves(a, b, &Viewing::default()).expect("two halves");
 
     let ((right, right_text), (wrong, wrong_text)) = (
-        told(&honest, &engine, &reference),
-        told(&biased, &engine, &reference),
+        reported(&honest, &engine, &reference),
+        reported(&biased, &engine, &reference),
     );
     assert!(!right.is_off(), "{:?}", right.floor);
     assert!(wrong.is_off(), "{:?}", wrong.floor);

@@ -76,13 +76,13 @@ fn halves_and_replicates_estimate_the_error_and_the_spread_does_not() {
     // The estimate in a rendering's last line, from two groups of its samples, each with its own scramble.
     let relative = |film| figures(film).of(Metric::RelMse).all;
     let (truth_of_line, doubt) = estimate(&all.iter().map(relative).collect::<Vec<_>>());
-    let told = |seed: u32| {
+    let reported = |seed: u32| {
         let errors = outcome(&Job { seed, ..job }, &Target::CpuF32).state.errors;
         let rel_mse = errors.last().and_then(|e| e.rel_mse);
         rel_mse.expect("two samples").estimate
     };
     let (by_groups, doubt_of_groups) =
-        estimate(&(0..REPLICATES as u32).map(told).collect::<Vec<_>>());
+        estimate(&(0..REPLICATES as u32).map(reported).collect::<Vec<_>>());
     // 3.77: 23 degrees of freedom.
     let tolerance_of_line = 3.77 * doubt.hypot(doubt_of_groups);
     assert!(

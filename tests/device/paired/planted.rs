@@ -35,7 +35,7 @@ fn other_paths_part_without_bias_and_darker_ones_with() {
         pair.together
     );
     assert!(
-        matches!(pair.parted.verdict(), Verdict::Unbiased(_)),
+        matches!(pair.diverged.verdict(), Verdict::Unbiased(_)),
         "{pair:?}"
     );
     for s in &mut samples {
@@ -43,7 +43,7 @@ fn other_paths_part_without_bias_and_darker_ones_with() {
     }
     let [_, pair] = compared(&samples);
     assert!(
-        matches!(pair.parted.verdict(), Verdict::Biased(_)),
+        matches!(pair.diverged.verdict(), Verdict::Biased(_)),
         "{pair:?}"
     );
 }
@@ -86,11 +86,11 @@ fn one_path_of_all_is_found() {
         pair
     };
     let bit = planted(&|s| s.device.radiance[1] = f64::from((s.f32.radiance[1] as f32).next_up()));
-    assert_eq!((bit.together, bit.first_parted), (bit.paths, None));
+    assert_eq!((bit.together, bit.first_diverged), (bit.paths, None));
     assert_eq!(bit.closeness.worst.map(|w| w.address), Some(victim));
     let lobe = planted(&|s| s.device.signature ^= 1);
     assert_eq!(
-        (lobe.paths - lobe.together, lobe.first_parted),
+        (lobe.paths - lobe.together, lobe.first_diverged),
         (1, Some(victim))
     );
 }

@@ -13,29 +13,29 @@ use crate::common::settings::{by, estimators, models};
 use crate::common::{self, cpu_driver};
 
 /// The share of paths that may part.
-const MAY_PART: f64 = 1e-3;
+const MAY_DIVERGE: f64 = 1e-3;
 
-/// Probability that at least `parted` of `paths` diverge if each does so with [`MAY_PART`].
-fn at_least(parted: u64, paths: u64) -> f64 {
-    let Some(fewer) = parted.checked_sub(1) else {
+/// Probability that at least `diverged` of `paths` diverge if each does so with [`MAY_DIVERGE`].
+fn at_least(diverged: u64, paths: u64) -> f64 {
+    let Some(fewer) = diverged.checked_sub(1) else {
         return 1.0;
     };
-    Binomial::new(MAY_PART, paths)
+    Binomial::new(MAY_DIVERGE, paths)
         .expect("a distribution")
         .sf(fewer)
 }
 
-/// Probability that no more than `parted` of `paths` diverge if each does so with [`MAY_PART`].
-fn at_most(parted: u64, paths: u64) -> f64 {
-    Binomial::new(MAY_PART, paths)
+/// Probability that no more than `diverged` of `paths` diverge if each does so with [`MAY_DIVERGE`].
+fn at_most(diverged: u64, paths: u64) -> f64 {
+    Binomial::new(MAY_DIVERGE, paths)
         .expect("a distribution")
-        .cdf(parted)
+        .cdf(diverged)
 }
 
 #[test]
 fn the_binomial_statements_are_right() {
     // (1 − p)ⁿ and 1 − (1 − p)ⁿ
-    let none = (1.0 - MAY_PART).powi(5000);
+    let none = (1.0 - MAY_DIVERGE).powi(5000);
     assert!((at_most(0, 5000) - none).abs() < 1e-12);
     assert!((at_least(1, 5000) - (1.0 - none)).abs() < 1e-12);
     assert_eq!(at_least(0, 5000), 1.0);
@@ -44,7 +44,7 @@ fn the_binomial_statements_are_right() {
 }
 
 /// Paths that diverged from f64, of all; the device must equal f32.
-fn parted(job: &Job, name: &str) -> (u64, u64) {
+fn diverged(job: &Job, name: &str) -> (u64, u64) {
     let [device, precision] = compared(&samples(job).expect("a device"));
     assert_eq!(
         (device.first_unequal, device.equal),
@@ -54,17 +54,17 @@ fn parted(job: &Job, name: &str) -> (u64, u64) {
     assert_eq!((device.broken, precision.broken), (0, 0), "{name}");
     let area = u64::from(job.prepared.camera.width) * u64::from(job.prepared.camera.height);
     assert_eq!(device.paths, area * u64::from(job.spp), "{name}");
-    let parted = precision.paths - precision.together;
+    let diverged = precision.paths - precision.together;
     let quantile = |q| precision.closeness.quantile(q).unwrap_or(0.0);
     println!(
-        "{name}: {parted} of {} parted, relative difference {:.1e}, 99 % below {:.1e}",
+        "{name}: {diverged} of {} diverged, relative difference {:.1e}, 99 % below {:.1e}",
         precision.paths,
         quantile(0.5),
         quantile(0.99)
     );
     // A thousand roundings of one sign, an order of magnitude more than the paths of these scenes have on the median.
     assert!(quantile(0.5) < 1000.0 * 2f64.powi(-24), "{name}");
-    (parted, precision.paths)
+    (diverged, precision.paths)
 }
 
 /// Small pictures: none of the scenes may part significantly more often than it may. α = 1e-3 over all, by Šidák.
@@ -78,8 +78,8 @@ fn every_scene_stays_together() {
     for path in files {
         let settings = Settings::default();
         let scene = prepared_file(&path, &settings, Some([40, 30]));
-        let (parted, paths) = parted(&job(&scene, settings, 8, 1), &path.display().to_string());
-        let p = at_least(parted, paths);
+        let (diverged, paths) = diverged(&job(&scene, settings, 8, 1), &path.display().to_string());
+        let p = at_least(diverged, paths);
         assert!(p >= alpha, "{}: p = {p:.1e}", path.display());
     }
 }
@@ -96,8 +96,8 @@ fn bidirectional_paths_stay_together() {
         let settings = by(Integrator::Bidirectional);
         let path = format!("scenes/{name}.txt");
         let scene = prepared_file(Path::new(&path), &settings, Some([40, 30]));
-        let (parted, paths) = parted(&job(&scene, settings, 4, 1), name);
-        let p = at_least(parted, paths);
+        let (diverged, paths) = diverged(&job(&scene, settings, 4, 1), name);
+        let p = at_least(diverged, paths);
         assert!(p >= alpha, "{name}: p = {p:.1e}");
     }
 }
@@ -131,8 +131,9 @@ fn every_scene_is_shown_to_stay_together() {
     for path in files {
         let settings = Settings::default();
         let scene = prepared_file(&path, &settings, Some([120, 90]));
-        let (parted, paths) = parted(&job(&scene, settings, 64, 1), &path.display().to_string());
-        let p = at_most(parted, paths);
+        let (diverged, paths) =
+            diverged(&job(&scene, settings, 64, 1), &path.display().to_string());
+        let p = at_most(diverged, paths);
         assert!(p < alpha, "{}: p = {p:.1e}", path.display());
     }
 }
@@ -144,11 +145,11 @@ fn the_device_equals_the_reference_with_each_setting() {
         return;
     }
     for (name, settings) in estimators().into_iter().chain(models()) {
-        parted(&job(&prepared(WIDE, &settings), settings, 2, 1), name);
+        diverged(&job(&prepared(WIDE, &settings), settings, 2, 1), name);
     }
     for text in [TABLE, SMOOTH] {
         let settings = Settings::default();
-        parted(&job(&prepared(text, &settings), settings, 4, 1), text);
+        diverged(&job(&prepared(text, &settings), settings, 4, 1), text);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The comparison itself, on paths made up for it.
 
 use statrs::distribution::{Binomial, DiscreteCDF};
-use vkpt::metrics::paired::{Comparison, Parted, Verdict};
+use vkpt::metrics::paired::{Comparison, Diverged, Verdict};
 use vkpt::sample::{Address, Path};
 
 /// Uniform in [0, 1): the top 53 bits of a 64-bit linear congruential generator (Knuth's MMIX).
@@ -69,28 +69,28 @@ fn a_broken_sample_is_counted_and_worst() {
 }
 
 /// Diverged paths with radiances of one distribution, one side's times `factor`.
-fn parted(paths: u64, factor: f64, seed: u64) -> Parted {
+fn diverged(paths: u64, factor: f64, seed: u64) -> Diverged {
     let mut random = Uniform(seed);
-    let mut parted = Parted::default();
+    let mut diverged = Diverged::default();
     for _ in 0..paths {
-        parted.add([(); 3].map(|()| random.radiance() - factor * random.radiance()));
+        diverged.add([(); 3].map(|()| random.radiance() - factor * random.radiance()));
     }
-    parted
+    diverged
 }
 
 #[test]
 fn a_hundredth_of_the_light_is_a_bias() {
     let paths = 2_000_000;
     assert!(matches!(
-        parted(paths, 1.0, 1).verdict(),
+        diverged(paths, 1.0, 1).verdict(),
         Verdict::Unbiased(_)
     ));
     assert!(matches!(
-        parted(paths, 1.01, 1).verdict(),
+        diverged(paths, 1.01, 1).verdict(),
         Verdict::Biased(_)
     ));
     assert!(matches!(
-        parted(paths, 0.99, 1).verdict(),
+        diverged(paths, 0.99, 1).verdict(),
         Verdict::Biased(_)
     ));
 }
@@ -100,7 +100,8 @@ fn a_hundredth_of_the_light_is_a_bias() {
 fn unbiased_paths_are_called_so() {
     for paths in [60, 500] {
         let runs = 4000;
-        let biased = |seed: &u64| matches!(parted(paths, 1.0, *seed).verdict(), Verdict::Biased(_));
+        let biased =
+            |seed: &u64| matches!(diverged(paths, 1.0, *seed).verdict(), Verdict::Biased(_));
         let alarms = (1..=runs).filter(biased).count() as u64;
         let chance = Binomial::new(1e-3, runs).expect("a distribution");
         let p = alarms.checked_sub(1).map_or(1.0, |fewer| chance.sf(fewer));
@@ -111,10 +112,10 @@ fn unbiased_paths_are_called_so() {
 
 #[test]
 fn a_handful_is_too_few() {
-    assert_eq!(parted(20, 2.0, 1).verdict(), Verdict::TooFew);
-    assert_eq!(Parted::default().verdict(), Verdict::TooFew);
+    assert_eq!(diverged(20, 2.0, 1).verdict(), Verdict::TooFew);
+    assert_eq!(Diverged::default().verdict(), Verdict::TooFew);
     // Paths that part and end in the dark on both sides.
-    let mut dark = Parted::default();
+    let mut dark = Diverged::default();
     (0..1000).for_each(|_| dark.add([0.0; 3]));
     assert_eq!(
         (dark.verdict(), dark.paths, dark.different),

@@ -8,7 +8,7 @@ use super::case::Case;
 use super::furnace::brighter;
 use super::interface::{Interface, excess};
 use super::samples::{By, Made, made};
-use super::sound::{broken, parted};
+use super::sound::{broken, first_unequal};
 
 /// Every sample of a lossless rough glass ball in a furnace, where `path` has `wrong` instead of `right`.
 fn planted(path: &str, right: &str, wrong: &str) -> Option<Vec<Made>> {
@@ -55,7 +55,7 @@ fn a_sound_kernel_passes() {
         return;
     };
     assert_eq!(
-        (broken(&all, false), brighter(&all), parted(&all)),
+        (broken(&all, false), brighter(&all), first_unequal(&all)),
         (None, None, None)
     );
 }
@@ -92,7 +92,7 @@ fn one_ulp_more_is_found() {
     let Some(all) = planted(SAMPLE, WEIGHT, &format!("({WEIGHT}) * 1.0000002")) else {
         return;
     };
-    assert!(parted(&all).is_some());
+    assert!(first_unequal(&all).is_some());
 }
 
 /// A fiftieth too much: the sample that is brighter than the world.

@@ -32,7 +32,7 @@ pub fn broken(all: &[Made], grow: bool) -> Option<String> {
 }
 
 /// Where the device, which comes first, differs from cpu-f32 in a bit.
-pub fn parted(all: &[Made]) -> Option<String> {
+pub fn first_unequal(all: &[Made]) -> Option<String> {
     let bits = |s: &[f64; 3]| s.map(f64::to_bits);
     let [device, f32, ..] = all else { return None };
     let pairs = device.radiances.iter().zip(&f32.radiances);
@@ -71,7 +71,7 @@ fn nothing_is_broken(case: &Case, by: By) -> TestCaseResult {
         return picture_is_whole(case, &prepared);
     }
     if rounds_as_the_reference() {
-        prop_assert_eq!(parted(&all), None);
+        prop_assert_eq!(first_unequal(&all), None);
     }
     Ok(())
 }

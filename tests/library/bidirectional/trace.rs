@@ -43,7 +43,7 @@ impl Recorder<f64> for Arrived {
 }
 
 /// The text about one way: the light in red, and the weight of the row that is marked.
-fn told(text: &str) -> Vec<((u32, u32), f64, f64)> {
+fn weights(text: &str) -> Vec<((u32, u32), f64, f64)> {
     let number = |s: &str| s.parse::<f64>().expect("a number");
     let mut all = Vec::new();
     let mut way = None;
@@ -82,7 +82,7 @@ fn compared(factor: f64) -> (f64, usize) {
         for id in samples(&scene, 1, 1).step_by(3) {
             let job = job(&scene, settings, 1, 1);
             let trace = trace(&job, &Target::CpuF64, [id.column, id.row], 0).expect("a trace");
-            for ((light, eye), red, weight) in told(&trace.to_string()) {
+            for ((light, eye), red, weight) in weights(&trace.to_string()) {
                 let transport = Transport {
                     world: &world,
                     settings: &settings,

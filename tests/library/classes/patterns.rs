@@ -122,8 +122,8 @@ fn invalid_patterns_are_refused() {
         (&long, "more than 200 letters"),
     ] {
         let error = PathClass::new(pattern).expect_err(pattern).to_string();
-        let told = format!("{pattern:?} is not a class of paths: {why}");
-        assert!(error.starts_with(&told), "{error}");
+        let printed = format!("{pattern:?} is not a class of paths: {why}");
+        assert!(error.starts_with(&printed), "{error}");
         assert!(error.contains("Write E for the eye"), "{error}");
     }
 }

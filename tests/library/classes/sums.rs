@@ -160,10 +160,10 @@ fn who_stops_it_gets_none() {
     };
     assert_eq!(light_classes(&job, 4, &stop, &mut |_| {}), None);
     // Each step is reported to the end.
-    let mut told = Vec::new();
-    light_classes(&job, 4, &AtomicBool::new(false), &mut |p| told.push(p));
+    let mut reported = Vec::new();
+    light_classes(&job, 4, &AtomicBool::new(false), &mut |p| reported.push(p));
     assert_eq!(
-        told.last().map(|p| (p.samples_done, p.fraction)),
+        reported.last().map(|p| (p.samples_done, p.fraction)),
         Some((4, 1.0))
     );
 }

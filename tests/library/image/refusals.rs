@@ -16,8 +16,8 @@ fn error(path: &Path) -> String {
 fn refusal(name: &str) -> String {
     let path = data(name);
     let text = error(&path);
-    let told = text.strip_prefix(&format!("{}: ", path.display()));
-    told.unwrap_or_else(|| panic!("{text}")).to_owned()
+    let printed = text.strip_prefix(&format!("{}: ", path.display()));
+    printed.unwrap_or_else(|| panic!("{text}")).to_owned()
 }
 
 fn of_bytes(bytes: &[u8]) -> String {
@@ -28,8 +28,8 @@ fn of_bytes(bytes: &[u8]) -> String {
 #[test]
 fn a_message_has_no_control_characters() {
     let hdr = b"#?RADIANCE\nFORMAT=32-bit_\x1b[2J\n\n-Y 1 +X 1\n";
-    let told = of_bytes(hdr);
-    assert!(told.contains("32-bit_\u{fffd}[2J"), "{told:?}");
+    let printed = of_bytes(hdr);
+    assert!(printed.contains("32-bit_\u{fffd}[2J"), "{printed:?}");
 }
 
 #[test]
@@ -38,20 +38,20 @@ fn files_that_are_no_pictures() {
     let path = |name| folder.path().join(name);
     fs::write(path("empty.exr"), "").expect("written");
     fs::write(path("scene.exr"), "# a scene\n").expect("written");
-    let told = |path: &Path| {
+    let printed = |path: &Path| {
         let text = error(path);
-        let told = text.strip_prefix(&format!("{}: ", path.display()));
-        told.expect("the file's name first").to_owned()
+        let printed = text.strip_prefix(&format!("{}: ", path.display()));
+        printed.expect("the file's name first").to_owned()
     };
-    assert_eq!(told(&path("empty.exr")), "is empty");
+    assert_eq!(printed(&path("empty.exr")), "is empty");
     let no_picture = "is not a picture in a supported format: EXR, HDR or PNG";
-    assert_eq!(told(&path("scene.exr")), no_picture);
-    assert_eq!(told(folder.path()), "is a folder");
+    assert_eq!(printed(&path("scene.exr")), no_picture);
+    assert_eq!(printed(folder.path()), "is a folder");
     let missing = std::io::Error::from_raw_os_error(2).to_string();
-    assert_eq!(told(&path("none.exr")), missing);
+    assert_eq!(printed(&path("none.exr")), missing);
     #[cfg(unix)]
     assert_eq!(
-        told(Path::new("/dev/zero")),
+        printed(Path::new("/dev/zero")),
         "is neither a file nor a folder"
     );
 }

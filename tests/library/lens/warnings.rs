@@ -28,11 +28,11 @@ fn a_lens_that_reaches_through_a_surface_gives_a_warning() {
         format!("{GLASS}\ncylinder .3 0 -1 0 0 2 .1"),
     ];
     for shape in crossing {
-        let told = warnings(".5 4", &shape);
+        let found = warnings(".5 4", &shape);
         let expected = "line 3: the lens reaches through the surface of the shape of line 6";
         assert!(
-            told.iter().any(|w| w.starts_with(expected)),
-            "{shape}: {told:?}"
+            found.iter().any(|w| w.starts_with(expected)),
+            "{shape}: {found:?}"
         );
     }
     let beside = [
@@ -43,8 +43,8 @@ fn a_lens_that_reaches_through_a_surface_gives_a_warning() {
         format!("{MATTE}\nbox -5 -5 .01 10 10 1"),
     ];
     for shape in beside {
-        let told = warnings(".5 4", &shape);
-        assert!(told.is_empty(), "{shape}: {told:?}");
+        let found = warnings(".5 4", &shape);
+        assert!(found.is_empty(), "{shape}: {found:?}");
     }
 }
 
@@ -57,12 +57,12 @@ fn a_lens_too_wide_for_its_focal_distance_gives_a_warning() {
         ("1400 4", true),
         ("1e-3 2.7e-6", true),
     ] {
-        let told = warnings(lens, "");
-        let expected = told.iter().any(|w| {
+        let found = warnings(lens, "");
+        let expected = found.iter().any(|w| {
             w.starts_with("line 3: the lens is 3e2 times")
                 || w.starts_with("line 3: the lens is 4e2")
         });
-        assert_eq!(expected, wide, "{lens}: {told:?}");
+        assert_eq!(expected, wide, "{lens}: {found:?}");
     }
 }
 
@@ -79,8 +79,8 @@ fn a_lens_beyond_single_precision_is_refused_by_its_line() {
     ] {
         let text = format!("screen 40 30\ncamera 0 0 9 .2\nlens {lens}\n{MATTE}\nsphere 0 0 0 1\n");
         let read = vkpt::scene::parse(&text, Path::new("test.txt"), true).expect("a legal scene");
-        let told = prepare(&read.scene, &Settings::default(), None).map_err(|e| e.to_string());
-        match told {
+        let found = prepare(&read.scene, &Settings::default(), None).map_err(|e| e.to_string());
+        match found {
             Ok(p) => {
                 let lens = p.lens.expect("a lens");
                 assert!(fits && lens.right.length() <= 2.0 && (lens.blur as f32).is_finite());

@@ -322,7 +322,7 @@ fn samples_in_f32_are_those_in_f64() {
     ];
     let mut random = Random(400);
     for (narrow, wide) in pairs {
-        let mut parted = 0;
+        let mut diverged = 0;
         for _ in 0..N / 10 {
             let p = random.point::<f32>(3.0);
             let seed = random.bits();
@@ -330,12 +330,12 @@ fn samples_in_f32_are_those_in_f64() {
             let b = wide.sample(Vec3::new(p.f64()), &mut Random(seed));
             let off = (a.wi.f64() - b.wi.f64()).length();
             if off > 1e-4 || (a.pdf > 0.0) != (b.pdf > 0.0) {
-                parted += 1;
+                diverged += 1;
             } else if b.pdf > 0.0 {
                 let pdf = (a.pdf.f64() / b.pdf - 1.0).abs();
                 assert!(pdf < 1e-3 || b.pdf > 1e3, "{a:?} {b:?}");
             }
         }
-        assert!(parted < N / 1000, "{parted}");
+        assert!(diverged < N / 1000, "{diverged}");
     }
 }

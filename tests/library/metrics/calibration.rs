@@ -96,8 +96,8 @@ fn errors_that_lie_show_in_the_deviation() {
     let mut random = Random(12);
     let [a, b] = [0, 1].map(|_| random.noisy(&mean, &stderr));
     for (factor, deviation) in [(1.0f32, 1.0), (0.8, 1.25), (1.2, 1.0 / 1.2)] {
-        let told = mapped(&stderr, |v| factor * v);
-        let [z_mean, z_deviation] = test(&a, &b, &told, 1e-3).spread().expect("many z");
+        let claimed = mapped(&stderr, |v| factor * v);
+        let [z_mean, z_deviation] = test(&a, &b, &claimed, 1e-3).spread().expect("many z");
         assert!(
             (z_deviation / deviation - 1.0).abs() < 0.05,
             "{factor}: {z_deviation}"

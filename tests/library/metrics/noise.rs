@@ -55,20 +55,20 @@ fn few_pixels_that_make_the_error_are_named() {
         let here = parts.iter().find(|(at, _)| *at == [x, y]);
         [here.map_or(0.0, |(_, part)| part.sqrt()); 3]
     });
-    let told = |mean: &Film| of(mean, &half).interval.expect_err("four pixels");
+    let culprits = |mean: &Film| of(mean, &half).interval.expect_err("four pixels");
     let flat = constant(15, 15, [0.5; 3]);
     let it = Culprits {
         half: 2,
         worst: [12, 2],
     };
-    assert_eq!(told(&flat), it);
+    assert_eq!(culprits(&flat), it);
     // Where the surroundings are bright, an error counts less.
     let bright = film(15, 15, |_, y| [if y < 8 { 50.0 } else { 0.5 }; 3]);
     let it = Culprits {
         half: 1,
         worst: [12, 12],
     };
-    assert_eq!(told(&bright), it);
+    assert_eq!(culprits(&bright), it);
 }
 
 #[test]
@@ -95,7 +95,7 @@ fn pictures_of_any_size_are_taken() {
 #[test]
 fn invalid_pictures_are_refused() {
     let good = constant(3, 2, [1.0; 3]);
-    for (mean, half, said) in [
+    for (mean, half, message) in [
         (
             &good,
             &constant(2, 3, [0.0; 3]),
@@ -113,7 +113,7 @@ fn invalid_pictures_are_refused() {
         ),
     ] {
         let error = rel_mse(mean, half).expect_err("no picture").to_string();
-        assert!(error.contains(said), "{error}");
+        assert!(error.contains(message), "{error}");
     }
 }
 
@@ -132,7 +132,7 @@ struct Row {
     /// Whether intervals are to be as short as they can be: of normal noise, the same in all channels.
     exact: bool,
     /// Whether an interval is expected; with fireflies there may be none.
-    told: bool,
+    has_interval: bool,
     /// Factors by which the noise may be reported too small or too large, and be noticed.
     planted: [f32; 2],
 }
@@ -155,7 +155,7 @@ fn rows() -> [Row; 5] {
                 r.map(|r| f64::from(r) * (1.0 + 0.03 * z))
             },
             exact: true,
-            told: true,
+            has_interval: true,
             planted: [0.85, 1.15],
         },
         Row {
@@ -163,7 +163,7 @@ fn rows() -> [Row; 5] {
             truth: edges.clone(),
             group: |random, r| r.map(|r| f64::from(r) * (1.0 + 0.2 * random.normal())),
             exact: false,
-            told: true,
+            has_interval: true,
             planted: [0.85, 1.15],
         },
         Row {
@@ -174,7 +174,7 @@ fn rows() -> [Row; 5] {
                 r.map(|r| f64::from(r) * sum / 16.0)
             },
             exact: false,
-            told: true,
+            has_interval: true,
             planted: [0.85, 1.15],
         },
         Row {
@@ -185,7 +185,7 @@ fn rows() -> [Row; 5] {
                 r.map(|r| f64::from(r) * lit as f64 / 8.0)
             },
             exact: false,
-            told: true,
+            has_interval: true,
             planted: [0.85, 1.15],
         },
         Row {
@@ -197,7 +197,7 @@ fn rows() -> [Row; 5] {
                 r.map(|r| f64::from(r) * (0.7 + 0.05 * z + firefly))
             },
             exact: false,
-            told: false,
+            has_interval: false,
             planted: [0.7, 1.4],
         },
     ]
@@ -254,7 +254,7 @@ const LEVEL: f64 = 1e-3 / 16.0;
 fn check(pictures: u64) {
     for row in rows() {
         let count = misses(&row, pictures, 1.0);
-        let least = if row.told { 9 } else { 3 };
+        let least = if row.has_interval { 9 } else { 3 };
         assert!(count[0] > pictures * least / 10, "{}: {count:?}", row.name);
         let [too_many, too_few] = tails(count);
         assert!(too_many > LEVEL, "{}: {count:?}", row.name);

@@ -13,15 +13,15 @@ use super::read_lines;
 fn camera(line: &str) -> Result<(Camera, Vec<String>), String> {
     let read =
         parse(&format!("screen 4 3\n{line}\n"), Path::new("a.scn"), false).map_err(|errors| {
-            let told: Vec<_> = errors.diagnostics.iter().map(ToString::to_string).collect();
-            told.join("; ")
+            let printed: Vec<_> = errors.diagnostics.iter().map(ToString::to_string).collect();
+            printed.join("; ")
         })?;
-    let told = read
+    let printed = read
         .warnings
         .iter()
         .map(|w| format!("{}: {}", w, w.label))
         .collect();
-    Ok((read.scene.camera, told))
+    Ok((read.scene.camera, printed))
 }
 
 /// A rotation by 90 degrees about y, as all spellings have it.
@@ -97,7 +97,7 @@ fn cameras_of_other_programs() {
         ),
     ];
     for (line, warnings) in rows {
-        let (camera, told) = camera(&line).expect(&line);
+        let (camera, printed) = camera(&line).expect(&line);
         assert_eq!(
             (camera.eye, camera.ry),
             (DVec3::new(1.0, 2.0, 3.0), 0.4),
@@ -109,9 +109,9 @@ fn cameras_of_other_programs() {
             "{line}: {:?}",
             camera.orientation
         );
-        assert_eq!(told.len(), warnings.len(), "{line}: {told:?}");
+        assert_eq!(printed.len(), warnings.len(), "{line}: {printed:?}");
         for warning in warnings {
-            assert!(told.contains(&warning), "{line}: {told:?}");
+            assert!(printed.contains(&warning), "{line}: {printed:?}");
         }
     }
 }
@@ -141,8 +141,8 @@ fn cameras_that_could_be_mistaken_are_refused() {
     let error = camera("camera 1 2 3  q 1 0 0 0").expect_err("no ry");
     assert_eq!(error, "`camera` has too few arguments");
     // No more than the aperture and the focus: the orientation is none.
-    let (plain, told) = camera("camera 1 2 3  .4  0.1 5").expect("a view");
-    assert_eq!((plain.orientation, told.len()), (DQuat::IDENTITY, 1));
+    let (plain, printed) = camera("camera 1 2 3  .4  0.1 5").expect("a view");
+    assert_eq!((plain.orientation, printed.len()), (DQuat::IDENTITY, 1));
 }
 
 #[test]
@@ -184,9 +184,9 @@ fn commands_of_other_programs_name_the_effect_of_their_absence() {
     ];
     for (line, lacking) in rows {
         let read = read_lines(&format!("{line}\nsphere 0 0 0 1")).expect(line);
-        let told: Vec<_> = read.warnings.iter().map(ToString::to_string).collect();
+        let printed: Vec<_> = read.warnings.iter().map(ToString::to_string).collect();
         let word = line.split(' ').next().unwrap_or_default();
-        assert_eq!(told, [format!("`{word}` is not supported: {lacking}")]);
+        assert_eq!(printed, [format!("`{word}` is not supported: {lacking}")]);
         assert_eq!(read.scene.shapes.len(), 1);
     }
 }
@@ -236,8 +236,8 @@ fn mesh_read(name: &str) -> Result<(String, Vec<String>), String> {
     let Geometry::Mesh(mesh) = &read.scene.shapes[0].geometry else {
         panic!("no mesh")
     };
-    let told = read.warnings.iter().map(|w| shown(w.to_string())).collect();
-    Ok((shown(mesh.path.display().to_string()), told))
+    let printed = read.warnings.iter().map(|w| shown(w.to_string())).collect();
+    Ok((shown(mesh.path.display().to_string()), printed))
 }
 
 #[test]
@@ -254,10 +254,14 @@ fn meshes_under_names_of_other_machines() {
         ("two.obj", "/two.obj", false),
     ];
     for (name, path, warned) in rows {
-        let (read, told) = mesh_read(name).expect(name);
+        let (read, printed) = mesh_read(name).expect(name);
         assert_eq!(read, path, "{name}");
         let expected = format!("`{name}` is read as {path}");
-        assert_eq!(told, if warned { vec![expected] } else { vec![] }, "{name}");
+        assert_eq!(
+            printed,
+            if warned { vec![expected] } else { vec![] },
+            "{name}"
+        );
     }
 }
 
@@ -282,7 +286,7 @@ fn meshes_that_are_missing_are_named() {
             "/lost chair.obj: no such file (a mesh is searched next to the scene file, then in the working directory)",
         ),
     ];
-    for (name, said) in rows {
-        assert_eq!(mesh_read(name).expect_err(name), said, "{name}");
+    for (name, message) in rows {
+        assert_eq!(mesh_read(name).expect_err(name), message, "{name}");
     }
 }

@@ -49,8 +49,8 @@ fn so_is_utf_16() {
             let big: Vec<u8> = units.iter().flat_map(|u| u.to_be_bytes()).collect();
             for bytes in [little, big] {
                 let path = format!("mesh.{ending}");
-                let said = parse_mesh(&bytes, Path::new(&path)).expect_err(ending);
-                assert_eq!(said.to_string(), "it is UTF-16: save it as UTF-8");
+                let words = parse_mesh(&bytes, Path::new(&path)).expect_err(ending);
+                assert_eq!(words.to_string(), "it is UTF-16: save it as UTF-8");
             }
         }
     }

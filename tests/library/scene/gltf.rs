@@ -141,12 +141,12 @@ fn an_index_that_restarts_a_strip_is_refused() {
         buffer.scalars(kind, &[0, 1, 2, index, 3, 4, 5]);
         for mode in [5, 6] {
             let primitive = json!({"attributes": {"POSITION": 0}, "indices": 1, "mode": mode});
-            let said = read(&one(&buffer, primitive), &buffer.bytes).expect_err("a restart");
+            let message = read(&one(&buffer, primitive), &buffer.bytes).expect_err("a restart");
             let expected = format!(
                 "mesh 0, primitive 0: its index {index} restarts a strip, which glTF 2.0 forbids: \
                  export it as a list of triangles"
             );
-            assert_eq!(said.to_string(), expected);
+            assert_eq!(message.to_string(), expected);
         }
     }
     // In a list it is a vertex, if there is one.
@@ -175,8 +175,11 @@ fn corners_that_are_too_few_for_a_triangle_are_left_out() {
         let mut few = list(indices);
         few["mode"] = json!(mode);
         let mut document = one(&buffer, few);
-        let said = read(&document, &buffer.bytes).expect_err("no mesh");
-        assert_eq!(said.to_string(), format!("it has no triangles: {one_face}"));
+        let message = read(&document, &buffer.bytes).expect_err("no mesh");
+        assert_eq!(
+            message.to_string(),
+            format!("it has no triangles: {one_face}")
+        );
         let few = primitives(&mut document)[0].clone();
         primitives(&mut document).extend([few, list(3), list(1)]);
         let mesh = read(&document, &buffer.bytes).expect("a mesh");
@@ -226,9 +229,9 @@ fn a_position_that_is_not_finite_matters_where_a_triangle_uses_it() {
     }
     // It has no place of its own in pictures: they are scaled to the box about all positions.
     assert_eq!(mesh.positions[1], DVec3::from(CORNERS[2]));
-    let said = read(&one(&buffer, primitive(2)), &buffer.bytes).expect_err("not finite");
+    let message = read(&one(&buffer, primitive(2)), &buffer.bytes).expect_err("not finite");
     assert_eq!(
-        said.to_string(),
+        message.to_string(),
         "mesh 0, primitive 0: its vertex 1 is not finite in single precision"
     );
 }
@@ -245,9 +248,9 @@ fn unsupported_features_give_warnings() {
     let path = folder.path().join("morphed.glb");
     std::fs::write(&path, glb(&document, &bin)).expect("a file");
     let read = super::read_lines(&format!("mesh {} 0 0 0 1", path.display())).expect("a scene");
-    let said: Vec<_> = read.warnings.iter().map(ToString::to_string).collect();
+    let message: Vec<_> = read.warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
-        said,
+        message,
         [format!("{}: morph targets are skipped", path.display())]
     );
     assert_eq!(read.warnings[0].place.map(|place| place.line), Some(3));

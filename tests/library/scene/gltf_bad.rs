@@ -171,14 +171,14 @@ fn mistakes_are_named() {
             Value::Array(array) => array[name.parse::<usize>().expect(name)] = value,
             object => object[name] = value,
         }
-        let said = match read(&document, &buffer.bytes) {
+        let words = match read(&document, &buffer.bytes) {
             Ok(mesh) => panic!("{pointer} {message}: read as {mesh:?}"),
             Err(error) => error.to_string(),
         };
         // The rest is the JSON reader's.
-        let said = said.split(" its JSON: ").next().unwrap_or_default();
+        let words = words.split(" its JSON: ").next().unwrap_or_default();
         let message = message.trim_end_matches(" its JSON");
-        assert_eq!(said, message, "{pointer}");
+        assert_eq!(words, message, "{pointer}");
     }
 }
 
@@ -224,13 +224,13 @@ fn addresses_that_lead_nowhere() {
         document["buffers"][0]["uri"] = json!(uri);
         let path = folder.path().join("mesh.gltf");
         std::fs::write(&path, document.to_string()).expect("a file");
-        let said = read_mesh(&path).expect_err(uri).to_string();
-        assert_eq!(said, format!("its buffer 0 {message}"));
+        let words = read_mesh(&path).expect_err(uri).to_string();
+        assert_eq!(words, format!("its buffer 0 {message}"));
     }
     let alone = parse_mesh(plain().0.to_string().as_bytes(), Path::new("mesh.gltf"));
-    let said = alone.expect_err("no buffer").to_string();
+    let words = alone.expect_err("no buffer").to_string();
     assert_eq!(
-        said,
+        words,
         "its buffer 0 has no data: no `uri`, and no binary chunk as in GLB"
     );
 }
@@ -242,8 +242,8 @@ fn small_files_cannot_ask_for_large_meshes() {
     let (mut document, bin) = plain();
     let doubling = (0..40).map(|i| json!({"children": [i + 1, i + 1]}));
     document["nodes"] = doubling.chain([json!({"mesh": 0})]).collect();
-    let said = read(&document, &bin).expect_err("too many").to_string();
-    assert_eq!(said, "node 1 is listed as a child twice");
+    let words = read(&document, &bin).expect_err("too many").to_string();
+    assert_eq!(words, "node 1 is listed as a child twice");
     let mut buffer = Buffer::default();
     buffer.vectors(F32, &CORNERS[..3]);
     buffer.scalars(U8, &[0, 1, 2].repeat(10_000));
@@ -253,11 +253,11 @@ fn small_files_cannot_ask_for_large_meshes() {
     );
     document["nodes"] = (0..2300).map(|_| json!({"mesh": 0})).collect();
     (document["scenes"], document["scene"]) = (json!([]), Value::Null);
-    let said = read(&document, &buffer.bytes)
+    let words = read(&document, &buffer.bytes)
         .expect_err("too many")
         .to_string();
     assert_eq!(
-        said,
+        words,
         "its nodes together have more than 67108864 vertices or corners"
     );
 }

@@ -169,16 +169,16 @@ fn other_versions_are_refused_by_name() {
     for (asset, message) in rows {
         document["asset"] = asset.clone();
         let read = parse(document.to_string().as_bytes());
-        let said = read
+        let words = read
             .err()
             .map(|error| error.to_string())
             .unwrap_or_default();
-        assert_eq!(said, message, "{asset}");
+        assert_eq!(words, message, "{asset}");
     }
     let first = json!({"asset": {"version": "1.0"}, "meshes": {"a": {}}, "nodes": {"b": {}}});
-    let said = parse(first.to_string().as_bytes()).expect_err("no mesh");
+    let words = parse(first.to_string().as_bytes()).expect_err("no mesh");
     assert_eq!(
-        said.to_string(),
+        words.to_string(),
         "it is glTF 1.0, but only 2.0 is supported: convert it"
     );
 }
@@ -208,14 +208,14 @@ fn extensions_that_change_the_meaning_must_be_known() {
     ];
     for (names, why) in rows {
         document["extensionsRequired"] = json!([&harmless[..2], names, &harmless[2..]].concat());
-        let said = read(&document, &bin).expect_err("not read").to_string();
+        let words = read(&document, &bin).expect_err("not read").to_string();
         let [extensions, are] = match names.len() {
             1 => ["extension", "is"],
             _ => ["extensions", "are"],
         };
         let names = names.join("`, `");
         assert_eq!(
-            said,
+            words,
             format!("it requires the {extensions} `{names}`, which {are} not supported{why}")
         );
     }
@@ -257,10 +257,10 @@ fn compression_that_is_not_required_leaves_a_copy() {
         json!({"byteLength": 48, "extensions": {"EXT_meshopt_compression": {}}}),
     );
     document["bufferViews"][0]["buffer"] = json!(1);
-    let said = read(&document, &bin).expect_err("no data").to_string();
+    let words = read(&document, &bin).expect_err("no data").to_string();
     let no_data = "its buffer 1 has no data: no `uri`, and no binary chunk as in GLB";
     assert_eq!(
-        said,
+        words,
         format!("{no_data}: {}", by("EXT_meshopt_compression"))
     );
 }

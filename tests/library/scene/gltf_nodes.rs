@@ -126,8 +126,8 @@ fn a_scene_without_triangles_gives_way_to_one_that_has_some() {
     for scenes in [json!([{}]), json!([{}, {"nodes": [2]}])] {
         document["scenes"] = scenes;
         document["scene"] = json!(0);
-        let said = read(&document, &bin).expect_err("no triangles");
-        assert_eq!(said.to_string(), "it has no triangles");
+        let message = read(&document, &bin).expect_err("no triangles");
+        assert_eq!(message.to_string(), "it has no triangles");
     }
 }
 
@@ -209,8 +209,8 @@ fn transforms_that_place_nothing_are_refused_by_node() {
         node["children"] = json!([0]);
         document["nodes"] = json!([{"mesh": 0}, {}, {}, node]);
         document["scenes"][0]["nodes"] = json!([3]);
-        let said = read(&document, &bin).expect_err(what).to_string();
-        assert_eq!(said, format!("the {what} of node 3 (\"Arm\") {is}"));
+        let message = read(&document, &bin).expect_err(what).to_string();
+        assert_eq!(message, format!("the {what} of node 3 (\"Arm\") {is}"));
         document["nodes"][3]["children"] = json!([]);
         document["scenes"][0]["nodes"] = json!([0, 3]);
         let mesh = read(&document, &bin).expect("a mesh");
@@ -219,9 +219,9 @@ fn transforms_that_place_nothing_are_refused_by_node() {
     let huge = (0..9).map(|i| json!({"children": [i + 1], "scale": [1e38, 1e38, 1e38]}));
     document["nodes"] = huge.chain([json!({"mesh": 0})]).collect();
     document["scenes"][0]["nodes"] = json!([0]);
-    let said = read(&document, &bin).expect_err("beyond all numbers");
+    let message = read(&document, &bin).expect_err("beyond all numbers");
     assert_eq!(
-        said.to_string(),
+        message.to_string(),
         "the transform of node 8 to its scene is not finite"
     );
 }
@@ -263,8 +263,8 @@ fn meshes_scaled_to_nothing_are_left_out() {
         [format!("{hidden} and 1 more like it are skipped")]
     );
     document["scenes"][0]["nodes"] = json!([0]);
-    let said = read(&document, &bin).expect_err("nothing").to_string();
-    assert_eq!(said, format!("it has no triangles: {hidden} is skipped"));
+    let message = read(&document, &bin).expect_err("nothing").to_string();
+    assert_eq!(message, format!("it has no triangles: {hidden} is skipped"));
 }
 
 /// Each instance would be its own mesh.
@@ -275,6 +275,6 @@ fn instances_are_missed_with_a_warning() {
     document["nodes"][0]["extensions"] =
         json!({"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 0}}});
     let mesh = read(&document, &bin).expect("a mesh");
-    let said = "only the first instance (EXT_mesh_gpu_instancing) is read, at its node";
-    assert_eq!(mesh.warnings, [said]);
+    let message = "only the first instance (EXT_mesh_gpu_instancing) is read, at its node";
+    assert_eq!(mesh.warnings, [message]);
 }

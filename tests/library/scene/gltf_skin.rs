@@ -172,8 +172,8 @@ fn chains_of_joints_may_be_long() {
     assert_eq!(skinned.positions(&document), moved.collect::<Vec<_>>());
     nodes[length - 1]["children"] = json!([1]);
     let document = skinned.document(&json!(nodes), &json!([1, length]));
-    let said = read(&document, &skinned.buffer.bytes).expect_err("a circle");
-    assert_eq!(said.to_string(), "skin 0: node 20000 is its own ancestor");
+    let words = read(&document, &skinned.buffer.bytes).expect_err("a circle");
+    assert_eq!(words.to_string(), "skin 0: node 20000 is its own ancestor");
 }
 
 #[test]
@@ -267,7 +267,7 @@ fn mistakes_of_a_skin_are_named() {
         let (parent, name) = pointer.rsplit_once('/').expect("a pointer");
         let value: Value = serde_json::from_str(value).expect(value);
         document.pointer_mut(parent).expect(parent)[name] = value;
-        let said = read(&document, &skinned.buffer.bytes).expect_err(pointer);
-        assert_eq!(said.to_string(), message, "{pointer}");
+        let words = read(&document, &skinned.buffer.bytes).expect_err(pointer);
+        assert_eq!(words.to_string(), message, "{pointer}");
     }
 }

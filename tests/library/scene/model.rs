@@ -16,7 +16,7 @@ fn read(model: &Model) -> Read {
 }
 
 /// The messages of a severity, without the file's name.
-fn said(read: &Read, severity: Severity) -> Vec<String> {
+fn messages(read: &Read, severity: Severity) -> Vec<String> {
     let of = read.warnings.iter().filter(|d| d.severity == severity);
     of.map(|d| d.to_string().replace("m.glb: ", "")).collect()
 }
@@ -32,7 +32,7 @@ fn block(material: Value) -> Model {
 /// The result of a material, and the warnings.
 fn kind(material: Value) -> (MaterialKind, Vec<String>) {
     let read = read(&block(material));
-    let warnings = said(&read, Severity::Warning);
+    let warnings = messages(&read, Severity::Warning);
     (read.scene.materials[0].kind.clone(), warnings)
 }
 
@@ -123,7 +123,7 @@ fn thin_walls_and_partial_transmission_give_warnings() {
         warnings[0].contains("material 0: it is thin-walled"),
         "{warnings:?}"
     );
-    for (factor, metallic, passes, said) in [
+    for (factor, metallic, passes, message) in [
         (
             0.75,
             0.0,
@@ -148,7 +148,7 @@ fn thin_walls_and_partial_transmission_give_warnings() {
         partly["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = json!(factor);
         let (brdf, warnings) = self::brdf(partly);
         assert_eq!(brdf.kt != DVec3::ZERO, passes);
-        assert_eq!(warnings, [format!("material 0: {said}")]);
+        assert_eq!(warnings, [format!("material 0: {message}")]);
     }
     let mut metal = glass([1.0; 3], 1.0);
     metal["pbrMetallicRoughness"]["metallicFactor"] = json!(1);
@@ -161,8 +161,9 @@ fn a_base_colour_does_not_tint_glass() {
     tinted["pbrMetallicRoughness"]["baseColorFactor"] = json!([1, 0.5, 0.5, 1]);
     let (brdf, warnings) = brdf(tinted);
     assert_eq!(brdf.kt, DVec3::ONE);
-    let told = "material 0: its base colour does not tint what it transmits: attenuationColor does";
-    assert_eq!(warnings, [told]);
+    let printed =
+        "material 0: its base colour does not tint what it transmits: attenuationColor does";
+    assert_eq!(warnings, [printed]);
 }
 
 #[test]
@@ -173,8 +174,8 @@ fn emissive_meshes_are_lights() {
     let radiance = MaterialKind::Light(DVec3::new(8.0, 4.0, 2.0));
     assert_eq!(kind(shining.clone()), (radiance.clone(), vec![]));
     shining["pbrMetallicRoughness"]["baseColorFactor"] = json!([1, 1, 1, 1]);
-    let told = "material 0: it emits light and reflects nothing: lights are black in vkpt";
-    assert_eq!(kind(shining), (radiance, vec![told.to_owned()]));
+    let printed = "material 0: it emits light and reflects nothing: lights are black in vkpt";
+    assert_eq!(kind(shining), (radiance, vec![printed.to_owned()]));
 }
 
 /// An emitting square has a rim; in glTF it emits to one side unless it is double-sided.
@@ -186,10 +187,10 @@ fn an_open_light_shines_to_both_sides() {
         let mut model = Model::seen_from([0.0, 0.0, 5.0], 0.5);
         let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         model.mesh(&corners, &[0, 1, 2], shining);
-        let told =
+        let printed =
             "material 0: it is not closed, and emits light to both sides, as all lights in vkpt do";
-        let expected = if both { vec![] } else { vec![told] };
-        assert_eq!(said(&read(&model), Severity::Warning), expected);
+        let expected = if both { vec![] } else { vec![printed] };
+        assert_eq!(messages(&read(&model), Severity::Warning), expected);
     }
 }
 
@@ -204,8 +205,8 @@ fn point_lights_are_balls_of_their_power() {
     );
     model.light([0.0, 9.0, 0.0], json!({"type": "point"}));
     let read = read(&model);
-    let told = "its point lights are balls of radius 1.73e-3 of the same power";
-    assert_eq!(said(&read, Severity::Advice), [told]);
+    let printed = "its point lights are balls of radius 1.73e-3 of the same power";
+    assert_eq!(messages(&read, Severity::Advice), [printed]);
     let balls: Vec<_> = read.scene.shapes.iter().skip(1).collect();
     let expected = [
         (DVec3::new(1.0, 2.0, 3.0), DVec3::new(10.0, 5.0, 0.0)),
@@ -240,7 +241,7 @@ fn other_lights_are_named() {
         "light 0 (\"Stage\"): spot lights are not supported, so the picture lacks it: use an emissive mesh or a point light",
         "light 1: directional lights are not supported, so the picture lacks it: use an emissive mesh or a point light",
     ];
-    assert_eq!(said(&read, Severity::Warning), expected);
+    assert_eq!(messages(&read, Severity::Warning), expected);
 }
 
 #[test]
@@ -249,8 +250,8 @@ fn without_a_light_all_around_is_white() {
     model.cuboid([-1.0; 3], [1.0; 3], matte([0.5; 3]));
     let dark = read(&model);
     assert_eq!(dark.scene.background, DVec3::ONE);
-    let told = "it has no lights: the background is white, with radiance 1";
-    assert_eq!(said(&dark, Severity::Advice), [told]);
+    let printed = "it has no lights: the background is white, with radiance 1";
+    assert_eq!(messages(&dark, Severity::Advice), [printed]);
     let line = dark.text.lines().nth(dark.scene.background_line - 1);
     assert_eq!(line, Some("background 1 1 1  # the file has no lights"));
     let lit = read(&block(matte([0.5; 3])));
@@ -258,7 +259,7 @@ fn without_a_light_all_around_is_white() {
         (lit.scene.background, lit.scene.background_line),
         (DVec3::ZERO, 0)
     );
-    assert_eq!(said(&lit, Severity::Advice), [""; 0]);
+    assert_eq!(messages(&lit, Severity::Advice), [""; 0]);
 }
 
 /// A node's transform places a primitive, and a mesh at two nodes is in the scene twice.
@@ -305,7 +306,7 @@ fn unsupported_properties_are_named_once() {
     model.document["animations"] = json!([{}]);
     model.document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = json!(0);
     model.document["meshes"][0]["primitives"][0]["targets"] = json!([{}]);
-    let mut warnings = said(&read(&model), Severity::Warning);
+    let mut warnings = messages(&read(&model), Severity::Warning);
     warnings.sort();
     let mut expected: Vec<String> = [
         "its normalTexture is not read",

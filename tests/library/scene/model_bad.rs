@@ -9,7 +9,7 @@ use crate::bodies;
 use crate::common::gltf_writer::glb;
 use crate::common::models::{Model, glass, lamp, matte};
 
-/// All that is said of it as wrong.
+/// Its errors.
 fn errors(model: &Model) -> Vec<String> {
     let read = parse_model(&model.glb(), Path::new("m.glb"), false, None);
     let errors = read.expect_err("errors").diagnostics;
@@ -72,9 +72,9 @@ fn numbers_that_are_not_legal_are_refused_by_name() {
 fn a_share_above_1_counts_as_1() {
     let bright = json!({"pbrMetallicRoughness": {"baseColorFactor": [2, 1, 1, 1]}});
     let read = parse_model(&block(bright).glb(), Path::new("m.glb"), false, None).expect("a scene");
-    let told = read.warnings.iter().map(ToString::to_string);
+    let printed = read.warnings.iter().map(ToString::to_string);
     let expected = "m.glb: material 0: its baseColorFactor is above 1: taken as 1";
-    assert!(told.collect::<Vec<_>>().contains(&expected.to_owned()));
+    assert!(printed.collect::<Vec<_>>().contains(&expected.to_owned()));
 }
 
 #[test]

@@ -162,10 +162,10 @@ fn without_a_camera_all_is_seen() {
         let mut model = Model::unseen();
         model.cuboid(lo, hi, lamp(1.0));
         let read = read(&model, None).expect("a scene");
-        let said = read.warnings[0].to_string();
+        let words = read.warnings[0].to_string();
         assert!(
-            said.contains("it has no camera: the view is from the front"),
-            "{said}"
+            words.contains("it has no camera: the view is from the front"),
+            "{words}"
         );
         let Camera { eye, ry, .. } = read.scene.camera;
         let [right, up, forward] = directions(&read.scene.camera);

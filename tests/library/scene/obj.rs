@@ -173,9 +173,9 @@ fn mistakes_are_named_with_their_line() {
             Ok(mesh) => panic!("{row} read as {mesh:?}"),
             // Long lines are cut short in messages.
             Err(error) => {
-                let said = error.to_string();
-                let cut = said.strip_suffix("…`").unwrap_or(&said);
-                assert!(message.starts_with(cut), "{row}: {said}");
+                let words = error.to_string();
+                let cut = words.strip_suffix("…`").unwrap_or(&words);
+                assert!(message.starts_with(cut), "{row}: {words}");
             }
         }
     }
@@ -189,9 +189,9 @@ fn mistakes_are_named_with_their_line() {
         (b"solid cube\n", unknown("solid")),
         (b"F 1 2 3\n", unknown("F")),
     ];
-    for (bytes, said) in rows {
+    for (bytes, words) in rows {
         let read = parse_mesh(bytes, Path::new("mesh.obj"));
-        assert_eq!(read.expect_err("no mesh").to_string(), said);
+        assert_eq!(read.expect_err("no mesh").to_string(), words);
     }
 }
 

@@ -408,9 +408,9 @@ fn a_file_that_contradicts_itself_has_its_culprit_named() {
             "vertex 1 (from 0) is not finite in single precision",
         ),
     ];
-    for (text, said) in rows {
+    for (text, message) in rows {
         let error = read(text.as_bytes(), "a.ply").expect_err("refused");
-        assert_eq!(error.to_string(), said);
+        assert_eq!(error.to_string(), message);
     }
     // Of two lists of corners the first counts.
     let two = "property list uchar int vertex_index\nproperty list uchar int vertex_indices\nend";

@@ -205,8 +205,8 @@ fn mistakes_are_named() {
             "its line 5 repeats an earlier name: `property float x`"
         );
         for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-            let said = message(HEADER, &triangle(bad, [0, 1, 2]));
-            assert_eq!(said, "vertex 0 (from 0) is not finite in single precision");
+            let words = message(HEADER, &triangle(bad, [0, 1, 2]));
+            assert_eq!(words, "vertex 0 (from 0) is not finite in single precision");
         }
     }
 }
@@ -231,8 +231,11 @@ fn numbers_may_begin_or_end_with_a_point() {
         assert_eq!(mesh.positions[0], expected, "{text}");
     }
     for text in [".", "-.", "1..5", ".e5", "1.2.3"] {
-        let said = read(with(text).as_bytes()).expect_err(text).to_string();
-        assert_eq!(said, format!("its line 10 cannot be read: `{text} 1. -.5`"));
+        let words = read(with(text).as_bytes()).expect_err(text).to_string();
+        assert_eq!(
+            words,
+            format!("its line 10 cannot be read: `{text} 1. -.5`")
+        );
     }
 }
 

@@ -102,8 +102,8 @@ fn the_last_background_counts() {
     let read = read(folder.path(), both).expect("a scene");
     assert!(read.scene.surroundings.is_none());
     assert_eq!(read.scene.background, DVec3::new(1.0, 2.0, 3.0));
-    let told: Vec<String> = read.warnings.iter().map(ToString::to_string).collect();
-    assert_eq!(told, ["`background` is given more than once"]);
+    let messages: Vec<String> = read.warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(messages, ["`background` is given more than once"]);
 }
 
 /// As other programs of the course have it: the sphere about the eye carries the picture, and is no shape here.
@@ -129,7 +129,7 @@ fn the_sphere_that_carries_a_picture_is_no_shape() {
 #[test]
 fn names_are_read_as_meshes_are() {
     let folder = folder();
-    for (line, told) in [
+    for (line, message) in [
         ("background My Sky.EXR 2", "a blank ends a name"),
         (
             "background \"My Sky.EXR\" 2",
@@ -144,21 +144,21 @@ fn names_are_read_as_meshes_are() {
         let label = labels
             .and_then(|mut labels| labels.next())
             .expect("a label");
-        assert_eq!(label.label(), Some(told), "{line}");
+        assert_eq!(label.label(), Some(message), "{line}");
     }
 }
 
 #[test]
 fn oddities_of_a_picture_give_warnings() {
     let folder = folder();
-    for (line, told) in [
+    for (line, message) in [
         ("background square.exr", "it is 2×2"),
         ("background dark.exr", "3 of its values are negative"),
     ] {
         let read = read(folder.path(), line).expect(line);
         assert_eq!(read.warnings.len(), 1, "{line}");
         let warning = read.warnings[0].to_string();
-        assert!(warning.ends_with(told), "{line}: {warning}");
+        assert!(warning.ends_with(message), "{line}: {warning}");
         let film = Arc::clone(&read.scene.surroundings.expect(line).picture);
         assert!(film.rgb.as_flattened().iter().all(|x| *x >= 0.0));
     }
@@ -167,7 +167,7 @@ fn oddities_of_a_picture_give_warnings() {
 #[test]
 fn files_that_are_no_pictures_of_radiances_are_refused() {
     let folder = folder();
-    for (line, told) in [
+    for (line, message) in [
         ("background gone.exr", "no such file"),
         ("background sky.jpg", "no such file"),
         ("ibl", "`ibl` has too few arguments"),
@@ -195,7 +195,7 @@ fn files_that_are_no_pictures_of_radiances_are_refused() {
         let errors = read(folder.path(), line).expect_err(line).diagnostics;
         let errors: Vec<String> = errors.iter().map(ToString::to_string).collect();
         assert_eq!(errors.len(), 1, "{line}: {errors:?}");
-        assert!(errors[0].ends_with(told), "{line}: {errors:?}");
+        assert!(errors[0].ends_with(message), "{line}: {errors:?}");
     }
     let short = read(folder.path(), "background short.exr").expect_err("too short");
     assert_eq!(short.diagnostics.len(), 1);

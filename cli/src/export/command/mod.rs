@@ -34,18 +34,18 @@ pub fn export(arguments: &ExportArguments) -> Result<Ending, Failure> {
         stem: &stem.to_string_lossy(),
     };
     let file = arguments.scene.name();
-    let told = |remarks: &[Remark<String>]| {
-        let told = |r: &Remark<String>| format!("{}: {r}", loaded.place(&file, r.line));
-        remarks.iter().map(told).collect::<Vec<_>>()
+    let placed = |remarks: &[Remark<String>]| {
+        let placed = |r: &Remark<String>| format!("{}: {r}", loaded.place(&file, r.line));
+        remarks.iter().map(placed).collect::<Vec<_>>()
     };
     let export = peer::export(arguments.to, &subject, to.path())
-        .map_err(|refusals| Failure::Untranslatable(told(&refusals)))?;
-    let warnings = told(&export.warnings);
+        .map_err(|refusals| Failure::Untranslatable(placed(&refusals)))?;
+    let warnings = placed(&export.warnings);
     if request.strict && !warnings.is_empty() {
         return Err(Failure::Strict(warnings));
     }
     warnings.iter().for_each(|what| warn(what));
-    let notes = told(export.note.as_slice());
+    let notes = placed(export.note.as_slice());
     notes.iter().for_each(|what| note(what));
     let places = (export.beside.iter())
         .map(|file| beside(&to, &file.name))

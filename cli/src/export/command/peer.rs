@@ -52,14 +52,14 @@ pub fn export(
     to: Option<&Path>,
 ) -> Result<Export, Vec<Remark<String>>> {
     match peer {
-        Peer::Mitsuba => mitsuba::export(subject).map_err(told),
-        Peer::Pbrt => pbrt::export(subject).map_err(told),
-        Peer::Gltf => gltf::export(subject, container(to)).map_err(told),
+        Peer::Mitsuba => mitsuba::export(subject).map_err(as_text),
+        Peer::Pbrt => pbrt::export(subject).map_err(as_text),
+        Peer::Gltf => gltf::export(subject, container(to)).map_err(as_text),
     }
 }
 
-fn told<R: Display>(refusals: Vec<Remark<R>>) -> Vec<Remark<String>> {
-    refusals.into_iter().map(Remark::told).collect()
+fn as_text<R: Display>(refusals: Vec<Remark<R>>) -> Vec<Remark<String>> {
+    refusals.into_iter().map(Remark::as_text).collect()
 }
 
 /// JSON if the name ends in .gltf, else GLB, which is one file.

@@ -32,7 +32,7 @@ pub fn all(subject: &Subject) -> Vec<Remark<String>> {
         all.extend(has_colour(material).then(|| of(Difference::Colour)));
         all.extend(is_rough(material).then(|| of(Difference::Masking)));
     }
-    gathered(all).into_iter().map(Remark::told).collect()
+    gathered(all).into_iter().map(Remark::as_text).collect()
 }
 
 fn has_colour(material: &Material) -> bool {

@@ -50,7 +50,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
     });
     display.finish();
     let record = &ran.record;
-    let told = match arguments.quiet {
+    let printed = match arguments.quiet {
         true => Ok(()),
         false => Console::beside(outputs::files(arguments)).print(&text(record)),
     };
@@ -59,7 +59,11 @@ pub fn check(arguments: &CheckArguments) -> Result<Ending, Failure> {
         command: typed(),
         shown: &ran.shown,
     };
-    all_written(outputs::write(arguments, &sheet).into_iter().chain([told]))?;
+    all_written(
+        outputs::write(arguments, &sheet)
+            .into_iter()
+            .chain([printed]),
+    )?;
     ending(record, ran.error)
 }
 
@@ -114,10 +118,10 @@ mod tests {
         ));
         for interrupted in [false, true] {
             let failed = ending(&record(1, interrupted), None);
-            assert!(matches!(failed, Err(Failure::Comparison(told)) if told.len() == 1));
+            assert!(matches!(failed, Err(Failure::Comparison(printed)) if printed.len() == 1));
         }
         let lost = CheckError::Render("a/c".to_owned(), GpuError::Lost.into());
         let failed = ending(&record(1, true), Some(lost));
-        assert!(matches!(failed, Err(Failure::Comparison(told)) if told.len() == 2));
+        assert!(matches!(failed, Err(Failure::Comparison(printed)) if printed.len() == 2));
     }
 }

@@ -29,7 +29,7 @@ pub struct CaseRecord {
     pub about: String,
     pub samples: u64,
     /// Samples whose path the device and cpu-f64 decided differently.
-    pub parted: u64,
+    pub diverged: u64,
     /// Quantiles of the relative difference to cpu-f64 of the others; none if no path carries light.
     pub median: Option<f64>,
     pub p99: Option<f64>,
@@ -37,7 +37,7 @@ pub struct CaseRecord {
     /// Pixel and sample of the worst.
     pub worst_at: Option<[u32; 3]>,
     /// The first pixel and sample that diverged.
-    pub parted_at: Option<[u32; 3]>,
+    pub diverged_at: Option<[u32; 3]>,
     pub nan: u64,
     pub infinite: u64,
     /// The largest contribution of one path.

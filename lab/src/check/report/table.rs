@@ -54,7 +54,7 @@ fn line(name: &str, cells: &[String; COLUMNS.len()], mark: &str) -> String {
 
 fn cells(case: &CaseRecord) -> [String; COLUMNS.len()] {
     [
-        share(case.parted, case.samples),
+        share(case.diverged, case.samples),
         relative(case.p99),
         relative(worst(case)),
         thousands(case.broken()),
@@ -85,13 +85,18 @@ pub fn failures(check: &Check) -> Vec<String> {
     let failed = check.cases.iter().filter(|c| !c.passed);
     failed
         .map(|case| {
-            let by: Vec<String> = case.held.iter().filter(|h| !h.passed()).map(told).collect();
+            let by: Vec<String> = case
+                .held
+                .iter()
+                .filter(|h| !h.passed())
+                .map(bound)
+                .collect();
             format!("{}: {}\n{}", case.name, case.about, by.join("\n"))
         })
         .collect()
 }
 
-fn told(held: &Held) -> String {
+fn bound(held: &Held) -> String {
     let Held {
         what,
         measured,

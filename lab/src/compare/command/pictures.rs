@@ -25,13 +25,13 @@ pub fn pictures(arguments: &PictureArguments) -> Result<Ending, Failure> {
     };
     let comparison = compare(arguments.exposure, tested, reference).map_err(Failure::Pictures)?;
     let console = Console::beside(&arguments.heatmap);
-    let told = console.print(&report::comparison(&comparison));
+    let printed = console.print(&report::comparison(&comparison));
     let written = match &arguments.heatmap {
         None => Ok(()),
         Some(to) => write_heatmap(&heatmap(tested, reference)?, to)
             .and_then(|()| console.print(&legend(to))),
     };
-    all_written([told, written])?;
+    all_written([printed, written])?;
     verdict(arguments, &comparison)
 }
 
@@ -54,7 +54,7 @@ pub fn compare(
         tested: Vec::new(),
     };
     for known in tested {
-        let told = |error: MetricsError| {
+        let failure = |error: MetricsError| {
             vec![format!(
                 "{} and {}: {error}",
                 known.name(),
@@ -62,12 +62,12 @@ pub fn compare(
             )]
         };
         known.same_place(reference)?;
-        let pair = Pair::new(&known.picture.film, film).map_err(told)?;
+        let pair = Pair::new(&known.picture.film, film).map_err(failure)?;
         comparison.tested.push(Tested {
             name: known.name(),
             errors: Errors::of(&pair),
-            flip: trimmed(&flip(&pair, &viewing).map_err(told)?.errors),
-            z_test: block_test(known, reference).map_err(told)?,
+            flip: trimmed(&flip(&pair, &viewing).map_err(failure)?.errors),
+            z_test: block_test(known, reference).map_err(failure)?,
         });
     }
     Ok(comparison)
@@ -83,10 +83,10 @@ fn block_test(a: &Known, b: &Known) -> Result<Result<BlockTest, String>, Metrics
 
 /// The heat maps of all `tested`, side by side.
 fn heatmap(tested: &[Known], reference: &Known) -> Result<Film, Failure> {
-    let told = |error: MetricsError| Failure::Pictures(vec![error.to_string()]);
+    let failure = |error: MetricsError| Failure::Pictures(vec![error.to_string()]);
     let mut maps = Vec::new();
     for known in tested {
-        let pair = Pair::new(&known.picture.film, &reference.picture.film).map_err(told)?;
+        let pair = Pair::new(&known.picture.film, &reference.picture.film).map_err(failure)?;
         maps.push(metrics::heatmap(&pair));
     }
     Ok(side_by_side(&maps))

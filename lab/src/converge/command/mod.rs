@@ -34,7 +34,7 @@ pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
         return Ok(Ending::Interrupted);
     };
     let record = experiment.record(arguments, &variants);
-    let told = match arguments.quiet {
+    let printed = match arguments.quiet {
         true => Ok(()),
         false => Console::beside(outputs::files(arguments)).print(&table(&record)),
     };
@@ -47,7 +47,7 @@ pub fn converge(arguments: &ConvergeArguments) -> Result<Ending, Failure> {
     let (references, measured) = (&experiment.references, &experiment.measured);
     let parts = page::parts(arguments, &variants, references, measured);
     let written = outputs::write(arguments, &parts.sheet(&record));
-    all_written(written.into_iter().chain([told]))?;
+    all_written(written.into_iter().chain([printed]))?;
     if measured.interrupted {
         warn("interrupted: the unfinished step is not reported");
         return Ok(Ending::Interrupted);

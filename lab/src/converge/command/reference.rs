@@ -100,18 +100,18 @@ pub fn given(arguments: &ConvergeArguments, size: [u32; 2]) -> Result<Option<Nam
 }
 
 fn from_file(path: &Path, size: [u32; 2]) -> Result<Named, Failure> {
-    let told = |message: String| Failure::Pictures(vec![message]);
-    let picture = image::read(path).map_err(|e| told(e.to_string()))?;
+    let failure = |message: String| Failure::Pictures(vec![message]);
+    let picture = image::read(path).map_err(|e| failure(e.to_string()))?;
     let errors = stderr_path(path);
     let stderr = errors.exists().then(|| image::read(&errors));
-    let stderr = stderr.transpose().map_err(|e| told(e.to_string()))?;
+    let stderr = stderr.transpose().map_err(|e| failure(e.to_string()))?;
     if let Some(stderr) = &stderr {
         let advice = "remove it";
-        belongs((&errors, stderr), (path, &picture), advice).map_err(told)?;
+        belongs((&errors, stderr), (path, &picture), advice).map_err(failure)?;
     }
     let (film, name) = (picture.film, path.display().to_string());
     if [film.width, film.height] != size {
-        return Err(told(format!(
+        return Err(failure(format!(
             "the reference {name} has {}×{} pixels, the renderings {}×{}: give both the same --size and --crop",
             film.width, film.height, size[0], size[1]
         )));
@@ -125,7 +125,7 @@ fn from_file(path: &Path, size: [u32; 2]) -> Result<Named, Failure> {
         Reference::picture(film, stderr.as_ref().map(standard_errors)).map_err(|e| {
             let is_stderr = e.picture() == Some(STANDARD_ERRORS);
             let path = if is_stderr { &*errors } else { path };
-            told(format!("{}: {e}", path.display()))
+            failure(format!("{}: {e}", path.display()))
         })?;
     Ok(Named { name, reference })
 }

@@ -132,7 +132,7 @@ fn flags(pairs: &[(&str, &str)]) -> Result<SettingArguments, String> {
     let words = pairs
         .iter()
         .map(|(name, value)| format!("--{name}={value}"));
-    let told = |error: clap::Error| match error.kind() {
+    let explained = |error: clap::Error| match error.kind() {
         ErrorKind::UnknownArgument => {
             format!(
                 "no such setting; the settings are {}, {DENOISE}",
@@ -144,7 +144,7 @@ fn flags(pairs: &[(&str, &str)]) -> Result<SettingArguments, String> {
     command
         .try_get_matches_from(words)
         .and_then(|matches| SettingArguments::from_arg_matches(&matches))
-        .map_err(told)
+        .map_err(explained)
 }
 
 /// The first paragraph of clap's message, before its pointer to the help.
@@ -204,7 +204,7 @@ mod tests {
 
     #[test]
     fn unknown_settings_and_values_are_named() {
-        for (text, said) in [
+        for (text, expected) in [
             ("connect", "connect=mis,light"),
             (
                 "colour=red",
@@ -219,7 +219,7 @@ mod tests {
             ("max-depth=-1", "-1"),
         ] {
             let error = vary(text).expect_err("refused");
-            assert!(error.contains(said), "{text}: {error}");
+            assert!(error.contains(expected), "{text}: {error}");
         }
         let twice = ["connect=mis", "connect=light"].map(|text| vary(text).expect("a setting"));
         assert!(combinations(&given(&[]), &twice).is_err());

@@ -5,7 +5,7 @@ use super::Convergence;
 /// A sentence for each variant that does not converge to the reference.
 pub fn concerns(experiment: &Convergence) -> Vec<String> {
     let off = experiment.variants.iter().filter(|v| v.is_off());
-    let told = off.filter_map(|variant| {
+    let concerns = off.filter_map(|variant| {
         let name = match variant.name.as_str() {
             "" => String::new(),
             name => format!("{name}: "),
@@ -16,5 +16,5 @@ pub fn concerns(experiment: &Convergence) -> Vec<String> {
             variant.reference.name, floor.rel_mse, floor.standard_error
         ))
     });
-    told.collect()
+    concerns.collect()
 }

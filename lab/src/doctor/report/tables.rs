@@ -111,11 +111,11 @@ fn word(outcome: Outcome) -> String {
 pub fn self_tests(tests: &[SelfTest]) -> String {
     let row = |t: &SelfTest| {
         let (wrong, of) = (thousands(t.wrong.into()), thousands(t.invocations.into()));
-        let told = match t.wrong {
+        let finding = match t.wrong {
             0 => t.stands_for.to_owned(),
             _ => format!("{wrong} of {of} results are wrong"),
         };
-        [t.name.to_owned(), word(t.outcome), told]
+        [t.name.to_owned(), word(t.outcome), finding]
     };
     let rows: Vec<[String; 3]> = tests.iter().map(row).collect();
     columns(&rows, [false; 3])

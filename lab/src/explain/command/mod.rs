@@ -3,7 +3,7 @@
 mod arguments;
 mod outputs;
 
-use crate::cli::beside::parted;
+use crate::cli::beside::split;
 use crate::cli::console::Console;
 use crate::cli::destination::{Destination, all_written};
 use crate::cli::exit::{Ending, Failure};
@@ -31,7 +31,7 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
     let request = arguments.request();
     let loaded = Loaded::new(&request)?;
     let ready = loaded.prepare(&request)?;
-    let (aovs, classes) = parted(&arguments.aov);
+    let (aovs, classes) = split(&arguments.aov);
     let job = Job {
         aovs: &aovs,
         classes: &classes,
@@ -72,8 +72,8 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Failure> {
         page(&explanation(&subject, &spirv, (&full, &full_spirv), counts))
     };
     let written = outputs::write(&files, &spirv);
-    let told = Console::beside(&files).print(&text);
-    all_written(written.into_iter().chain([told]))?;
+    let printed = Console::beside(&files).print(&text);
+    all_written(written.into_iter().chain([printed]))?;
     Ok(Ending::Complete)
 }
 
@@ -100,21 +100,21 @@ fn counts(plan: &Plan, spirv: &[Spirv], device: &Device) -> Result<Vec<Count>, F
         Integrator::Bidirectional => &["light paths", "eye paths"],
         Integrator::Path | Integrator::Light => &[""],
     };
-    let told = statistics(plan, spirv, device).map_err(|e| Failure::Render(e.into()))?;
+    let of_kernels = statistics(plan, spirv, device).map_err(|e| Failure::Render(e.into()))?;
     let count = |kernel: &'static str, s: Statistic| Count {
         kernel,
         executable: s.executable,
         name: s.name,
         value: s.value.to_string(),
     };
-    let told = names.iter().zip(told).flat_map(|(kernel, told)| {
+    let counts = names.iter().zip(of_kernels).flat_map(|(kernel, all)| {
         // A hash only identifies a kernel.
-        let told = told
+        let all = all
             .into_iter()
             .filter(|s| !s.name.to_lowercase().contains("hash"));
-        told.map(move |s| count(kernel, s))
+        all.map(move |s| count(kernel, s))
     });
-    Ok(told.collect())
+    Ok(counts.collect())
 }
 
 fn preset(arguments: &ExplainArguments) -> Preset {

@@ -62,7 +62,7 @@ pub fn test(arguments: &TestArguments) -> Result<Ending, Failure> {
         suite.cases.push(case);
     }
     display.finish();
-    let told = match arguments.quiet {
+    let printed = match arguments.quiet {
         true => Ok(()),
         false => console.print(&sum(&suite)),
     };
@@ -71,7 +71,7 @@ pub fn test(arguments: &TestArguments) -> Result<Ending, Failure> {
         page(&suite, &label).map_err(std::io::Error::other)
     });
     all_written([
-        told,
+        printed,
         whole(&arguments.junit, || junit(&suite, &label)),
         html,
     ])?;

@@ -86,8 +86,8 @@ pub fn difference(actual: &Picture, expected: &Picture) -> Option<(Option<f64>, 
                 p.film.width, p.film.height, p.origin[0], p.origin[1], p.full[0], p.full[1]
             )
         };
-        let told = format!("it has {}; expected {}", of(actual), of(expected));
-        return Some((None, told + &made_from(actual, expected)));
+        let words = format!("it has {}; expected {}", of(actual), of(expected));
+        return Some((None, words + &made_from(actual, expected)));
     }
     let bits = |rgb: [f32; 3]| rgb.map(f32::to_bits);
     let pixels = actual.film.rgb.iter().zip(&expected.film.rgb);
@@ -101,14 +101,14 @@ pub fn difference(actual: &Picture, expected: &Picture) -> Option<(Option<f64>, 
         Err(error) => return Some((None, error.to_string())),
     };
     let width = actual.film.width as usize;
-    let told = format!(
+    let words = format!(
         "relMSE {rel_mse:.2e}; {} of {} pixels differ, the first at {},{}",
         differs.len(),
         actual.film.rgb.len(),
         first % width,
         first / width
     );
-    Some((Some(rel_mse), told + &made_from(actual, expected)))
+    Some((Some(rel_mse), words + &made_from(actual, expected)))
 }
 
 /// The differences in how they were made, a line each.

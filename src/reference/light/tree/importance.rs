@@ -32,8 +32,8 @@ pub fn sine_of<F: Real>(cosine: F) -> F {
 ///
 /// θ_b is the angle under which the ball is seen, θ' = max(0, θ − θ_o − θ_b) for θ, the angle between the axis and the
 /// direction to p, and θ_i' = max(0, θ_i − θ_b), the angle to `n`. Emitters emit on both sides, so cos θ counts without
-/// its sign. From inside the ball the angles give no bound. n = 0: the point is lit from both sides. `power` is a
-/// light's power over 4π, as a share of the whole scene's.
+/// its sign. From inside the ball the angles give no bound. n = 0: the point is lit from both sides. `power` is
+/// radiance times the area seen from afar (of a convex body its power over 4π), as a share of the sum over all lights.
 pub fn node_importance<F: Real>(node: &LightNode<F>, p: Vec3<F>, n: Vec3<F>) -> F {
     let (zero, one) = (F::zero(), F::one());
     let to = node.centre - p;

@@ -27,8 +27,8 @@ fn looking_on_changes_no_bit() {
         tabs.map(|tab| tab.join().expect("a tab"))
     });
     assert!(pictures.iter().all(|&n| n >= 2), "{pictures:?}");
-    let (code, said) = rendering.end();
-    assert_eq!(code, Some(0), "{said}");
+    let (code, stderr) = rendering.end();
+    assert_eq!(code, Some(0), "{stderr}");
     let bytes = |folder: &std::path::Path| fs::read(folder.join("a.exr")).expect("a picture");
     assert!(
         bytes(plain.path()) == bytes(rendering.folder.path()),
@@ -46,7 +46,7 @@ fn looking_on_changes_no_bit() {
 fn a_tab_gets_the_last_picture_before_the_end() {
     let mut rendering = Rendering::start("--spp 20000 --checkpoint off -o a.exr");
     let mut tab = Tab::new(rendering.port, 7);
-    let state = tab.told(|state| state["phase"] == "ended");
+    let state = tab.state(|state| state["phase"] == "ended");
     let last = &state["picture"];
     assert_eq!(
         (&state["samples"], &last["samples"]),
@@ -59,8 +59,8 @@ fn a_tab_gets_the_last_picture_before_the_end() {
     // The tab is reported to have all, so the rendering waits no longer.
     let start = Instant::now();
     tab.ask();
-    let (code, said) = rendering.end();
-    assert_eq!(code, Some(0), "{said}");
+    let (code, stderr) = rendering.end();
+    assert_eq!(code, Some(0), "{stderr}");
     assert!(start.elapsed() < Duration::from_secs(1));
     assert!(
         pixels(tab.picture.as_ref().expect("a picture")) == rendering.picture("a.exr").rgb,
@@ -71,7 +71,7 @@ fn a_tab_gets_the_last_picture_before_the_end() {
 #[test]
 fn errors_are_those_of_the_report() {
     let mut rendering = Rendering::start("--spp 20000 --checkpoint off -o a.exr --json a.json");
-    let state = Tab::new(rendering.port, 7).told(|state| state["phase"] == "ended");
+    let state = Tab::new(rendering.port, 7).state(|state| state["phase"] == "ended");
     rendering.end();
     let text = fs::read_to_string(rendering.folder.path().join("a.json")).expect("a report");
     let report: Value = serde_json::from_str(&text).expect("JSON");
@@ -105,23 +105,23 @@ fn where_nobody_looks_on_it_waits_for_nobody() {
         assert_eq!(run.code, Some(0), "{}", run.err);
         (start.elapsed(), run.err)
     };
-    let (time, said) = took("--view --quiet");
+    let (time, stderr) = took("--view --quiet");
     assert!(time < Duration::from_secs(2), "{time:?}");
     // The only message that `--quiet` shows.
     assert!(
-        said.starts_with("note: live view: http://127.0.0.1:"),
-        "{said}"
+        stderr.starts_with("note: live view: http://127.0.0.1:"),
+        "{stderr}"
     );
-    assert_eq!(said.lines().count(), 1, "{said}");
+    assert_eq!(stderr.lines().count(), 1, "{stderr}");
 }
 
 #[test]
 fn a_tab_that_reads_nothing_delays_the_end_for_a_moment() {
     let mut rendering = Rendering::start("--spp 20000 --checkpoint off -o a.exr");
-    Tab::new(rendering.port, 7).told(|state| state["phase"] != "rendering");
+    Tab::new(rendering.port, 7).state(|state| state["phase"] != "rendering");
     let start = Instant::now();
-    let (code, said) = rendering.end();
-    assert_eq!(code, Some(0), "{said}");
+    let (code, stderr) = rendering.end();
+    assert_eq!(code, Some(0), "{stderr}");
     assert!(
         start.elapsed() < Duration::from_secs(5),
         "{:?}",
@@ -133,15 +133,15 @@ fn a_tab_that_reads_nothing_delays_the_end_for_a_moment() {
 fn stopping_is_like_ctrl_c() {
     let mut rendering = Rendering::start(ENDLESS);
     let port = rendering.port;
-    Tab::new(port, 1).told(|state| !state["picture"].is_null());
+    Tab::new(port, 1).state(|state| !state["picture"].is_null());
     assert_eq!(stop(port).map(|answer| answer.status), Some(204));
     let start = Instant::now();
-    let (code, said) = rendering.end();
-    assert_eq!(code, Some(130), "{said}");
+    let (code, stderr) = rendering.end();
+    assert_eq!(code, Some(130), "{stderr}");
     assert!(start.elapsed() < PATIENCE / 2);
     assert!(
-        said.contains("note: continue with --resume, which reads a.vkpt"),
-        "{said}"
+        stderr.contains("note: continue with --resume, which reads a.vkpt"),
+        "{stderr}"
     );
     assert_eq!(
         names(rendering.folder.path()),
@@ -153,10 +153,10 @@ fn stopping_is_like_ctrl_c() {
 fn several_devices_are_looked_at_as_one_is() {
     let mut rendering = Rendering::on("cpu-f32,cpu-f32", 0, ENDLESS);
     let port = rendering.port;
-    let state = Tab::new(port, 1).told(|state| state["picture"]["number"].as_u64() > Some(1));
+    let state = Tab::new(port, 1).state(|state| state["picture"]["number"].as_u64() > Some(1));
     assert!(state["samples"].as_u64() > Some(0), "{state}");
     stop(port);
-    let (code, said) = rendering.end();
-    assert_eq!(code, Some(130), "{said}");
+    let (code, stderr) = rendering.end();
+    assert_eq!(code, Some(130), "{stderr}");
     assert_eq!(rendering.picture("a.exr").rgb.len(), 16 * 12);
 }

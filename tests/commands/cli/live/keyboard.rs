@@ -10,16 +10,16 @@ fn keys_do_the_same_as_the_pointer() {
     let Some(mut browser) = opened(&rendering) else {
         return;
     };
-    for (key, code, told) in [
+    for (key, code, shown) in [
         ("e", 69, "+0.5 EV"),
         ("e", 69, "+1 EV"),
         ("0", 48, "0 EV"),
         ("E", 69, "-0.5 EV"),
     ] {
         browser.key(key, code);
-        assert_eq!(text(&mut browser, "stops"), told);
+        assert_eq!(text(&mut browser, "stops"), shown);
         let slider = browser.value("document.querySelector('#exposure').valueAsNumber");
-        let stops: f64 = told.trim_end_matches(" EV").parse().expect("stops");
+        let stops: f64 = shown.trim_end_matches(" EV").parse().expect("stops");
         assert_eq!(slider.as_f64(), Some(stops));
     }
     let fitted = text(&mut browser, "zoom");
@@ -64,19 +64,19 @@ fn keys_do_the_same_as_the_pointer() {
     browser.key(" ", 32);
     browser.wait("document.querySelector('#phase').textContent === 'Done: the files are written'");
     quiet(&browser, &rendering);
-    let (code, said) = rendering.end();
-    assert_eq!(code, Some(130), "{said}");
+    let (code, message) = rendering.end();
+    assert_eq!(code, Some(130), "{message}");
     assert!(
-        said.contains("note: continue with --resume, which reads a.vkpt"),
-        "{said}"
+        message.contains("note: continue with --resume, which reads a.vkpt"),
+        "{message}"
     );
     // The last picture stays, and its pixels can be read.
     let (place, values) = readout(&mut browser);
     let own = rendering.picture("a.exr").row(place[1] as usize)[place[0] as usize];
-    for (told, value) in values.iter().zip(own) {
+    for (shown, value) in values.iter().zip(own) {
         assert!(
-            (told - f64::from(value)).abs() <= 5e-5 * f64::from(value),
-            "{told} {value}"
+            (shown - f64::from(value)).abs() <= 5e-5 * f64::from(value),
+            "{shown} {value}"
         );
     }
     browser.screenshot("live-ended");

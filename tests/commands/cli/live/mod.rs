@@ -39,7 +39,7 @@ struct Rendering {
     child: Child,
     port: u16,
     /// Its output on stderr.
-    said: Arc<Mutex<String>>,
+    stderr: Arc<Mutex<String>>,
     reader: Option<JoinHandle<()>>,
 }
 
@@ -66,8 +66,8 @@ impl Rendering {
             .strip_prefix(address)
             .and_then(|p| p.strip_suffix("/\n"));
         let port = port.unwrap_or_else(|| panic!("no address: {first}"));
-        let said = Arc::new(Mutex::new(String::new()));
-        let own = said.clone();
+        let stderr = Arc::new(Mutex::new(String::new()));
+        let own = stderr.clone();
         let reader = std::thread::spawn(move || {
             let mut rest = String::new();
             let _ = lines.read_to_string(&mut rest);
@@ -77,7 +77,7 @@ impl Rendering {
             folder,
             child,
             port: port.parse().expect("a port"),
-            said,
+            stderr,
             reader: Some(reader),
         }
     }
@@ -93,8 +93,8 @@ impl Rendering {
             if let Some(status) = self.child.try_wait().expect("a child") {
                 let reader = self.reader.take().expect("it ends once");
                 reader.join().expect("a text");
-                let said = self.said.lock().expect("a lock").clone();
-                return (status.code(), said);
+                let stderr = self.stderr.lock().expect("a lock").clone();
+                return (status.code(), stderr);
             }
             sleep(Duration::from_millis(10));
         }
@@ -210,7 +210,7 @@ impl Tab {
     }
 
     /// Waits until enough is announced.
-    fn told(&mut self, enough: impl Fn(&Value) -> bool) -> Value {
+    fn state(&mut self, enough: impl Fn(&Value) -> bool) -> Value {
         let start = Instant::now();
         while start.elapsed() < PATIENCE {
             let state = self.ask().expect("an answer");
@@ -219,7 +219,7 @@ impl Tab {
             }
             sleep(Duration::from_millis(20));
         }
-        panic!("not told");
+        panic!("not announced");
     }
 }
 

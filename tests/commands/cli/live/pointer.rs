@@ -17,14 +17,14 @@ fn colour(browser: &mut Browser, x: f64, y: f64) -> [u8; 3] {
 
 /// The page's text about the pixel that is read: its place and its values.
 pub fn readout(browser: &mut Browser) -> ([u32; 2], [f64; 3]) {
-    let told = text(browser, "pixel");
-    let numbers: Vec<&str> = told
+    let shown = text(browser, "pixel");
+    let numbers: Vec<&str> = shown
         .split(|c: char| !(c.is_ascii_alphanumeric() || "+-.".contains(c)))
         .collect();
     let after = |name: &str| {
         let at = numbers.iter().position(|word| *word == name);
         at.map(|i| numbers[i + 1])
-            .unwrap_or_else(|| panic!("no {name}: {told}"))
+            .unwrap_or_else(|| panic!("no {name}: {shown}"))
     };
     let place = ["x", "y"].map(|name| after(name).parse().expect("a place"));
     (
@@ -49,8 +49,8 @@ fn pixels_are_those_of_the_file() {
     };
     stop_and_save(&mut browser);
     quiet(&browser, &rendering);
-    let (code, said) = rendering.end();
-    assert_eq!(code, Some(130), "{said}");
+    let (code, message) = rendering.end();
+    assert_eq!(code, Some(130), "{message}");
     let film = rendering.picture("a.exr");
     let [left, top, width, height] = canvas(&mut browser);
     // Enlarged by a whole number, in the middle.
@@ -69,10 +69,10 @@ fn pixels_are_those_of_the_file() {
         ));
         let (_, values) = readout(&mut browser);
         let own = film.row(y as usize)[x as usize];
-        for (told, value) in values.iter().zip(own) {
+        for (shown, value) in values.iter().zip(own) {
             assert!(
-                (told - f64::from(value)).abs() <= 5e-5 * f64::from(value),
-                "{x},{y}: {told} {value}"
+                (shown - f64::from(value)).abs() <= 5e-5 * f64::from(value),
+                "{x},{y}: {shown} {value}"
             );
         }
         let codes = own.map(|value| vkpt::image::srgb::quantise(f64::from(value)));
@@ -90,8 +90,8 @@ fn the_slider_brightens_and_the_wheel_enlarges() {
     };
     let [left, top, width, height] = canvas(&mut browser);
     let zoom = |browser: &mut Browser| -> f64 {
-        let told = text(browser, "zoom");
-        told.trim_end_matches(" %").parse().expect("a zoom")
+        let shown = text(browser, "zoom");
+        shown.trim_end_matches(" %").parse().expect("a zoom")
     };
     let middle = [left + width / 2.0 + 3.0, top + height / 2.0 + 5.0];
     browser.mouse("mouseMoved", middle[0], middle[1]);
@@ -129,8 +129,8 @@ fn the_slider_brightens_and_the_wheel_enlarges() {
     let [x, y] = [0, 1].map(|i| place[i].as_f64().expect("a place"));
     browser.mouse("mousePressed", x, y);
     browser.mouse("mouseReleased", x, y);
-    let told = text(&mut browser, "stops");
-    assert!(told.starts_with('+') && told.ends_with(" EV"), "{told}");
+    let shown = text(&mut browser, "stops");
+    assert!(shown.starts_with('+') && shown.ends_with(" EV"), "{shown}");
     browser.value("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))).then(() => 0)");
     let bright = colour(&mut browser, at[0], at[1]);
     assert!((0..3).all(|c| bright[c] > plain[c]), "{plain:?} {bright:?}");
@@ -148,7 +148,7 @@ fn two_tabs_both_get_the_last_picture() {
     };
     visit(&mut second, &rendering);
     let asked = |browser: &Browser| {
-        let requests = browser.told("Network.requestWillBeSent").into_iter();
+        let requests = browser.events("Network.requestWillBeSent").into_iter();
         let urls = requests.filter_map(|r| r["request"]["url"].as_str());
         urls.filter(|url| url.ends_with("/picture")).count()
     };
@@ -161,8 +161,8 @@ fn two_tabs_both_get_the_last_picture() {
     stop_and_save(&mut second);
     first.wait("document.querySelector('#phase').textContent === 'Done: the files are written'");
     assert!(asked(&first) > 0 && asked(&second) > 0);
-    let (code, said) = rendering.end();
-    assert_eq!(code, Some(130), "{said}");
+    let (code, message) = rendering.end();
+    assert_eq!(code, Some(130), "{message}");
     let own = rendering.picture("a.exr").row(6)[8];
     for browser in [&mut first, &mut second] {
         browser.value("document.querySelector('#picture').focus()");

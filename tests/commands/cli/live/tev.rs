@@ -139,24 +139,24 @@ fn a_wrong_packet_is_found() {
             .iter()
             .flat_map(|n| n.to_le_bytes()),
     );
-    let told = |mut packet: Vec<u8>| {
+    let decoded = |mut packet: Vec<u8>| {
         let length = (packet.len() as u32).to_le_bytes();
         packet[..4].copy_from_slice(&length);
         parse(&packet)
     };
-    let Ok(Packet::Update { values, .. }) = told(right.clone()) else {
-        panic!("{:?}", told(right));
+    let Ok(Packet::Update { values, .. }) = decoded(right.clone()) else {
+        panic!("{:?}", decoded(right));
     };
     assert_eq!(values, [[0., 0.], [0., 1.], [0., 2.]]);
     assert!(parse(&right).is_err(), "another length than it tells");
     let cut = right[..right.len() - 4].to_vec();
-    assert!(told(cut).is_err(), "a value too few");
+    assert!(decoded(cut).is_err(), "a value too few");
     let mut long = right.clone();
     long.push(0);
-    assert!(told(long).is_err(), "a byte too many");
+    assert!(decoded(long).is_err(), "a byte too many");
     for (at, wrong) in [(4, 7), (5, 9), (8, 4), (26, 3), (74, 4)] {
         let mut packet = right.clone();
         packet[at] = wrong;
-        assert!(told(packet).is_err(), "{wrong} at {at}");
+        assert!(decoded(packet).is_err(), "{wrong} at {at}");
     }
 }

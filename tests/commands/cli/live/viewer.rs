@@ -70,7 +70,7 @@ pub fn parse(packet: &[u8]) -> Result<Packet, String> {
     let length = u32::from_le_bytes(fields.bytes()?);
     if length as usize != packet.len() {
         return Err(format!(
-            "{length} bytes are told, and {} are there",
+            "{length} bytes are announced, and {} are there",
             packet.len()
         ));
     }

@@ -66,7 +66,7 @@ impl Comparison {
     /// The same estimates, with expectations each of which is wrong: by 1 %, or by the resolution of this many points if that
     /// is more.
     fn planted(&self) -> Self {
-        let wrong = |e: &Estimate, x: f64| x + (0.01 * x).max(told(e));
+        let wrong = |e: &Estimate, x: f64| x + (0.01 * x).max(resolution(e));
         let all = self.0.iter();
         Self(
             all.map(|(name, e, x)| (name.clone(), *e, wrong(e, *x)))
@@ -95,6 +95,6 @@ impl Comparison {
 /// The resolution of the points of a Kronecker sequence for an integral over two numbers, [`POINTS`] of them, and over three,
 /// four times as many. They leave errors of some 1/[`POINTS`] times the variation of the integrand, over the root of the number
 /// of shifts: 1e-4, of which the test needs five and the truth may take as much; over three numbers twice that.
-fn told(e: &Estimate) -> f64 {
+fn resolution(e: &Estimate) -> f64 {
     if e.dimensions == 2 { 1e-3 } else { 2e-3 }
 }

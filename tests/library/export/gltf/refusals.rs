@@ -110,6 +110,6 @@ fn settings_without_an_equal_are_named() {
         (default, Some([0, 0, 1, 1]), "--crop"),
     ];
     for (model, crop, flag) in own.into_iter().chain(gltfs) {
-        assert!(setting(&model, crop).is_some_and(|said| said.starts_with(flag)));
+        assert!(setting(&model, crop).is_some_and(|message| message.starts_with(flag)));
     }
 }

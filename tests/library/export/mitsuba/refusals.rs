@@ -64,8 +64,8 @@ fn every_reason_is_given_once_in_the_order_of_the_file() {
                  sphere 3 0 0 1\nbrdf 0 0 0 .8 .8 .8 0\nsphere 6 0 0 1\n";
     let refusals = export_by(scene, &Settings::default()).err();
     let refusals = refusals.expect("something is refused");
-    let told: Vec<_> = refusals.iter().map(|r| (r.line, r.more)).collect();
-    assert_eq!(told, [(3, 1), (5, 0)]);
+    let printed: Vec<_> = refusals.iter().map(|r| (r.line, r.more)).collect();
+    assert_eq!(printed, [(3, 1), (5, 0)]);
     assert!(refusals[0].to_string().ends_with(" (and 1 more line)"));
 }
 
@@ -117,6 +117,6 @@ fn settings_without_an_equal_are_named() {
     let default = Settings::default().model;
     assert_eq!(setting(&default), None);
     for (model, flag) in models_without_an_equal() {
-        assert!(setting(&model).is_some_and(|said| said.starts_with(flag)));
+        assert!(setting(&model).is_some_and(|message| message.starts_with(flag)));
     }
 }

@@ -66,6 +66,6 @@ fn settings_without_an_equal_are_named() {
     let default = Settings::default().model;
     assert_eq!(setting(&default), None);
     for (model, flag) in models_without_an_equal() {
-        assert!(setting(&model).is_some_and(|said| said.starts_with(flag)));
+        assert!(setting(&model).is_some_and(|message| message.starts_with(flag)));
     }
 }

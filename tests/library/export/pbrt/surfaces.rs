@@ -84,14 +84,14 @@ fn an_index_of_1_is_an_interface_or_nothing() {
 
 #[test]
 fn another_model_gives_a_warning_with_its_line() {
-    let said = |scene: &str| {
+    let message = |scene: &str| {
         let warnings = export(scene).warnings.into_iter();
         let words = warnings.map(|w| format!("{}: {}", w.line, &w.reason[..7]));
         Vec::from_iter(words).join(", ")
     };
-    let exact = |brdf: &str| said(&of("fresnel exact", brdf));
-    assert_eq!(said(&of("#", ".5 .5 .5 0 0 0 1")), "");
-    assert_eq!(said(&of("#", ".5 .5 .4 0 0 0 1")), "5: a colou");
+    let exact = |brdf: &str| message(&of("fresnel exact", brdf));
+    assert_eq!(message(&of("#", ".5 .5 .5 0 0 0 1")), "");
+    assert_eq!(message(&of("#", ".5 .5 .4 0 0 0 1")), "5: a colou");
     assert_eq!(exact("0 0 0 0 0 0 0 .5 .5 .4 1.5"), "5: a colou");
     // A parameter that exact glass does not use.
     assert_eq!(exact("0 0 0 .1 .2 .3 0 .5 .5 .5 1.5"), "");
@@ -99,7 +99,7 @@ fn another_model_gives_a_warning_with_its_line() {
         exact("0 0 0 0 0 0 .2 .5 .4 .5 1.5"),
         "5: a colou, 5: a rough"
     );
-    assert_eq!(said(&of("#", "0 0 0 1 1 1 .2")), "5: a rough");
+    assert_eq!(message(&of("#", "0 0 0 1 1 1 .2")), "5: a rough");
     let outside = of("background .1 .2 .3", ".5 .5 .5 0 0 0 1");
-    assert_eq!(said(&outside), "3: a colou");
+    assert_eq!(message(&outside), "3: a colou");
 }

@@ -41,7 +41,7 @@ pub fn figures(case: &CaseRecord, opens: bool) -> Markup {
                 @if !case.passed { " fails" }
             }
             td.words { (decisive(case).map_or("–", |held| held.what)) }
-            td { (share(case.parted, case.samples)) }
+            td { (share(case.diverged, case.samples)) }
             td { (relative(case.p99)) }
             td { (relative(worst(case))) }
             td { (thousands(case.broken())) }

@@ -82,7 +82,7 @@ fn places(case: &CaseRecord) -> Markup {
     html! {
         dl.places {
             dt { "samples" } dd { (thousands(case.samples)) }
-            dt { "diverged" } dd { (thousands(case.parted)) @if let Some(a) = case.parted_at { ", the first " (at(a)) } }
+            dt { "diverged" } dd { (thousands(case.diverged)) @if let Some(a) = case.diverged_at { ", the first " (at(a)) } }
             @if let Some(a) = case.worst_at { dt { "worst" } dd { (at(a)) } }
             dt { "mean" } dd { (plain(case.mean)) " ± " (relative(Some(case.standard_error))) }
             @if let Some(expected) = case.expected { dt { "expected" } dd { (plain(expected)) } }

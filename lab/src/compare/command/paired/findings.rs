@@ -21,7 +21,7 @@ impl Findings {
     pub fn failures(&self) -> Vec<String> {
         let bits = self.different_bits();
         let bias = PAIRS.iter().zip(&self.pairs).filter_map(|(name, pair)| {
-            let Verdict::Biased(p) = pair.parted.verdict() else {
+            let Verdict::Biased(p) = pair.diverged.verdict() else {
                 return None;
             };
             Some(format!(
@@ -97,9 +97,9 @@ mod tests {
     fn a_bit_counts_on_a_cpu_driver_and_has_an_address() {
         let failures = findings(0, 9, true).failures();
         assert_eq!(failures.len(), 1, "{failures:?}");
-        let told =
+        let message =
             "1 of 40 paths differ, the first at pixel 7,8, sample 20: vkpt a.txt --trace 7,8,20";
-        assert!(failures[0].ends_with(told), "{failures:?}");
+        assert!(failures[0].ends_with(message), "{failures:?}");
         assert!(findings(0, 9, false).failures().is_empty());
         // f64 may differ.
         assert!(findings(1, 9, true).failures().is_empty());

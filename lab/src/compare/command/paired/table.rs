@@ -1,7 +1,7 @@
 //! The table of `compare --paired`.
 
 use super::findings::{Findings, PAIRS};
-use vkpt::metrics::paired::{Closeness, Comparison, Parted, Verdict};
+use vkpt::metrics::paired::{Closeness, Comparison, Diverged, Verdict};
 use vkpt::report::human::{p_value, thousands};
 
 /// A label and a cell for each pair.
@@ -24,7 +24,7 @@ pub fn text(findings: &Findings) -> String {
             }
         };
         show("the worst", pair.closeness.worst.map(|w| w.address));
-        show("the first to diverge", pair.first_parted);
+        show("the first to diverge", pair.first_diverged);
     }
     text
 }
@@ -32,7 +32,7 @@ pub fn text(findings: &Findings) -> String {
 fn rows(pairs: &[Comparison; PAIRS.len()]) -> Vec<Row> {
     let each = |f: &dyn Fn(&Comparison) -> String| pairs.each_ref().map(f);
     let quantile = |q| each(&|p| of_light(&p.closeness, |c| c.quantile(q)));
-    let mean = |c| each(&|p| mean_difference(&p.parted, c));
+    let mean = |c| each(&|p| mean_difference(&p.diverged, c));
     vec![
         ("", PAIRS.map(str::to_owned)),
         ("paths", each(&|p| thousands(p.paths))),
@@ -48,7 +48,7 @@ fn rows(pairs: &[Comparison; PAIRS.len()]) -> Vec<Row> {
         ("  mean difference, red", mean(0)),
         ("    green", mean(1)),
         ("    blue", mean(2)),
-        ("  biased?", each(&|p| verdict(&p.parted))),
+        ("  biased?", each(&|p| verdict(&p.diverged))),
         ("NaN or infinite", each(&|p| thousands(p.broken))),
     ]
 }
@@ -88,18 +88,18 @@ fn worst_place(pair: &Comparison) -> String {
 }
 
 /// With its standard error.
-fn mean_difference(parted: &Parted, channel: usize) -> String {
-    let (mean, error) = (parted.mean()[channel], parted.standard_error()[channel]);
-    match parted.paths {
+fn mean_difference(diverged: &Diverged, channel: usize) -> String {
+    let (mean, error) = (diverged.mean()[channel], diverged.standard_error()[channel]);
+    match diverged.paths {
         0 => NONE.to_owned(),
         1 => small(mean),
         _ => format!("{} ± {}", small(mean), small(error)),
     }
 }
 
-fn verdict(parted: &Parted) -> String {
-    match parted.verdict() {
-        Verdict::TooFew if parted.paths == 0 => NONE.to_owned(),
+fn verdict(diverged: &Diverged) -> String {
+    match diverged.verdict() {
+        Verdict::TooFew if diverged.paths == 0 => NONE.to_owned(),
         Verdict::TooFew => "too few paths".to_owned(),
         Verdict::Unbiased(p) => format!("no, p = {p:.2}"),
         Verdict::Biased(p) => format!("yes, {}", p_value(p)),

@@ -38,12 +38,12 @@ fn with_targets(e: &Convergence, plot: &Plot) -> Markup {
         svg.plot role="group" aria-label=(plot::name(e)) viewBox=(plot.view()) {
             (plot.drawn)
             @for point in &plot.points {
-                @let told = told(e, point);
+                @let label = label(e, point);
                 @let [x, y] = point.at;
-                g.target tabindex="0" role="img" aria-label=(told)
+                g.target tabindex="0" role="img" aria-label=(label)
                     data-variant=(point.variant) data-step=(point.step) {
                     circle cx=(x) cy=(y) r="11" {}
-                    title { (told) }
+                    title { (label) }
                 }
             }
         }
@@ -51,7 +51,7 @@ fn with_targets(e: &Convergence, plot: &Plot) -> Markup {
 }
 
 /// A line for each figure of a step.
-fn told(e: &Convergence, point: &Point) -> String {
+fn label(e: &Convergence, point: &Point) -> String {
     let variant = &e.variants[point.variant];
     let step = &variant.steps[point.step];
     let error = &step.errors.rel_mse;
