@@ -11,6 +11,7 @@ mod documented;
 mod farm;
 #[cfg(target_os = "linux")]
 mod faults;
+mod output;
 mod packaging;
 mod pages;
 mod report_page;
