@@ -38,9 +38,10 @@ impl<F: Real> Part<F> {
 
     /// The standard errors of the mean, with at least two samples.
     ///
-    /// Each is the root of an unbiased estimate of the variance of its pixel and channel. If the samples are
-    /// independent and moments are kept, it comes from their spread. Otherwise the samples within a group depend on one
-    /// another, and it comes from the two groups, which are independent.
+    /// Each is the root of an estimate of the variance of the mean of its pixel and channel. With moments, which are kept
+    /// only if the samples are independent, it comes from the spread of the samples. Otherwise it comes from the
+    /// difference of the two groups, which are independent even if the samples within a group are not. It is unbiased,
+    /// except for an odd number of dependent samples ([`film_half_difference`]).
     pub fn standard_errors(&self) -> Film {
         let total = self.total();
         let n = total.samples;
