@@ -36,12 +36,12 @@ impl<F: Real> Part<F> {
         }
     }
 
-    /// The standard errors of the mean, with at least two samples.
+    /// The standard errors of the mean of at least two samples.
     ///
-    /// Each is the root of an estimate of the variance of the mean of its pixel and channel. With moments, which are kept
-    /// only if the samples are independent, it comes from the spread of the samples. Otherwise it comes from the
-    /// difference of the two groups, which are independent even if the samples within a group are not. It is unbiased,
-    /// except for an odd number of dependent samples ([`film_half_difference`]).
+    /// The square of each estimates the variance of its pixel's mean in its channel. Moments are kept only for
+    /// independent samples: then it comes from their spread ([`film_stderr`]). Otherwise it comes from the two groups,
+    /// which are independent of each other, while the samples within a group may not be ([`film_half_difference`]). The
+    /// estimate is unbiased, except for an odd number of dependent samples.
     pub fn standard_errors(&self) -> Film {
         let total = self.total();
         let n = total.samples;

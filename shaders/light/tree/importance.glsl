@@ -1,4 +1,4 @@
-// An upper bound of the light from a node's lights at a point.
+// The importance of a node of lights at a point.
 // Twin of src/reference/light/tree/importance.rs.
 // uses: math/vec
 
@@ -19,13 +19,12 @@ float sine_of(float cosine) {
     return sqrt(max2(1.0 - cosine * cosine, 0.0));
 }
 
-// power cos(theta') cos(theta_i')/d^2: the most that lights of that power within the ball and the cone of normals contribute to
-// p (Conty Estevez & Kulla, Importance Sampling of Many Lights with Adaptive Tree Splitting, HPG 2018, section 5.1; pbrt 4,
-// section 12.6.3). theta_b is the angle under which the ball is seen, theta' = max(0, theta - theta_o - theta_b) for theta, the
-// angle between the axis and the direction to p, and theta_i' = max(0, theta_i - theta_b), the angle to n. Emitters emit on
-// both sides, so cos theta counts without its sign. From inside the ball the angles give no bound. n = 0: the point is lit from
-// both sides. `power` is radiance times the area seen from afar (of a convex body its power over 4 pi), as a share of the
-// sum over all lights.
+// power cos(theta') cos(theta_i')/d^2: an estimate of the light from the node's lights at p (Conty Estevez & Kulla, Importance
+// Sampling of Many Lights with Adaptive Tree Splitting, HPG 2018, section 5.1; pbrt 4, section 12.6.3). The ball is seen under the
+// angle theta_b; theta' = max(0, theta - theta_o - theta_b) is the least angle of any normal of the cone to p, theta_i' =
+// max(0, theta_i - theta_b) the least angle of n to the ball. Emitters emit on both sides, so cos theta counts without its sign.
+// From inside the ball, d is r and the angles give no bound. n = 0: the point is lit from both sides. `power` is a share of the
+// scene's: radiance times the area seen from afar, summed over the node's lights and RGB.
 float node_importance(LightNode node, vec3 p, vec3 n) {
     vec3 to = node.centre - p;
     float r2 = node.radius * node.radius;

@@ -1,4 +1,4 @@
-//! An upper bound of the light from a node's lights at a point; twin of `shaders/light/tree/importance.glsl`.
+//! The importance of a node of lights at a point; twin of `shaders/light/tree/importance.glsl`.
 
 use super::LightNode;
 use crate::reference::math::{Real, Vec3, dot3, max2};
@@ -26,14 +26,15 @@ pub fn sine_of<F: Real>(cosine: F) -> F {
     max2(F::one() - cosine * cosine, F::zero()).sqrt()
 }
 
-/// power cos θ' cos θ_i'/d²: the most that lights of that power within the ball and the cone of normals contribute to
-/// `p` (Conty Estevez & Kulla, Importance Sampling of Many Lights with Adaptive Tree Splitting, HPG 2018, section 5.1;
-/// pbrt 4, section 12.6.3).
+/// power cos θ' cos θ_i'/d²: an estimate of the light that the node's lights send to `p` (Conty Estevez & Kulla,
+/// Importance Sampling of Many Lights with Adaptive Tree Splitting, HPG 2018, section 5.1; pbrt 4, section 12.6.3).
 ///
-/// θ_b is the angle under which the ball is seen, θ' = max(0, θ − θ_o − θ_b) for θ, the angle between the axis and the
-/// direction to p, and θ_i' = max(0, θ_i − θ_b), the angle to `n`. Emitters emit on both sides, so cos θ counts without
-/// its sign. From inside the ball the angles give no bound. n = 0: the point is lit from both sides. `power` is
-/// radiance times the area seen from afar (of a convex body its power over 4π), as a share of the sum over all lights.
+/// The ball is seen under the angle θ_b, its centre at the angle θ from the axis and θ_i from `n`. Then θ' = max(0, θ −
+/// θ_o − θ_b) is the least angle of any normal of the cone to `p`, and θ_i' = max(0, θ_i − θ_b) the least angle of `n`
+/// to the ball: the importance is 0 only where no light of the node contributes. Emitters emit on both sides, so cos θ
+/// counts without its sign. From inside the ball, d is r and the angles give no bound. n = 0: the point is lit from
+/// both sides. `power` is a share of the scene's: radiance times the area seen from afar, summed over the node's lights
+/// and RGB.
 pub fn node_importance<F: Real>(node: &LightNode<F>, p: Vec3<F>, n: Vec3<F>) -> F {
     let (zero, one) = (F::zero(), F::one());
     let to = node.centre - p;
