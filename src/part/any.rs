@@ -96,6 +96,11 @@ impl AnyPart {
         either!(self, p => p.standard_errors())
     }
 
+    /// See [`Part::freedom`].
+    pub fn freedom(&self) -> f64 {
+        either!(self, p => p.freedom())
+    }
+
     /// See [`Part::quartered`].
     pub fn quartered(&self) -> Option<[Half; 2]> {
         either!(self, p => p.quartered())

@@ -1,9 +1,10 @@
 //! Computes pictures from sums.
 
-use super::{Beside, Part, Sums};
+use super::{Beside, Keeps, Part, Sums};
 use crate::film::Film;
 use crate::reference::film::{film_half_difference, film_mean, film_stderr};
 use crate::reference::math::{Real, Vec3};
+use crate::sample::GROUPS;
 
 /// A picture and (a − b)/2 for the means a and b of its two groups of samples.
 pub struct Halves {
@@ -53,6 +54,15 @@ impl<F: Real> Part<F> {
             *x = x.abs();
         }
         half
+    }
+
+    /// Degrees of freedom of each standard error: n − 1 for the spread of n samples, 1 for the difference of two groups.
+    pub fn freedom(&self) -> f64 {
+        let n = match self.keeps {
+            Keeps::Moments => self.samples(),
+            Keeps::Nothing | Keeps::Quarters => GROUPS,
+        };
+        f64::from(n) - 1.0
     }
 
     fn mean(&self, total: &Sums<F>) -> Film {

@@ -3,8 +3,6 @@
 use super::Job;
 use crate::film::{Aov, Film};
 use crate::part::{AnyPart, Part, Scalar};
-use crate::sample::GROUPS;
-use crate::settings::Sampler;
 
 /// The film of a picture, or of its crop, between two slices of samples.
 pub trait HostFilm {
@@ -23,12 +21,4 @@ pub fn empty_part<F: Scalar>(job: &Job, begin: u32) -> Part<F> {
 pub fn standard_errors(job: &Job, part: &AnyPart) -> Option<Film> {
     let known = part.samples() >= 2 && job.aovs.contains(&Aov::Stderr);
     known.then(|| part.standard_errors())
-}
-
-/// Degrees of freedom of such a standard error, with `spp` samples a pixel.
-pub fn freedom(sampler: Sampler, spp: u32) -> f64 {
-    match sampler {
-        Sampler::Random => f64::from(spp) - 1.0,
-        Sampler::Sobol | Sampler::SobolQuarters => f64::from(GROUPS) - 1.0,
-    }
 }

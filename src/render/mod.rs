@@ -37,7 +37,6 @@ pub use classes::light_classes;
 pub use course::{End, ErrorAt, Until, look};
 pub use error::RenderError;
 pub use follow::Watch;
-pub use host_film::freedom;
 use host_film::{HostFilm, empty_part};
 pub use job::{Job, KernelChoice, Target};
 pub use layers::{layer_samples, layers};

@@ -24,7 +24,7 @@ pub struct Progress {
 pub struct Outcome {
     pub film: Film,
     /// Standard error of the mean per pixel and channel: if `Aov::Stderr` was requested and there are at least two
-    /// samples. Its square is unbiased and has the degrees of freedom of `freedom`.
+    /// samples. Its square is unbiased and has the degrees of freedom of the part ([`crate::part::AnyPart::freedom`]).
     pub stderr: Option<Film>,
     /// Samples in every pixel.
     pub spp: u32,

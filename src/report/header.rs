@@ -7,7 +7,6 @@ use super::digest::digest;
 use super::names::Named;
 use super::{Denoised, Job, SOFTWARE};
 use crate::film::{Aov, Film};
-use crate::settings::Sampler;
 
 /// Names and values, in a fixed order. Two runs that make the same picture have the same notes.
 pub fn notes(job: &Job, device: &str) -> Vec<(&'static str, String)> {
@@ -58,7 +57,8 @@ pub fn stderr_notes(
     job: &Job,
     device: &str,
 ) -> Vec<(&'static str, String)> {
-    let from = match job.settings.sampler == Sampler::Random.name() {
+    // Two groups leave one degree of freedom; so do two samples, which are groups of one.
+    let from = match freedom > 1.0 {
         true => "the spread of independent samples",
         false => "the difference of two independent groups of samples",
     };

@@ -21,14 +21,16 @@ fn block<'p>(page: &'p str, words: &str) -> &'p str {
 /// The text with each number, and each unit of time after one, as `#`.
 fn shape(text: &str) -> String {
     let words = text.split(' ').map(|word| {
+        let rest = word.trim_start_matches(|c: char| c.is_ascii_digit() || ".,-e".contains(c));
         let is_number = word.starts_with(|c: char| c.is_ascii_digit());
-        match is_number || ["ms", "s", "min", "s:", "ms:"].contains(&word.trim_end()) {
-            true => "#".to_owned(),
+        match is_number || ["ms", "s", "min"].contains(&word.trim_end_matches(':')) {
+            true => format!("#{}", rest.trim_start_matches(char::is_alphabetic)),
             false => word.to_owned(),
         }
     });
     let mut words: Vec<String> = words.collect();
-    words.dedup_by(|a, b| *a == "#" && *b == "#");
+    // A duration may have one unit or two.
+    words.dedup_by(|a, b| a.starts_with('#') && *b == "#");
     words.join(" ")
 }
 
@@ -81,7 +83,7 @@ fn the_lines_of_test_have_the_shape_of_their_page() {
 #[test]
 fn the_lines_of_explain_are_those_of_their_page() {
     let scene = root().join("scenes/glass-table.txt");
-    let run = run(&root(), &["explain", &scene.to_string_lossy()]);
+    let run = run(root(), &["explain", &scene.to_string_lossy()]);
     assert_eq!(run.code, Some(0), "{}", run.err);
     for line in block(GPU, "smooth dielectric").lines() {
         let is_there = run.out.lines().any(|l| l.trim_end() == line);

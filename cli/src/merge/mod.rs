@@ -10,7 +10,6 @@ use self::order::{InOrder, in_order};
 use crate::outputs::{Outputs, Written, write};
 pub use arguments::MergeArguments;
 use vkpt::film::Aov;
-use vkpt::render::freedom;
 use vkpt::report::SettingsRecord;
 use vkpt::report::names::Named;
 use vkpt::settings::Sampler;
@@ -78,11 +77,6 @@ fn leave(
     let spp = joined.part.samples();
     let asked = arguments.outputs.aov.contains(&Beside::Aov(Aov::Stderr)) && spp >= 2;
     let stderr = asked.then(|| joined.part.standard_errors());
-    let SettingsRecord { sampler, .. } = &parts.first().record.job.settings;
-    let sampler = match *sampler == Sampler::Random.name() {
-        true => Sampler::Random,
-        false => Sampler::Sobol,
-    };
     let header = Header {
         digest: parts.first().digest.clone(),
         rounding: parts.rounding(),
@@ -93,7 +87,7 @@ fn leave(
         Written {
             film: &film,
             channels: &[],
-            stderr: stderr.as_ref().map(|film| (film, freedom(sampler, spp))),
+            stderr: stderr.as_ref().map(|film| (film, joined.part.freedom())),
             part: &joined.part,
             parts: &outputs.parts,
             header,

@@ -10,7 +10,7 @@ use crate::outputs::notes;
 use vkpt::film::{Channel, Film};
 use vkpt::image::file::write_whole;
 use vkpt::image::{Format, Frame, Labels, encode};
-use vkpt::render::{self, Best, Outcome, Progress, RenderError, Start, Watch, freedom};
+use vkpt::render::{self, Best, Outcome, Progress, RenderError, Start, Watch};
 use vkpt::report::{Record, SOFTWARE};
 use vkpt_lab::cli::denoise::{denoised, load};
 use vkpt_lab::cli::exit::{Failure, warn};
@@ -144,7 +144,7 @@ impl Call<'_> {
             film: outcome.film.clone(),
             channels: Vec::new(),
             stderr: outcome.stderr.clone(),
-            freedom: freedom(self.ready.settings.estimator.sampler, outcome.spp),
+            freedom: outcome.state.part.freedom(),
             denoised: None,
             record: record(self.arguments, self.ready, self.best, Some(outcome)),
         }

@@ -9,9 +9,7 @@ use super::split::split;
 use crate::keep::{Checkpoint, hint, resumed};
 use crate::live::Viewers;
 use vkpt::film::Channel;
-use vkpt::render::{
-    self, Best, Job, NEAREST, Outcome, Progress, RenderError, Start, State, Watch, freedom,
-};
+use vkpt::render::{self, Best, Job, NEAREST, Outcome, Progress, RenderError, Start, State, Watch};
 use vkpt::report::Record;
 use vkpt::state::{Header, Kept};
 use vkpt_lab::cli::exit::{Failure, note, warn};
@@ -79,7 +77,7 @@ pub fn develop(
     channels.extend(split(job, &mut outcome, stop, arguments.outputs.quiet));
     let header = labels.header(&outcome);
     Ok(Some(Made {
-        freedom: freedom(job.settings.estimator.sampler, outcome.spp),
+        freedom: outcome.state.part.freedom(),
         header,
         channels,
         outcome,

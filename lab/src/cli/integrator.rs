@@ -66,7 +66,7 @@ pub fn unseen(prepared: &Prepared, settings: &Settings) -> Option<String> {
         (has(Mirror), "reflections in mirrors"),
         (
             has(SmoothDielectric) || has(WeakDielectric),
-            "what is seen through smooth glass",
+            "objects behind smooth glass",
         ),
         (prepared.background != DVec3::ZERO, "the background"),
     ]
