@@ -27,7 +27,7 @@ pub fn free() -> Option<Free> {
 }
 
 /// Memory in use by this process.
-pub fn held() -> Option<u64> {
+pub fn in_use() -> Option<u64> {
     kibibytes("/proc/self/status", "VmRSS:")
 }
 

@@ -17,7 +17,7 @@ pub use picture::picture;
 pub use scene::scene;
 
 /// An error has a message, without characters that control a terminal.
-fn is_told(error: &dyn std::fmt::Display) {
+fn has_message(error: &dyn std::fmt::Display) {
     let message = error.to_string();
     assert!(!message.is_empty(), "an error without a message");
     assert!(!message.chars().any(char::is_control), "{message:?}");

@@ -26,7 +26,7 @@ fn mesh(bytes: &[u8], path: &str) {
             promises_kept(&file);
             take_up(file, path);
         }
-        Err(error) => super::is_told(&error),
+        Err(error) => super::has_message(&error),
     }
 }
 
@@ -43,7 +43,7 @@ fn promises_kept(file: &MeshFile) {
         let unit = |n: &DVec3| *n == DVec3::ZERO || n.is_normalized();
         assert!(normals.iter().all(unit), "normals");
     }
-    file.warnings.iter().for_each(|w| super::is_told(w));
+    file.warnings.iter().for_each(|w| super::has_message(w));
 }
 
 /// Uses a mesh as a scene does.

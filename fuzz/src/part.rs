@@ -15,7 +15,7 @@ pub fn part(bytes: &[u8]) {
 fn tried(bytes: &[u8]) {
     match parse(bytes) {
         Ok(kept) => promises_kept(&kept),
-        Err(error) => super::is_told(&error),
+        Err(error) => super::has_message(&error),
     }
 }
 

@@ -13,6 +13,6 @@ pub fn picture(bytes: &[u8]) {
             let values = film.rgb.as_flattened();
             assert!(values.iter().all(|v| v.is_finite()));
         }
-        Err(error) => super::is_told(&error),
+        Err(error) => super::has_message(&error),
     }
 }

@@ -13,10 +13,10 @@ pub fn is_prepared(scene: &Scene) {
             Ok(prepared) => {
                 is_finite(&prepared);
                 is_lit(&prepared);
-                prepared.warnings.iter().for_each(|w| super::is_told(w));
+                prepared.warnings.iter().for_each(|w| super::has_message(w));
             }
             Err(error) => {
-                super::is_told(&error);
+                super::has_message(&error);
                 assert!(error.to_string().contains("line "), "{error}");
             }
         }

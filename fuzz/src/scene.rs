@@ -19,7 +19,7 @@ pub fn scene(bytes: &[u8]) {
         Ok(Read { warnings, .. }) => warnings,
         Err(Errors { diagnostics, .. }) => diagnostics,
     };
-    are_told(diagnostics);
+    diagnostics_are_sound(diagnostics);
     let errors = diagnostics.iter().any(|d| d.severity == Severity::Error);
     assert_eq!(errors, read.is_err(), "errors");
     if let Ok(read) = read {
@@ -29,10 +29,10 @@ pub fn scene(bytes: &[u8]) {
 }
 
 /// Each diagnostic points into the text at its place, in file order; the first is drawn.
-fn are_told(diagnostics: &[Diagnostic]) {
+fn diagnostics_are_sound(diagnostics: &[Diagnostic]) {
     let start = |d: &Diagnostic| d.place.map_or(usize::MAX, |place| place.start);
     assert!(diagnostics.is_sorted_by_key(start));
-    diagnostics.iter().for_each(|d| super::is_told(d));
+    diagnostics.iter().for_each(|d| super::has_message(d));
     if let Some(first) = diagnostics.first() {
         is_drawn(first);
     }

@@ -12,14 +12,14 @@ pub const BLACK: f32 = 1e-32;
 /// The pixel of the format nearest to a linear one: at most half a step away, 2⁻⁸ of the largest channel. Negative
 /// values and NaN become 0.
 pub fn nearest(rgb: [f32; 3]) -> [f32; 3] {
-    let held = |channel: f32| {
+    let clamped = |channel: f32| {
         if channel > 0.0 {
             channel.min(LARGEST)
         } else {
             0.0
         }
     };
-    let rgb = rgb.map(held);
+    let rgb = rgb.map(clamped);
     let largest = rgb[0].max(rgb[1]).max(rgb[2]);
     if largest <= BLACK {
         return [0.0; 3];

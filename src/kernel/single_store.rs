@@ -25,7 +25,7 @@ enum Variable {
     /// Neither stored nor loaded yet.
     Unused,
     /// Stored once, where every call passes, and only loaded from there on.
-    Holds {
+    StoredOnce {
         value: u32,
     },
     Kept,
@@ -65,11 +65,11 @@ fn rewrite(function: &[Instruction], out: &mut Vec<u32>) {
             }
         };
         match variables.get(&instruction.operand(place)) {
-            Some(Variable::Holds { value }) if instruction.opcode() == OP_LOAD => {
+            Some(Variable::StoredOnce { value }) if instruction.opcode() == OP_LOAD => {
                 out.push(4 << 16 | OP_COPY_OBJECT);
                 out.extend([instruction.operand(0), instruction.operand(1), *value]);
             }
-            Some(Variable::Holds { .. }) => {}
+            Some(Variable::StoredOnce { .. }) => {}
             _ => out.extend(instruction.words),
         }
     }
@@ -88,7 +88,7 @@ fn variables(function: &[Instruction]) -> HashMap<u32, Variable> {
             (OP_STORE, &[_, pointer, value]) => {
                 if let Some(variable) = variables.get_mut(&pointer) {
                     *variable = match variable {
-                        Variable::Unused if i < opening => Variable::Holds { value },
+                        Variable::Unused if i < opening => Variable::StoredOnce { value },
                         _ => Variable::Kept,
                     };
                 }

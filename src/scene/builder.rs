@@ -165,9 +165,9 @@ impl Builder {
 
     /// Removes the spheres around `eye` that carry surroundings.
     fn take_carriers(&mut self, eye: DVec3) {
-        let holds_eye = |shape: &Shape| matches!(shape.geometry, Geometry::Sphere { centre, radius } if eye.distance(centre) < radius);
+        let contains_eye = |shape: &Shape| matches!(shape.geometry, Geometry::Sphere { centre, radius } if eye.distance(centre) < radius);
         for index in std::mem::take(&mut self.carriers).into_iter().rev() {
-            if holds_eye(&self.shapes[index]) {
+            if contains_eye(&self.shapes[index]) {
                 self.shapes.remove(index);
             }
         }

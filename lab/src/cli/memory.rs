@@ -1,7 +1,7 @@
 //! The memory that a scene takes on the host, announced beforehand.
 
 use crate::cli::exit::{Failure, note, warn};
-use vkpt::memory::{free, held};
+use vkpt::memory::{free, in_use};
 use vkpt::prepared::Footprint;
 use vkpt::report::human::{bytes, thousands};
 use vkpt::scene::Scene;
@@ -19,16 +19,16 @@ pub fn announce(scene: &Scene, quiet: bool) -> Result<(), Failure> {
         bytes(needed)
     );
     // The scene itself is already in memory.
-    let held = held().unwrap_or(0);
+    let used = in_use().unwrap_or(0);
     match free() {
-        Some(free) if free.all + held < needed => {
-            let had = bytes(free.all + held);
+        Some(free) if free.all + used < needed => {
+            let had = bytes(free.all + used);
             return Err(Failure::Memory(format!(
                 "{what}, but only {had} is available"
             )));
         }
-        Some(free) if free.quick + held < needed => {
-            let had = bytes(free.quick + held);
+        Some(free) if free.quick + used < needed => {
+            let had = bytes(free.quick + used);
             warn(&format!(
                 "{what}, but only {had} is available without swapping"
             ));

@@ -85,9 +85,9 @@ mod tests {
 
     #[test]
     fn tables_contain_the_hard_arguments() {
-        let count = |holds: &dyn Fn([f32; 3]) -> bool| {
+        let count = |condition: &dyn Fn([f32; 3]) -> bool| {
             let rows = wide().into_iter().map(|row| row.map(f32::from_bits));
-            rows.filter(|row| holds(*row)).count()
+            rows.filter(|row| condition(*row)).count()
         };
         let many = ROWS as usize / 20;
         assert!(count(&|[x, ..]| x.is_subnormal()) > many);

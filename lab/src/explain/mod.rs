@@ -88,7 +88,7 @@ impl Subject<'_> {
     }
 
     /// Whether a file of `shaders/` is in the kernel.
-    fn holds(&self, file: &str) -> bool {
+    fn contains(&self, file: &str) -> bool {
         let mut files = self.plan.kernels.iter().flat_map(Composed::files);
         files.any(|name| name == file)
     }

@@ -24,7 +24,7 @@ struct Setting {
 pub fn parts(subject: &Subject) -> Vec<Part> {
     let all = estimator(subject).into_iter().chain(model(subject));
     let part = |s: Setting| {
-        let present = subject.holds(s.file);
+        let present = subject.contains(s.file);
         Part {
             group: s.group,
             name: s.name,

@@ -8,7 +8,7 @@ pub const INDEX_MASK: u32 = (1 << INDEX_BITS) - 1;
 
 const _: () = assert!(
     ShapeKind::EVERY.len() <= 1 << (32 - INDEX_BITS),
-    "more kinds of shapes than a reference tells apart: give the kind another bit"
+    "more kinds of shapes than a reference distinguishes: give the kind another bit"
 );
 
 /// Every primitive of a kind in `kinds`, in the order of `kinds`.

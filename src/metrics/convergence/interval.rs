@@ -26,7 +26,7 @@ impl Interval {
         })
     }
 
-    pub fn holds(&self, x: f64) -> bool {
+    pub fn contains(&self, x: f64) -> bool {
         (self.low..=self.high).contains(&x)
     }
 

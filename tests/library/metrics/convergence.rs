@@ -64,10 +64,10 @@ fn p_of_coverage(k: u64, n: u64) -> f64 {
 /// the normal's 1.96 instead of Student's 2.571 of 5 degrees of freedom.
 fn check_coverage(name: &str, truth: f64, mut experiment: impl FnMut() -> Interval) {
     let experiments = 700;
-    let (mut held, mut narrow) = (0, 0);
+    let (mut covered, mut narrow) = (0, 0);
     for _ in 0..experiments {
         let interval = experiment();
-        held += u64::from(interval.holds(truth));
+        covered += u64::from(interval.contains(truth));
         let toward = |end: f64| interval.value + (end - interval.value) * 1.96 / 2.571;
         narrow += u64::from(
             Interval {
@@ -75,10 +75,13 @@ fn check_coverage(name: &str, truth: f64, mut experiment: impl FnMut() -> Interv
                 high: toward(interval.high),
                 ..interval
             }
-            .holds(truth),
+            .contains(truth),
         );
     }
-    assert!(p_of_coverage(held, experiments) > 1e-4, "{name}: {held}");
+    assert!(
+        p_of_coverage(covered, experiments) > 1e-4,
+        "{name}: {covered}"
+    );
     assert!(
         p_of_coverage(narrow, experiments) < 1e-6,
         "planted: {narrow}"
@@ -129,15 +132,15 @@ fn halves_have_no_part_in_squared_errors() {
         by_one.extend(all(&errors(&test, &single, Metric::Mse)));
         own.extend(reference.own().of(Metric::Mse));
     }
-    let holds = |errors: &[f64], truth: f64| {
+    let contains = |errors: &[f64], truth: f64| {
         let interval = Interval::of_mean(errors).expect("many");
-        interval.holds(truth)
+        interval.contains(truth)
     };
-    assert!(holds(&by_halves, sigma2 / 8.0));
+    assert!(contains(&by_halves, sigma2 / 8.0));
     // The mean of two halves of 8 samples has the noise of 16.
-    assert!(holds(&own, sigma2 / 16.0));
-    assert!(holds(&by_one, sigma2 / 8.0 + sigma2 / 16.0));
-    assert!(!holds(&by_one, sigma2 / 8.0), "planted");
+    assert!(contains(&own, sigma2 / 16.0));
+    assert!(contains(&by_one, sigma2 / 8.0 + sigma2 / 16.0));
+    assert!(!contains(&by_one, sigma2 / 8.0), "planted");
 }
 
 /// The test's own level is 1e-3: of 500 honest experiments 6 or more have a probability below 1e-4.
