@@ -52,7 +52,7 @@ pub fn cpu_driver() -> Option<&'static Device> {
     Need::CpuDriver.find(|| match device.info().kind {
         DeviceKind::Cpu => Ok(device),
         _ => Err(format!(
-            "{} is no CPU driver, which alone is held to the reference's bits; VKPT_TEST_DEVICE picks another",
+            "{} is no CPU driver, and only CPU drivers must give the reference's bits; VKPT_TEST_DEVICE picks another",
             device.info().name
         )),
     })

@@ -99,7 +99,7 @@ fn check(scenes: &[&str], integrator: Integrator, pictures: u32) {
                 |of: fn(&Reported) -> f64| all.iter().map(of).sum::<f64>() / all.len() as f64;
             let ratio = mean(|t| t.estimate.estimate) / mean(|t| t.truth);
             println!(
-                "{name}, {sampler:?}: {missed} of {given} intervals miss, {} tell none; estimate/truth {ratio:.3}",
+                "{name}, {sampler:?}: {missed} of {given} intervals miss, {} give none; estimate/truth {ratio:.3}",
                 all.len() as u64 - given
             );
             assert!(p_of(count) > level, "{name}, {sampler:?}: {count:?}");

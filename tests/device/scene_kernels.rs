@@ -148,7 +148,7 @@ fn a_kernel_keeps_only_the_requested_sums_beside_its_film() {
         return;
     };
     let scene = prepared(DIFFUSE, &Settings::default());
-    let holds = |function: &str, settings, aovs| {
+    let contains = |function: &str, settings, aovs| {
         let job = Job {
             aovs,
             ..job(&scene, settings, 2, 1)
@@ -157,12 +157,12 @@ fn a_kernel_keeps_only_the_requested_sums_beside_its_film() {
         functions.iter().any(|f| f == function)
     };
     let (stderr, denoised) = (&[Aov::Stderr], &[Aov::Denoised]);
-    assert!(holds("film_moments", independent(), stderr));
-    assert!(!holds("film_moments", independent(), &[]));
+    assert!(contains("film_moments", independent(), stderr));
+    assert!(!contains("film_moments", independent(), &[]));
     // Samples by Sobol are not independent.
-    assert!(!holds("film_moments", Settings::default(), stderr));
-    assert!(holds("film_quarters", Settings::default(), denoised));
-    assert!(!holds("film_quarters", Settings::default(), stderr));
+    assert!(!contains("film_moments", Settings::default(), stderr));
+    assert!(contains("film_quarters", Settings::default(), denoised));
+    assert!(!contains("film_quarters", Settings::default(), stderr));
 }
 
 /// A scene whose numbers are edited is found again in the drivers' caches: of up to 24 primitives the kernel's text knows

@@ -251,7 +251,7 @@ fn no_contraction_stands_on_all_and_only_float_arithmetic() {
         "OpFDiv",
         "OpVectorTimesScalar",
     ] {
-        assert!(text.contains(op), "the example holds no {op}");
+        assert!(text.contains(op), "the example has no {op}");
     }
     assert_eq!(uncontracted(&text), (BTreeSet::new(), BTreeSet::new()));
 

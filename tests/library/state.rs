@@ -221,7 +221,7 @@ fn changed_bytes_are_whole_or_refused() {
     let change = (any::<prop::sample::Index>(), any::<u8>(), 0u8..3);
     let changes = prop::collection::vec(change, 1..4);
     let cases = (prop::sample::select(&KEPT[..]), changes);
-    let held = runner.run(&cases, |(name, changes)| {
+    let result = runner.run(&cases, |(name, changes)| {
         let mut bytes = bytes(name);
         for (index, byte, kind) in changes {
             let at = index.index(bytes.len());
@@ -234,5 +234,5 @@ fn changed_bytes_are_whole_or_refused() {
         crate::bodies::part(&bytes);
         Ok(())
     });
-    held.expect("no panic");
+    result.expect("no panic");
 }

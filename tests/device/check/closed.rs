@@ -12,7 +12,7 @@ fn albedos_at_normal_incidence() {
     let rows = table
         .rows()
         .filter(|row| smith(row) && row.number("cos") == 1.0);
-    let mut held = 0;
+    let mut compared = 0;
     for row in rows {
         let ior = row.number("ior");
         let (from, to) = if row.outside() {
@@ -23,8 +23,8 @@ fn albedos_at_normal_incidence() {
         let ours = dielectric(row.distribution(), row.number("param"), from, to);
         let sum = row.number("R_plus_T");
         assert!((ours - sum).abs() < 2e-4, "{row:?}: {ours}");
-        held += 1;
+        compared += 1;
     }
     // two distributions, two widths, both sides
-    assert_eq!(held, 8);
+    assert_eq!(compared, 8);
 }

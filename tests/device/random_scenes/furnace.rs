@@ -9,7 +9,7 @@ use vkpt::settings::{Absorption, Connect, Fresnel, Roulette, Sampler, Settings};
 use super::case::{Case, looking_in, world};
 use super::material::lossy;
 use super::samples::{By, COMPOSED, Made, made};
-use super::{hold, long_seeds};
+use super::{check_property, long_seeds};
 
 const FILE: &str = "tests/device/random_scenes/regressions/furnace.txt";
 const SPP: u32 = 8;
@@ -89,14 +89,14 @@ fn nothing_is_brighter(case: &Case, by: By) -> TestCaseResult {
 
 #[test]
 fn no_sample_of_the_references_is_brighter_than_the_world() {
-    hold(FILE, 1500, 8, furnace(), |case| {
+    check_property(FILE, 1500, 8, furnace(), |case| {
         nothing_is_brighter(case, By::References)
     });
 }
 
 #[test]
 fn no_sample_of_the_device_is_brighter_than_the_world() {
-    hold(FILE, 12, 9, furnace(), |case| {
+    check_property(FILE, 12, 9, furnace(), |case| {
         nothing_is_brighter(case, COMPOSED)
     });
 }
@@ -105,7 +105,7 @@ fn no_sample_of_the_device_is_brighter_than_the_world() {
 #[ignore = "minutes"]
 fn no_sample_of_the_references_is_brighter_than_the_world_in_many_scenes() {
     for seed in long_seeds() {
-        hold(FILE, 10_000, seed, furnace(), |case| {
+        check_property(FILE, 10_000, seed, furnace(), |case| {
             nothing_is_brighter(case, By::References)
         });
     }
@@ -115,7 +115,7 @@ fn no_sample_of_the_references_is_brighter_than_the_world_in_many_scenes() {
 #[ignore = "minutes"]
 fn no_sample_of_the_device_is_brighter_than_the_world_in_many_scenes() {
     for seed in long_seeds() {
-        hold(FILE, 100, seed, furnace(), |case| {
+        check_property(FILE, 100, seed, furnace(), |case| {
             nothing_is_brighter(case, COMPOSED)
         });
     }

@@ -11,7 +11,7 @@ use super::material::brdf;
 use super::number::decades;
 use super::samples::{By, COMPOSED, Made, made};
 use super::settings::settings;
-use super::{hold, long_seeds};
+use super::{check_property, long_seeds};
 use crate::common::stats::{mean_and_error, p_of_mean, sidak};
 
 const FILE: &str = "tests/device/random_scenes/regressions/interface.txt";
@@ -202,7 +202,7 @@ fn level(cases: u32) -> f64 {
 fn no_interface_returns_more_than_it_may_by_the_references() {
     let cases = 300;
     let level = level(cases);
-    hold(FILE, cases, 10, interface(), |i| {
+    check_property(FILE, cases, 10, interface(), |i| {
         returns_no_more_than_it_may(i, level, By::References)
     });
 }
@@ -211,7 +211,7 @@ fn no_interface_returns_more_than_it_may_by_the_references() {
 fn no_interface_returns_more_than_it_may_by_the_device() {
     let cases = 12;
     let level = level(cases);
-    hold(FILE, cases, 11, interface(), |i| {
+    check_property(FILE, cases, 11, interface(), |i| {
         returns_no_more_than_it_may(i, level, COMPOSED)
     });
 }
@@ -221,7 +221,7 @@ fn in_many_scenes(cases: u32, by: By) {
     let seeds = long_seeds();
     let level = level(cases * seeds.clone().count() as u32);
     for seed in seeds {
-        hold(FILE, cases, seed, interface(), |i| {
+        check_property(FILE, cases, seed, interface(), |i| {
             returns_no_more_than_it_may(i, level, by)
         });
     }

@@ -23,7 +23,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed, TestCaseResult, TestRunner};
 
 /// Tries `cases` of a property, from a seed; those that failed once, in `file`, come first.
-fn hold<S>(
+fn check_property<S>(
     file: &'static str,
     cases: u32,
     seed: u64,

@@ -8,7 +8,7 @@ use vkpt::render::{Dropped, Target};
 use super::bound::albedo_anywhere;
 use super::case::{Case, any_case};
 use super::samples::{By, COMPOSED, Made, made, rounds_as_the_reference};
-use super::{hold, long_seeds};
+use super::{check_property, long_seeds};
 use crate::common::render::{job, outcome};
 
 /// Samples a pixel.
@@ -81,14 +81,14 @@ const FILE: &str = "tests/device/random_scenes/regressions/sound.txt";
 
 #[test]
 fn no_sample_of_the_references_is_broken() {
-    hold(FILE, 1500, 6, any_case(), |case| {
+    check_property(FILE, 1500, 6, any_case(), |case| {
         nothing_is_broken(case, By::References)
     });
 }
 
 #[test]
 fn no_sample_of_the_device_is_broken() {
-    hold(FILE, 12, 7, any_case(), |case| {
+    check_property(FILE, 12, 7, any_case(), |case| {
         nothing_is_broken(case, COMPOSED)
     });
 }
@@ -97,7 +97,7 @@ fn no_sample_of_the_device_is_broken() {
 #[ignore = "minutes"]
 fn no_sample_of_the_references_is_broken_in_many_scenes() {
     for seed in long_seeds() {
-        hold(FILE, 10_000, seed, any_case(), |case| {
+        check_property(FILE, 10_000, seed, any_case(), |case| {
             nothing_is_broken(case, By::References)
         });
     }
@@ -107,7 +107,7 @@ fn no_sample_of_the_references_is_broken_in_many_scenes() {
 #[ignore = "minutes"]
 fn no_sample_of_the_device_is_broken_in_many_scenes() {
     for seed in long_seeds() {
-        hold(FILE, 100, seed, any_case(), |case| {
+        check_property(FILE, 100, seed, any_case(), |case| {
             nothing_is_broken(case, COMPOSED)
         });
     }

@@ -96,7 +96,7 @@ const EXCUSED: &[(&str, &str)] = &[
     ("camera/lens/", READS_THE_SCENE),
     (
         "film/moments/",
-        "the buffer's side of film_moments; tests/device/same_bits.rs holds standard errors to the bit",
+        "the buffer's side of film_moments; tests/device/same_bits.rs compares standard errors to the bit",
     ),
     ("integrator/bidirectional/aim/", READS_THE_SCENE),
     ("integrator/bidirectional/background/", READS_THE_SCENE),
@@ -149,14 +149,14 @@ const EXCUSED: &[(&str, &str)] = &[
     ("path/vertex", READS_THE_SCENE),
     (
         "shape/bvh/",
-        "tests/device/bvh holds what they find against brute force",
+        "tests/device/bvh compares their hits with brute force",
     ),
     ("shape/cover/none", "constants"),
     ("shape/triangle/corner", READS_THE_SCENE),
 ];
 
 const READS_THE_SCENE: &str =
-    "its functions read a scene's buffers: whole paths are held against the reference";
+    "its functions read a scene's buffers: whole paths are compared with the reference";
 
 fn excused(file: &str) -> bool {
     EXCUSED.iter().any(|(start, _)| file.starts_with(start))
@@ -210,11 +210,11 @@ const GENERATED: [&str; 20] = [
 #[test]
 fn every_function_has_a_row() {
     let twins = all();
-    let held: BTreeSet<(String, &str)> = twins.iter().flat_map(Twin::holds).collect();
+    let tested: BTreeSet<(String, &str)> = twins.iter().flat_map(Twin::tested).collect();
     let library = files().filter(|f| !f.ends_with(".comp") && !excused(f));
     let missing: Vec<String> = library
         .flat_map(|f| functions(file(f).unwrap_or_default()).map(move |name| (f.to_owned(), name)))
-        .filter(|function| !held.contains(function))
+        .filter(|function| !tested.contains(function))
         .map(|(file, name)| format!("{file}: {name}"))
         .collect();
     assert!(
@@ -232,10 +232,10 @@ fn every_function_that_naga_lists_is_accounted_for() {
         return;
     };
     let twins = all();
-    let held = twins.iter().flat_map(Twin::holds).map(|(_, name)| name);
+    let tested = twins.iter().flat_map(Twin::tested).map(|(_, name)| name);
     let read = files().filter(|f| f.ends_with(".comp") || excused(f));
     let read = read.flat_map(|f| functions(file(f).unwrap_or_default()));
-    let known: BTreeSet<&str> = held.chain(read).chain(GENERATED).collect();
+    let known: BTreeSet<&str> = tested.chain(read).chain(GENERATED).collect();
     let settings = common::settings::estimators().into_iter();
     let mut missing = BTreeSet::new();
     for (_, settings) in settings.chain(common::settings::models()) {

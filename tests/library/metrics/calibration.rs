@@ -67,8 +67,8 @@ fn rejected_by_estimates([width, height]: [u32; 2], freedom: f64) -> u64 {
     let rejects = |_: &u32| {
         // A normal number's square times the variance is an unbiased estimate of it.
         let [a, b] = [0, 1].map(|_| random.noisy(&mean, &exact));
-        let [told_a, told_b] = [0, 1].map(|_| mapped(&random.noisy(&black, &exact), f32::abs));
-        let [a, b] = [(&a, &told_a), (&b, &told_b)].map(|(mean, film)| Estimate {
+        let [stderr_a, stderr_b] = [0, 1].map(|_| mapped(&random.noisy(&black, &exact), f32::abs));
+        let [a, b] = [(&a, &stderr_a), (&b, &stderr_b)].map(|(mean, film)| Estimate {
             mean,
             stderr: Stderr::PerPixel(StandardErrors { film, freedom }),
             precision: Precision::Single,

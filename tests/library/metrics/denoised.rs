@@ -37,33 +37,33 @@ fn error(d: &Film, r: &Film) -> f64 {
 fn trials(mut pictures: impl FnMut(&mut Random) -> [Film; 3]) -> (Vec<f64>, u64) {
     let truth = truth();
     let mut random = Random(19);
-    let (mut errors, mut held) = (Vec::new(), 0);
+    let (mut errors, mut covered) = (Vec::new(), 0);
     for _ in 0..TRIALS {
         let [d, a, b] = pictures(&mut random);
         let found = bound(&d, [&a, &b]).expect("pictures");
         let right = error(&d, &truth);
         errors.push(found.estimate - right);
-        held += u64::from(found.upper >= right);
+        covered += u64::from(found.upper >= right);
     }
-    (errors, held)
+    (errors, covered)
 }
 
 /// The probability that so few of the trials are within a bound that covers 95 in a hundred.
-fn p_of_held(held: u64) -> f64 {
+fn p_of_coverage(covered: u64) -> f64 {
     let law = Binomial::new(0.95, TRIALS as u64).expect("a law");
-    law.cdf(held)
+    law.cdf(covered)
 }
 
 #[test]
 fn the_estimate_is_unbiased_and_the_bound_covers_the_error() {
     let (truth, spread) = (truth(), constant(64, 48, [0.3, 0.2, 0.5]));
-    let (errors, held) = trials(|random| {
+    let (errors, covered) = trials(|random| {
         let [a, b] = [(); 2].map(|()| random.noisy(&truth, &spread));
         [denoised(&truth), a, b]
     });
     let p = p_of_mean(&errors, 0.0, 0.0);
     assert!(p > ALPHA, "p = {p:.1e}");
-    assert!(p_of_held(held) > ALPHA, "{held} of {TRIALS}");
+    assert!(p_of_coverage(covered) > ALPHA, "{covered} of {TRIALS}");
 }
 
 /// Quarters that share their noise look too bad, a denoised picture that has some of theirs too good.
@@ -75,7 +75,7 @@ fn pictures_that_are_not_independent_are_noticed() {
         [denoised(&truth), a.clone(), a]
     });
     assert!(p_of_mean(&errors, 0.0, 0.0) < ALPHA);
-    let (errors, held) = trials(|random| {
+    let (errors, covered) = trials(|random| {
         let [a, b] = [(); 2].map(|()| random.noisy(&truth, &spread));
         // A third of each quarter's noise.
         let d = film(64, 48, |x, y| {
@@ -85,7 +85,7 @@ fn pictures_that_are_not_independent_are_noticed() {
         [d, a, b]
     });
     assert!(p_of_mean(&errors, 0.0, 0.0) < ALPHA);
-    assert!(p_of_held(held) < ALPHA, "{held} of {TRIALS}");
+    assert!(p_of_coverage(covered) < ALPHA, "{covered} of {TRIALS}");
 }
 
 #[test]

@@ -41,14 +41,14 @@ struct Trials {
 /// The results: for each trial the error of the estimate, and how many bounds contain the error.
 struct Found {
     off: Vec<f64>,
-    held: u64,
+    covered: u64,
 }
 
 impl Found {
     /// The probability that so few of ends that cover 95 times in a hundred do.
-    fn p_of_held(&self, held: u64) -> f64 {
+    fn p_of_coverage(&self, covered: u64) -> f64 {
         let law = Binomial::new(0.95, self.off.len() as u64).expect("a law");
-        law.cdf(held)
+        law.cdf(covered)
     }
 }
 
@@ -74,7 +74,7 @@ fn run(trials: &Trials, judges: fn([Half; 2]) -> (Half, [Film; 2])) -> Found {
     let truth = [1, 2].map(|seed| outcome(&of(trials.truth_spp, seed), &Target::CpuF32).film);
     let mut found = Found {
         off: Vec::new(),
-        held: 0,
+        covered: 0,
     };
     for seed in 100..100 + trials.count {
         let job = Job {
@@ -98,7 +98,7 @@ fn run(trials: &Trials, judges: fn([Half; 2]) -> (Half, [Film; 2])) -> Found {
         let bound = bound(&denoised, [&a, &b]).expect("pictures");
         let right = error(&denoised, [&truth[0], &truth[1]]);
         found.off.push(bound.estimate - right);
-        found.held += u64::from(bound.upper >= right);
+        found.covered += u64::from(bound.upper >= right);
     }
     found
 }
@@ -114,19 +114,22 @@ fn itself([first, _]: [Half; 2]) -> (Half, [Film; 2]) {
     (first, quarters)
 }
 
-fn is_as_said(trials: &Trials) {
+fn check_coverage(trials: &Trials) {
     let found = run(trials, the_other);
-    let (p, held) = (p_of_mean(&found.off, 0.0, 0.0), found.p_of_held(found.held));
+    let (p, coverage) = (
+        p_of_mean(&found.off, 0.0, 0.0),
+        found.p_of_coverage(found.covered),
+    );
     println!(
-        "{} of {} bounds hold, p = {held:.1e}; the estimate is unbiased, p = {p:.1e}",
-        found.held, trials.count
+        "{} of {} bounds hold, p = {coverage:.1e}; the estimate is unbiased, p = {p:.1e}",
+        found.covered, trials.count
     );
     assert!(p > ALPHA, "p = {p:.1e}");
-    assert!(held > ALPHA, "{} of {}", found.held, trials.count);
+    assert!(coverage > ALPHA, "{} of {}", found.covered, trials.count);
     // The estimate itself is no upper end.
     let above = found.off.iter().filter(|&&off| off >= 0.0).count() as u64;
     assert!(
-        found.p_of_held(above) < ALPHA,
+        found.p_of_coverage(above) < ALPHA,
         "{above} of {}",
         trials.count
     );
@@ -140,7 +143,7 @@ fn bounds_cover_the_errors_of_renderings() {
         count: 24,
         truth_spp: 512,
     };
-    is_as_said(&trials);
+    check_coverage(&trials);
     let shared = run(&trials, itself);
     assert!(p_of_mean(&shared.off, 0.0, 0.0) < ALPHA);
 }
@@ -149,7 +152,7 @@ fn bounds_cover_the_errors_of_renderings() {
 #[ignore = "two minutes: 800 renderings"]
 fn bounds_cover_the_errors_of_many_renderings() {
     for integrator in [Integrator::Path, Integrator::Bidirectional] {
-        is_as_said(&Trials {
+        check_coverage(&Trials {
             integrator,
             size: [64, 48],
             count: 400,

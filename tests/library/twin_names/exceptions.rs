@@ -69,10 +69,10 @@ pub const KERNEL_ONLY: &[(&str, &str)] = &[
         "path/trace",
         "traces a vertex's shadow ray one turn late, in one loop with the extension ray",
     ),
-    ("integrator/path/record/", "the reference tells a Recorder"),
+    ("integrator/path/record/", "the reference calls a Recorder"),
     (
         "integrator/bidirectional/record/",
-        "the reference tells a Recorder",
+        "the reference calls a Recorder",
     ),
     (
         "integrator/bidirectional/eye_rays",
@@ -153,7 +153,7 @@ pub const ARGUMENTS: &[(&str, &str)] = &[
     ),
     (
         "is_covered",
-        "the kernel is told whether it is asked: an `if` about its loop crashes Mesa 22.3's compiler",
+        "the kernel has the argument `asked`: an `if` around its loop crashes Mesa 22.3's compiler",
     ),
     (
         "is_origin",
@@ -190,7 +190,7 @@ pub const REFERENCE_ONLY: &[(&str, &str)] = &[
     ),
     (
         "how",
-        "which of the files of the slot <pick> the kernel holds",
+        "which of the files of the slot <pick> the kernel contains",
     ),
     ("trace_bidirectional", "both kernels, one after the other"),
     ("begin_aimed_path", "a part of begin"),

@@ -148,7 +148,7 @@ fn a_wrong_packet_is_found() {
         panic!("{:?}", decoded(right));
     };
     assert_eq!(values, [[0., 0.], [0., 1.], [0., 2.]]);
-    assert!(parse(&right).is_err(), "another length than it tells");
+    assert!(parse(&right).is_err(), "another length than it states");
     let cut = right[..right.len() - 4].to_vec();
     assert!(decoded(cut).is_err(), "a value too few");
     let mut long = right.clone();

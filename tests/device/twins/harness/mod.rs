@@ -109,7 +109,7 @@ impl Twin {
     }
     /// (file, function) for each function that this row tests: those named, in each file of its kernel,
     /// because functions of one name may be in several files for one slot.
-    pub fn holds(&self) -> Vec<(String, &'static str)> {
+    pub fn tested(&self) -> Vec<(String, &'static str)> {
         let kernel = self
             .kernel(0, 0)
             .unwrap_or_else(|e| panic!("{}: {e}", self.name));
