@@ -121,7 +121,7 @@ fn every_workflow_is_sound() {
 }
 
 #[test]
-fn ci_reads_only_runs_everything_on_debian_and_ends_what_is_outdated() {
+fn ci_reads_only_runs_everything_on_debian_and_cancels_outdated_runs() {
     let text = fs::read_to_string(".github/workflows/ci.yml").expect("a workflow");
     let yaml = &YamlLoader::load_from_str(&text).expect("YAML")[0];
     let rights = yaml["permissions"].as_hash().expect("permissions");
